@@ -1,0 +1,1 @@
+# Filled when the library's public headers stand.

@@ -1,0 +1,26 @@
+# The library (all rooms but the command line) and the program.
+
+set(glibra_library_rooms glib geometry noise glsl image scene plan gpu render)
+set(glibra_objects)
+foreach(room ${glibra_library_rooms})
+    if(TARGET glibra_${room}_objects)
+        list(APPEND glibra_objects $<TARGET_OBJECTS:glibra_${room}_objects>)
+    endif()
+endforeach()
+
+if(glibra_objects)
+    add_library(glibra STATIC ${glibra_objects})
+endif()
+
+file(GLOB cli_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
+if(NOT cli_sources)
+    return()
+endif()
+add_executable(glibra_program ${cli_sources})
+set_target_properties(glibra_program PROPERTIES OUTPUT_NAME glibra RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+glibra_compile_options(glibra_program)
+target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
+target_link_libraries(glibra_program PRIVATE glibra_render CLI11::CLI11)
+if(TARGET glibra_openimageio)
+    add_dependencies(glibra_program glibra_openimageio)
+endif()

@@ -1,0 +1,37 @@
+# A room is a folder of src: one object library of all its .cpp files, and a static library of the same name for
+# the tests and the program. Every room sees include/ and src/, so that an include reads "room/file.h".
+
+set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+
+function(glibra_compile_options target)
+    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS})
+    if(GLIBRA_SANITIZE)
+        target_compile_options(${target} PRIVATE -fsanitize=${GLIBRA_SANITIZE} -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+        target_link_options(${target} PUBLIC -fsanitize=${GLIBRA_SANITIZE})
+    endif()
+endfunction()
+
+function(glibra_room room)
+    cmake_parse_arguments(arg "" "" "ROOMS;LINK" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
+    set(rooms ${arg_ROOMS})
+    list(TRANSFORM rooms PREPEND glibra_)
+
+    if(NOT sources)
+        add_library(glibra_${room} INTERFACE)
+        return()
+    endif()
+    add_library(glibra_${room}_objects OBJECT ${sources})
+    glibra_compile_options(glibra_${room}_objects)
+    target_include_directories(glibra_${room}_objects PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                               PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(glibra_${room}_objects PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
+
+    add_library(glibra_${room} STATIC $<TARGET_OBJECTS:glibra_${room}_objects>)
+    target_include_directories(glibra_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(glibra_${room} PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
+    if(GLIBRA_SANITIZE)
+        target_link_options(glibra_${room} PUBLIC -fsanitize=${GLIBRA_SANITIZE})
+    endif()
+endfunction()

@@ -1,0 +1,75 @@
+#pragma once
+// What glibra tells a user about a scene: one message with a place, a severity and an id that never changes meaning.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glibra {
+
+enum class Severity { note, warning, error };
+
+/// A place in a file. Line and column count from 1; columns count bytes, a tab is one column.
+struct Place {
+    std::string file;
+    int line = 1;
+    int column = 1;
+
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// One message. `id` is the catalogue's id without brackets, for example "glib-W04".
+struct Diagnostic {
+    Severity severity = Severity::error;
+    std::string id;
+    std::string text;
+    Place place;
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+inline Diagnostic error(std::string id, std::string text, Place place = {}) {
+    return {Severity::error, std::move(id), std::move(text), std::move(place)};
+}
+inline Diagnostic warning(std::string id, std::string text, Place place = {}) {
+    return {Severity::warning, std::move(id), std::move(text), std::move(place)};
+}
+inline Diagnostic note(std::string id, std::string text, Place place = {}) {
+    return {Severity::note, std::move(id), std::move(text), std::move(place)};
+}
+
+/// True if any of them is an error.
+inline bool hasError(const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error) return true;
+    return false;
+}
+
+/// Moves all of `more` to the end of `diagnostics`.
+inline void append(Diagnostics& diagnostics, Diagnostics more) {
+    for (Diagnostic& each : more) diagnostics.push_back(std::move(each));
+}
+
+/// "error", "warning" or "note".
+inline const char* name(Severity severity) {
+    switch (severity) {
+        case Severity::note: return "note";
+        case Severity::warning: return "warning";
+        case Severity::error: break;
+    }
+    return "error";
+}
+
+/// `file:line:col: severity: text [id]`, without a line end. A place without a file is left out.
+inline std::string toString(const Diagnostic& diagnostic) {
+    std::string line;
+    if (!diagnostic.place.file.empty())
+        line = diagnostic.place.file + ":" + std::to_string(diagnostic.place.line) + ":" +
+               std::to_string(diagnostic.place.column) + ": ";
+    line += name(diagnostic.severity);
+    line += ": " + diagnostic.text;
+    if (!diagnostic.id.empty()) line += " [" + diagnostic.id + "]";
+    return line;
+}
+
+}  // namespace glibra

@@ -1,0 +1,26 @@
+#pragma once
+
+namespace glibra::glib {
+
+/// The commands of the language, aliases folded; each has one row in the command table.
+enum class CommandId {
+    // window, view, colour
+    windowSize, perspective, ortho, lookAt, color, background, clear,
+    // transforms
+    translate, rotate, scale, pushMatrix, popMatrix,
+    // geometry
+    box, sphere, cylinder, cone, torus, teapot, soccerball, diskXY, quadXY, quadXZ, quadYZ, quadBox, xarrow,
+    pointCloud, jitterCloud, wireSphere, wireTorus, wireCylinder, wireCone, wireCube, wireBox, wireTeapot,
+    obj, wireObj, objAdj, objPatch, shp, linesAdjacency, triangles,
+    glBegin, glVertex, glNormal, glColor, glTexCoord, glEnd,
+    lineWidth, pointSize, pointSizeMode, numPatchVertices, flat, smooth,
+    // textures and targets
+    texture1D, texture2D, texture3D, texture, cubeMap, renderToTexture, clamp,
+    // shaders and programs
+    vertex, tessControl, tessEvaluation, geometry, fragment, program,
+    geometryInput, geometryOutput, geometryVerticesOut, gstap,
+    // noise, time, messages
+    noise2D, noise3D, timer, messageBox, verbose,
+};
+
+}  // namespace glibra::glib

@@ -1,0 +1,100 @@
+#pragma once
+// Which parts of a Scene have to be made and drawn for one picture, how, and why the rest is not. No GL: programs are
+// asked for through a function, so that only those which something visible needs are ever compiled.
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "plan/program_interface.h"
+#include "plan/uniforms.h"
+#include "scene/scene.h"
+
+namespace glibra::plan {
+
+/// The same Program statement may need several GL programs: flat or smooth colours, one or several colour targets.
+struct ProgramVariant {
+    int program = scene::kNone;  ///< index into Scene::programs; kNone: the built-in program
+    bool flatColors = false;
+    int colorTargets = 1;
+    friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
+};
+
+/// Called at most once for each variant, in the order of need. The reference must stay valid while the plan is used.
+using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
+/// True if any stage source of the program could write to an image (asked before anything is compiled).
+using MayWriteImages = std::function<bool(int program)>;
+
+struct TextureUse {
+    int uniform = 0;  ///< of the program's interface
+    int element = 0;
+    int driverUnit = 0;  ///< texture image unit (or image unit) of GL that the plan chose
+    int texture = scene::kNone;  ///< index into Scene::textures; kNone: empty slot, reads (0, 0, 0, 1)
+    scene::TextureTarget target = scene::TextureTarget::texture2D;
+    bool clamp = false;   ///< repeat otherwise
+    bool isImage = false;
+};
+
+/// How the mesh is submitted (language, 4.8).
+struct Submission {
+    geometry::Topology topology = geometry::Topology::triangles;
+    int patchVertices = 0;
+};
+
+struct PlannedProgram {
+    ProgramVariant variant;
+    const ProgramInterface* interface = nullptr;
+    std::vector<UniformBinding> values;  ///< literals and supplied values
+    std::vector<Control> controls;
+};
+
+struct PlannedDraw {
+    const scene::Draw* draw = nullptr;
+    int program = 0;  ///< index into FramePlan::programs
+    int mesh = 0;     ///< index into FramePlan::meshes
+    Submission submission;
+    std::vector<TextureUse> textures;
+};
+
+struct PlannedPass {
+    const scene::Pass* pass = nullptr;
+    std::vector<std::variant<PlannedDraw, const scene::Clear*>> steps;
+};
+
+/// A mesh to make, and the attributes of it that some program reads.
+struct PlannedMesh {
+    int shape = 0;  ///< index into Scene::shapes
+    std::vector<std::string> attributes;
+};
+
+/// Something that is not done, for --explain and --stats.
+struct Skipped {
+    std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw", "file"
+    std::string why;
+    Place place;
+};
+
+struct FramePlan {
+    std::vector<PlannedPass> passes;
+    std::vector<PlannedProgram> programs;
+    std::vector<PlannedMesh> meshes;
+    std::vector<int> textures;  ///< indices into Scene::textures that must exist (sources and targets)
+    std::vector<Skipped> skipped;
+    Diagnostics diagnostics;  ///< draw-E.., draw-W.., those of needed programs and uniforms
+};
+
+struct PlanOptions {
+    std::vector<Override> overrides;
+    int maxTextureUnits = 80;    ///< of the driver, all stages together
+    bool everything = false;     ///< glibra check: skip nothing
+};
+
+/// Topology of the mesh that a shape will give, known from the command alone.
+geometry::Topology topologyOf(const scene::Shape& shape);
+
+/// Plans one frame of the scene. Errors are in the diagnostics; the plan is then not to be drawn.
+FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf, const MayWriteImages& mayWriteImages,
+                    const PlanOptions& options);
+
+}  // namespace glibra::plan

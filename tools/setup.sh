@@ -1,0 +1,51 @@
+# Sourced by tools/glibra and tools/test: installs what Debian 12 lacks, configures and builds.
+# Sets nothing but functions; the caller has done `set -eu` and stands in the repository root.
+
+# What building and running needs.
+build_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
+ nlohmann-json3-dev libdeflate-dev libspng-dev libopenimageio-dev libopencv-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+ libosmesa6"
+# What testing needs besides.
+test_packages="libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev glslang-tools clang-format clang-tidy python3"
+
+say() { printf 'glibra: %s\n' "$*" >&2; }
+
+# install_packages NAME...: those that are missing, with one line that names them.
+install_packages() {
+    missing=
+    for package in "$@"; do
+        [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] ||
+            missing="$missing $package"
+    done
+    [ -n "$missing" ] || return 0
+    root=
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || { say "please install as root:$missing"; exit 4; }
+        root=sudo
+    fi
+    say "installing$missing"
+    log=$(mktemp)
+    # shellcheck disable=SC2086
+    if ! { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive \
+           apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
+        cat "$log" >&2
+        rm -f "$log"
+        say "could not install the packages"
+        exit 4
+    fi
+    rm -f "$log"
+}
+
+# build PRESET TARGET...: configures once, then builds; prints only when it takes a while or fails.
+build() {
+    preset=$1
+    shift
+    log=build/$preset.log
+    mkdir -p build
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        say "configuring ($preset)"
+        cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 4; }
+    fi
+    say "building ($preset)"
+    cmake --build "build/$preset" --target "$@" >"$log" 2>&1 || { tail -n 100 "$log" >&2; exit 4; }
+}
