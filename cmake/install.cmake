@@ -1,1 +1,30 @@
-# Filled when the library's public headers stand.
+# cmake --install: the program, the library with its headers and CMake package, the module for picture formats, and the
+# shaders that glibra itself draws with (the program has them inside; these are for reading).
+
+if(NOT glibra_objects)
+    return()
+endif()
+include(CMakePackageConfigHelpers)
+
+add_library(glibra SHARED ${glibra_objects})
+add_library(glibra::glibra ALIAS glibra)
+set_target_properties(glibra PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+target_compile_features(glibra PUBLIC cxx_std_20)
+target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_render>)
+
+install(TARGETS glibra_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS glibra EXPORT glibraTargets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/builtin DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/shaders)
+if(TARGET glibra_openimageio)
+    install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)
+endif()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glibra)
+install(EXPORT glibraTargets NAMESPACE glibra:: DESTINATION ${package_dir})
+file(WRITE ${PROJECT_BINARY_DIR}/glibraConfig.cmake "include(\${CMAKE_CURRENT_LIST_DIR}/glibraTargets.cmake)\n")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/glibraConfig.cmake ${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake
+        DESTINATION ${package_dir})

@@ -1,4 +1,4 @@
-# The library (all rooms but the command line) and the program.
+# The program, and the objects of the library: all rooms but the command line.
 
 set(glibra_library_rooms glib geometry noise glsl image scene plan gpu render)
 set(glibra_objects)
@@ -7,10 +7,6 @@ foreach(room ${glibra_library_rooms})
         list(APPEND glibra_objects $<TARGET_OBJECTS:glibra_${room}_objects>)
     endif()
 endforeach()
-
-if(glibra_objects)
-    add_library(glibra STATIC ${glibra_objects})
-endif()
 
 file(GLOB cli_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
 if(NOT cli_sources)

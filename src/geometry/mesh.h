@@ -1,5 +1,6 @@
 #pragma once
-// The one shape of all geometry: named per-vertex attributes, and indices that say how vertices form primitives.
+// The one shape of all geometry: named per-vertex attributes, and indices that say how vertices form
+// primitives.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +13,12 @@ namespace glibra::geometry {
 /// How consecutive indices form primitives. Quads, strips, fans and polygons are already split into these.
 enum class Topology { points, lines, linesAdjacency, triangles, trianglesAdjacency, patches };
 
-/// Names of the attributes that meshes carry. A mesh holds only those that vary over it: what is left out reads
-/// the current colour, FaceIndex 0, or (0, 0, 0, 1).
-inline constexpr std::string_view kPosition = "position";    ///< 3 or 4 numbers, model space; 3: w = 1
-inline constexpr std::string_view kNormal = "normal";        ///< 3 numbers, unit length, model space
-inline constexpr std::string_view kTexCoord = "texCoord";    ///< 2, 3 or 4 numbers s, t, p, q; missing ones 0, 0, 1
+/// Names of the attributes that meshes carry. A mesh holds only those that vary over it: what is left out
+/// reads the current colour, FaceIndex 0, or (0, 0, 0, 1).
+inline constexpr std::string_view kPosition = "position";  ///< 3 or 4 numbers, model space; 3: w = 1
+inline constexpr std::string_view kNormal = "normal";      ///< 3 numbers, unit length, model space
+inline constexpr std::string_view kTexCoord =
+    "texCoord";  ///< 2, 3 or 4 numbers s, t, p, q; missing ones 0, 0, 1
 inline constexpr std::string_view kTangent = "tangent";      ///< 3 numbers, unit length, model space
 inline constexpr std::string_view kColor = "color";          ///< 4 numbers, red, green, blue, alpha
 inline constexpr std::string_view kFaceIndex = "faceIndex";  ///< 1 number, a small integer
@@ -50,12 +52,18 @@ struct Mesh {
 /// Indices that one primitive of the topology takes.
 constexpr int verticesPerPrimitive(Topology topology, int patchVertices = 0) {
     switch (topology) {
-        case Topology::points: return 1;
-        case Topology::lines: return 2;
-        case Topology::linesAdjacency: return 4;
-        case Topology::triangles: return 3;
-        case Topology::trianglesAdjacency: return 6;
-        case Topology::patches: break;
+        case Topology::points:
+            return 1;
+        case Topology::lines:
+            return 2;
+        case Topology::linesAdjacency:
+            return 4;
+        case Topology::triangles:
+            return 3;
+        case Topology::trianglesAdjacency:
+            return 6;
+        case Topology::patches:
+            break;
     }
     return patchVertices;
 }

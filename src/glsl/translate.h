@@ -52,6 +52,9 @@ struct ProgramRequest {
     bool shim = true;          ///< false: --no-shim, only #version spelling and #include are handled
     bool flatColors = false;   ///< Flat: gl_FrontColor and its kin are interpolated flat
     int colorTargets = 1;      ///< gl_FragColor is copied to this many outputs
+    /// The program draws a part of a larger picture: the last stage before rasterisation maps gl_Position.xy to
+    /// xy * glibra_Tile.xy + glibra_Tile.zw * w, and gl_FragCoord.xy reads larger by glibra_TileOrigin (pixels).
+    bool tiled = false;
     std::string geometryInput;      ///< from GeometryInput, plain lower-case GLSL word, or empty
     std::string geometryOutput;     ///< likewise
     int geometryVerticesOut = 0;    ///< 0: not given

@@ -32,7 +32,8 @@ struct Image {
 };
 
 /// Texels of a texture, ready for upload: s fastest, then t, then p; t = 0 is the bottom row of a picture.
-/// A cube map holds its six faces one after the other (+x -x +y -y +z -z), each with GL's own first row first.
+/// A cube map holds its six faces one after the other (+x -x +y -y +z -z), each with GL's own first row
+/// first.
 struct TexelBlock {
     int dimensions = 2;  ///< 1, 2 or 3; a cube map is 2 with faces = 6
     int faces = 1;

@@ -1,6 +1,7 @@
 #pragma once
-// Which parts of a Scene have to be made and drawn for one picture, how, and why the rest is not. No GL: programs are
-// asked for through a function, so that only those which something visible needs are ever compiled.
+// Which parts of a Scene have to be made and drawn for one picture, how, and why the rest is not. No GL:
+// programs are asked for through a function, so that only those which something visible needs are ever
+// compiled.
 
 #include <functional>
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace glibra::plan {
 
-/// The same Program statement may need several GL programs: flat or smooth colours, one or several colour targets.
+/// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
+/// targets.
 struct ProgramVariant {
     int program = scene::kNone;  ///< index into Scene::programs; kNone: the built-in program
     bool flatColors = false;
@@ -21,7 +23,8 @@ struct ProgramVariant {
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
-/// Called at most once for each variant, in the order of need. The reference must stay valid while the plan is used.
+/// Called at most once for each variant, in the order of need. The reference must stay valid while the plan
+/// is used.
 using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
 /// True if any stage source of the program could write to an image (asked before anything is compiled).
 using MayWriteImages = std::function<bool(int program)>;
@@ -29,10 +32,10 @@ using MayWriteImages = std::function<bool(int program)>;
 struct TextureUse {
     int uniform = 0;  ///< of the program's interface
     int element = 0;
-    int driverUnit = 0;  ///< texture image unit (or image unit) of GL that the plan chose
+    int driverUnit = 0;          ///< texture image unit (or image unit) of GL that the plan chose
     int texture = scene::kNone;  ///< index into Scene::textures; kNone: empty slot, reads (0, 0, 0, 1)
     scene::TextureTarget target = scene::TextureTarget::texture2D;
-    bool clamp = false;   ///< repeat otherwise
+    bool clamp = false;  ///< repeat otherwise
     bool isImage = false;
 };
 
@@ -64,14 +67,15 @@ struct PlannedPass {
 
 /// A mesh to make, and the attributes of it that some program reads.
 struct PlannedMesh {
-    int shape = 0;  ///< index into Scene::shapes
-    std::vector<std::string> attributes;
+    int shape = 0;                        ///< index into Scene::shapes
+    std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
 };
 
 /// Something that is not done, for --explain and --stats.
 struct Skipped {
-    std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw", "file"
-    std::string why;
+    std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw",
+                       ///< "statement", "file"
+    std::string why;   ///< which one, and why: "unit 5 / 3D: no active sampler reads it"
     Place place;
 };
 
@@ -86,15 +90,19 @@ struct FramePlan {
 
 struct PlanOptions {
     std::vector<Override> overrides;
-    int maxTextureUnits = 80;    ///< of the driver, all stages together
-    bool everything = false;     ///< glibra check: skip nothing
+    int maxTextureUnits = 80;  ///< of the driver, all stages together
+    int maxImageUnits = 8;     ///< of the driver
+    bool everything = false;   ///< glibra check: skip nothing
 };
 
 /// Topology of the mesh that a shape will give, known from the command alone.
 geometry::Topology topologyOf(const scene::Shape& shape);
 
-/// Plans one frame of the scene. Errors are in the diagnostics; the plan is then not to be drawn.
-FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf, const MayWriteImages& mayWriteImages,
-                    const PlanOptions& options);
+/// Plans one frame of the scene, which must outlive the plan. Errors are in the diagnostics; a picture of a
+/// plan with errors is not to be kept, but a window may show the rest: draws with an error of their own are
+/// left out, those of an unusable program are in it. Shp counts as lines; the mesh that render reads from the
+/// file has the last word.
+FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
+                    const MayWriteImages& mayWriteImages, const PlanOptions& options);
 
 }  // namespace glibra::plan

@@ -16,7 +16,8 @@ struct ValueType {
     BaseType base = BaseType::floating;
     int columns = 1;
     int rows = 1;
-    /// For samplers and images: the target they read, nothing for targets that scenes cannot fill (2DRect, arrays, buffers).
+    /// For samplers and images: the target they read, nothing for targets that scenes cannot fill (2DRect,
+    /// arrays, buffers).
     std::optional<scene::TextureTarget> target;
     std::string word;  ///< GLSL word for messages: "vec3", "sampler2D"
     [[nodiscard]] int components() const { return columns * rows; }
@@ -51,9 +52,10 @@ struct ProgramInterface {
     std::vector<ActiveUniform> uniforms;
     std::vector<UniformBlock> blocks;
     std::vector<ActiveInput> inputs;
-    glsl::TranslatedProgram facts;  ///< stages' sources may be empty; diagnostics of translating, compiling and linking
-    bool usable = false;            ///< it linked; false: `facts.diagnostics` says why
-    bool isBuiltin = false;         ///< glibra's own flat-colour program
+    glsl::TranslatedProgram
+        facts;            ///< stages' sources may be empty; diagnostics of translating, compiling and linking
+    bool usable = false;  ///< it linked; false: `facts.diagnostics` says why
+    bool isBuiltin = false;  ///< glibra's own flat-colour program
 };
 
 }  // namespace glibra::plan

@@ -1,6 +1,8 @@
 #pragma once
 // From tags with values as written to typed values of active uniforms (language, 5.3 and 6).
 
+#include <glibra/result.h>
+
 #include <map>
 #include <span>
 #include <string>
@@ -30,11 +32,16 @@ struct UniformBinding {
     Expression value;
 };
 
+/// Units of the language that hold the noise textures until a scene says otherwise; Noise2 and Noise3 without
+/// a tag read them.
+inline constexpr int kNoise2Unit = 2;
+inline constexpr int kNoise3Unit = 3;
+
 /// A sampler or image and the unit of the language that it reads.
 struct SamplerBinding {
     int uniform = 0;
     int element = 0;  ///< of an array of samplers
-    int unit = 0;     ///< 0..127, or kNoise2Unit/kNoise3Unit for Noise2 and Noise3 without a tag
+    int unit = 0;     ///< 0..127
 };
 
 /// What the interface needs for a slider, a check box or a colour button.
@@ -60,9 +67,9 @@ struct Override {
 /// Reads "NAME=VALUE"; "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]".
 Result<Override> parseOverride(std::string_view text);
 
-/// Resolves the pairs of one Program statement against its linked interface. Every active uniform that is neither
-/// supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` win over the scene's values;
-/// `usedOverrides` gets a true for each one that named a uniform here.
+/// Resolves the pairs of one Program statement against its linked interface. Every active uniform that is
+/// neither supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` win over the
+/// scene's values; `usedOverrides` gets a true for each one that named a uniform here.
 UniformResolution resolveUniforms(const scene::Program& program, const std::string& scenePath,
                                   const ProgramInterface& interface, std::span<const Override> overrides,
                                   std::vector<bool>& usedOverrides);

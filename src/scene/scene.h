@@ -54,9 +54,11 @@ struct EmptySource {
     int width = 1, height = 1, depth = 1;
     TexelFormat format = TexelFormat::rgba8;
 };
+/// Noise of the built-in function, or of a scene's own file of that size (language, 9.5).
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
+    int file = kNone;  ///< index into Scene::files
 };
 
 struct Texture {
@@ -162,6 +164,7 @@ struct Scene {
     std::vector<Program> programs;
     std::vector<Pass> passes;  ///< in order; the last content of the window is the picture
     bool usesLookAt = false;
+    glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
     bool verbose = false;
     Diagnostics diagnostics;
 };

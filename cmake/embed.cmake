@@ -1,0 +1,15 @@
+# glibra_embed(TARGET NAMESPACE FILE...): puts text files into the program, as
+# `std::string_view NAMESPACE::name_ending()` declared in the generated header "embedded/NAMESPACE.h".
+function(glibra_embed target namespace)
+    set(header "#pragma once\n#include <string_view>\nnamespace glibra::${namespace} {\n")
+    foreach(file ${ARGN})
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+        get_filename_component(name ${file} NAME)
+        string(REGEX REPLACE "[^a-zA-Z0-9]" "_" name ${name})
+        file(READ ${file} text)
+        string(APPEND header "constexpr std::string_view ${name}() {\n    return R\"glsl(${text})glsl\";\n}\n")
+    endforeach()
+    string(APPEND header "}\n")
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/embedded/${namespace}.h CONTENT "${header}" @ONLY)
+    target_include_directories(${target} SYSTEM PRIVATE ${PROJECT_BINARY_DIR}/generated)
+endfunction()

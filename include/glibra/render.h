@@ -1,0 +1,66 @@
+#pragma once
+// The library's front door: a scene file in, a picture out. Everything else is behind it.
+
+#include <glibra/diagnostic.h>
+#include <glibra/result.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glibra {
+
+/// Which GL the pictures are drawn with. `automatic`: EGL without a surface, an EGL device, OSMesa, in this order.
+enum class Driver { automatic, egl, eglDevice, osmesa };
+
+/// How the eye is placed: `automatic` moves it back from a scene that would be seen from inside.
+enum class ViewPolicy { automatic, glman };
+
+/// What may be asked of a picture beyond what the scene says.
+struct RenderOptions {
+    int width = 0;   ///< pixels; 0: the scene's WindowSize
+    int height = 0;
+    double time = 0;  ///< seconds since loading; Timer = fract(time / period)
+    std::vector<std::string> set;  ///< "NAME=VALUE" for uniforms
+    ViewPolicy view = ViewPolicy::automatic;
+    int samples = 1;  ///< multisampling, limited to what the driver has
+    bool axes = false;  ///< draws axes two units long at the origin of eye space
+    bool alpha = false;  ///< keeps the window's alpha; otherwise pictures are opaque
+    bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
+    bool strict = false;       ///< warnings are errors
+    bool shim = true;          ///< false: shaders are compiled as they are
+    std::vector<std::filesystem::path> libraryRoots;  ///< searched for files besides the scene's own folders
+    int tileSize = 0;  ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
+};
+
+/// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    int components = 3;
+    bool isFloat = false;
+    std::vector<std::byte> data;
+};
+
+/// A GL context and what pictures share. Use it from the thread that made it; one at a time in a process.
+class Renderer {
+  public:
+    /// Opens a context; the error says what was tried.
+    static Result<Renderer> open(Driver driver = Driver::automatic);
+
+    /// Reads and draws one scene file. Errors of the scene are diagnostics with file, line and column.
+    Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
+
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+  private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glibra

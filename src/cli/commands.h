@@ -1,0 +1,42 @@
+#pragma once
+// The subcommands, one file each. Each adds itself to the command line and leaves its exit status in `status`.
+
+#include <glibra/diagnostic.h>
+#include <glibra/render.h>
+
+#include <map>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace glibra::cli {
+
+// Exit statuses; of several the largest counts.
+inline constexpr int kDone = 0;
+inline constexpr int kDiffers = 1;
+inline constexpr int kWrongUsage = 2;
+inline constexpr int kSceneIsWrong = 3;
+inline constexpr int kNoDriver = 4;
+
+void addRender(CLI::App& app, int& status);
+void addCheck(CLI::App& app, int& status);
+void addCompare(CLI::App& app, int& status);
+void addInfo(CLI::App& app, int& status);
+void addLanguage(CLI::App& app, int& status);
+
+/// Words of --driver.
+inline const std::map<std::string, Driver> kDriverWords{{"auto", Driver::automatic},
+                                                        {"egl", Driver::egl},
+                                                        {"egl-device", Driver::eglDevice},
+                                                        {"osmesa", Driver::osmesa}};
+
+/// The lines to print, in colour if `color`.
+std::string printable(const Diagnostics& diagnostics, bool color);
+/// Prints to standard error, in colour if that is a terminal.
+void print(const Diagnostics& diagnostics);
+/// Folders of the environment variable GLIBRA_PATH.
+std::vector<std::filesystem::path> libraryRoots();
+
+}  // namespace glibra::cli

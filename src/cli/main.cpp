@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands.h"
+
+int main(int argc, char** argv) {
+    CLI::App app{"glibra runs GLIB shader scenes"};
+    app.set_version_flag("--version", "glibra " GLIBRA_VERSION);
+    app.require_subcommand(1);
+    int status = glibra::cli::kDone;
+    try {
+        glibra::cli::addRender(app, status);
+        glibra::cli::addCheck(app, status);
+        glibra::cli::addCompare(app, status);
+        glibra::cli::addInfo(app, status);
+        glibra::cli::addLanguage(app, status);
+        app.parse(argc, argv);
+        return status;
+    } catch (const CLI::ParseError& wrong) {
+        return app.exit(wrong) == 0 ? glibra::cli::kDone : glibra::cli::kWrongUsage;
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        return glibra::cli::kSceneIsWrong;
+    }
+}

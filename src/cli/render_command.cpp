@@ -1,0 +1,309 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "cli/commands.h"
+#include "gpu/context.h"
+#include "image/file.h"
+#include "render/job.h"
+#include "render/workers.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderArguments {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::string size;
+    std::string statsFile;
+    Driver driver = Driver::automatic;
+    RenderOptions options;
+    int frames = 1;
+    double framesPerSecond = 30;
+    int jobs = 1;
+    double timeout = 300;
+    bool noShim = false;
+    bool explain = false;
+};
+
+/// "WxH", both 1..65536.
+std::optional<std::pair<int, int>> parseSize(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    char rest = 0;
+    // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is bounded
+    if (std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) != 2) return std::nullopt;
+    if (width < 1 || height < 1 || width > 65536 || height > 65536) return std::nullopt;
+    return std::pair(width, height);
+}
+
+/// The file each scene is written to. Without -o the scene's name in the current folder; several scenes of one name keep the
+/// folders in which they differ.
+std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
+    std::vector<fs::path> names;
+    std::set<std::string> distinct;
+    for (const std::string& scene : arguments.scenes) {
+        names.push_back(fs::path(scene).filename().replace_extension(".png"));
+        distinct.insert(names.back().string());
+    }
+    if (distinct.size() < names.size()) {
+        fs::path common = fs::absolute(arguments.scenes.front()).lexically_normal().parent_path();
+        for (const std::string& scene : arguments.scenes) {
+            const fs::path folder = fs::absolute(scene).lexically_normal().parent_path();
+            while (!common.empty() && common != common.parent_path() &&
+                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first != common.end())
+                common = common.parent_path();
+        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            names[i] = fs::absolute(arguments.scenes[i]).lexically_normal().lexically_relative(common).replace_extension(
+                ".png");
+    }
+    if (arguments.output.empty()) return names;
+    const bool isFolder = arguments.scenes.size() > 1 || fs::is_directory(arguments.output) ||
+                          arguments.output.back() == '/';
+    for (fs::path& name : names) name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
+    return names;
+}
+
+/// The answer that a worker sends: how it went, what to print, and the statistics.
+struct Answer {
+    int status = kDone;
+    std::string text;
+    std::string explanation;
+    std::string statsJson;
+};
+
+std::string pack(const Answer& answer) {
+    return fmt::format("{} {} {}\n", answer.status, answer.text.size(), answer.explanation.size()) + answer.text +
+           answer.explanation + answer.statsJson;
+}
+
+Answer unpack(const std::string& packed) {
+    Answer answer;
+    std::istringstream head(packed);
+    std::size_t text = 0;
+    std::size_t explanation = 0;
+    head >> answer.status >> text >> explanation;
+    const std::size_t begin = packed.find('\n') + 1;
+    answer.text = packed.substr(begin, text);
+    answer.explanation = packed.substr(begin + text, explanation);
+    answer.statsJson = packed.substr(begin + text + explanation);
+    return answer;
+}
+
+/// Runs in the worker: opens the context with its first job and keeps it.
+class JobRunner {
+  public:
+    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, bool color)
+        : arguments_(arguments), outputs_(std::move(outputs)), color_(color) {}
+
+    std::string operator()(std::size_t index, const render::Step& step) {
+        Answer answer;
+        if (!context_) {
+            Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
+            if (!opened) return pack({kNoDriver, printable(opened.diagnostics, color_), "", ""});
+            context_.emplace(std::move(*opened));
+        }
+        render::Job job;
+        job.scene = arguments_.scenes[index];
+        job.output = outputs_[index];
+        job.options = arguments_.options;
+        job.frames = arguments_.frames;
+        job.framesPerSecond = arguments_.framesPerSecond;
+        job.explain = arguments_.explain;
+        job.stats = !arguments_.statsFile.empty();
+        render::JobResult result;
+        try {
+            result = render::runJob(*context_, job, [&](int written) { step(std::to_string(written)); });
+        } catch (const std::bad_alloc&) {
+            result.failed = true;
+            result.diagnostics.push_back(error("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
+        } catch (const std::exception& failure) {
+            result.failed = true;
+            result.diagnostics.push_back(error("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
+        }
+        answer.status = result.failed ? kSceneIsWrong : kDone;
+        answer.text = printable(result.diagnostics, color_);
+        answer.explanation = std::move(result.explanation);
+        answer.statsJson = std::move(result.statsJson);
+        return pack(answer);
+    }
+
+  private:
+    const RenderArguments& arguments_;
+    std::vector<fs::path> outputs_;
+    bool color_;
+    std::optional<gpu::Context> context_;
+};
+
+/// Removes what a worker that was ended has half written: temporary files carry the number of their process.
+void removeLeftovers(const fs::path& folder, int process) {
+    const std::string begin = fmt::format(".glibra-{}-", process);
+    std::error_code failure;
+    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
+         each.increment(failure))
+        if (each->path().filename().string().starts_with(begin)) {
+            std::error_code ignored;
+            fs::remove(each->path(), ignored);
+        }
+}
+
+/// The line "[3/60] scene.glib" that is rewritten on a terminal, and nothing elsewhere.
+class ProgressLine {
+  public:
+    ProgressLine(bool shown, std::size_t scenes, int frames)
+        : shown_(shown && (scenes > 1 || frames > 1)), total_(scenes * static_cast<std::size_t>(frames)) {}
+    void show(std::size_t done, const std::string& what) const {
+        if (shown_) std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, what.c_str());
+    }
+    void clear() const {
+        if (shown_) std::fputs("\r\033[K", stderr);
+    }
+
+  private:
+    bool shown_;
+    std::size_t total_;
+};
+
+int renderAll(RenderArguments& arguments) {
+    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    const std::vector<fs::path> outputs = outputFiles(arguments);
+    std::error_code ignored;  // a folder that cannot be made is reported with the file that cannot be written
+    for (const fs::path& each : outputs)
+        if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
+
+    JobRunner runner(arguments, outputs, terminal);
+    const ProgressLine progress(terminal, arguments.scenes.size(), arguments.frames);
+    int status = kDone;
+    std::vector<std::string> failed;
+    std::vector<std::string> stats(arguments.scenes.size());
+    std::vector<int> framesDone(arguments.scenes.size());
+    std::size_t doneCount = 0;
+
+    const auto done = [&](std::size_t index, const render::Outcome& outcome) {
+        const std::string& scene = arguments.scenes[index];
+        Answer answer;
+        if (outcome.end == render::Outcome::End::finished) {
+            answer = unpack(outcome.answer);
+        } else {
+            answer.status = kSceneIsWrong;
+            const std::string text =
+                outcome.end == render::Outcome::End::timedOut
+                    ? fmt::format("not drawn within {:g} seconds (--timeout)", arguments.timeout)
+                    : fmt::format("the process that drew it ended with signal {}; the other scenes go on", outcome.signal);
+            answer.text = printable({error(outcome.end == render::Outcome::End::timedOut ? "draw-E07" : "draw-E06", text,
+                                           {scene, 1, 1})},
+                                    terminal);
+            // The worker could not remove what it had half written.
+            removeLeftovers(outputs[index].parent_path(), outcome.process);
+        }
+        progress.clear();
+        std::fwrite(answer.text.data(), 1, answer.text.size(), stderr);
+        std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
+        std::fflush(stdout);
+        stats[index] = std::move(answer.statsJson);
+        status = std::max(status, answer.status);
+        if (answer.status != kDone) failed.push_back(scene);
+        doneCount += static_cast<std::size_t>(arguments.frames - framesDone[index]);
+        progress.show(doneCount, scene);
+    };
+    const auto step = [&](std::size_t index, const std::string& text) {
+        const int frames = std::stoi(text);
+        doneCount += static_cast<std::size_t>(frames - framesDone[index]);
+        framesDone[index] = frames;
+        progress.show(doneCount, arguments.scenes[index]);
+    };
+    render::runInWorkers(arguments.scenes.size(), {.workers = arguments.jobs, .timeout = arguments.timeout},
+                         std::ref(runner), done, step);
+    progress.clear();
+
+    if (arguments.scenes.size() > 1) {
+        std::string summary = fmt::format("{} of {} scenes rendered", arguments.scenes.size() - failed.size(),
+                                          arguments.scenes.size());
+        for (std::size_t i = 0; i < failed.size(); ++i) summary += (i == 0 ? ", failed: " : ", ") + failed[i];
+        std::fprintf(stderr, "%s\n", summary.c_str());
+    }
+    if (!arguments.statsFile.empty()) {
+        std::string all;
+        for (const std::string& each : stats)
+            if (!each.empty()) all += (all.empty() ? "" : ",\n") + each;
+        if (arguments.scenes.size() > 1) all = "[" + all + "]";
+        all += '\n';
+        const Diagnostics problems = image::writeFileAtomically(arguments.statsFile, std::as_bytes(std::span(all)));
+        print(problems);
+        if (hasError(problems)) status = std::max(status, kSceneIsWrong);
+    }
+    return status;
+}
+
+/// What CLI11 cannot check by itself.
+int run(RenderArguments& arguments) {
+    if (!arguments.size.empty()) {
+        const auto size = parseSize(arguments.size);
+        if (!size) {
+            std::fprintf(stderr, "glibra: error: --size %s is not WxH with 1 to 65536 pixels a side, as 800x600\n",
+                         arguments.size.c_str());
+            return kWrongUsage;
+        }
+        std::tie(arguments.options.width, arguments.options.height) = *size;
+    }
+    if (arguments.output == "-" && (arguments.scenes.size() > 1 || arguments.frames > 1)) {
+        std::fprintf(stderr, "glibra: error: -o - takes one picture\n");
+        return kWrongUsage;
+    }
+    arguments.options.shim = !arguments.noShim;
+    arguments.options.libraryRoots = libraryRoots();
+    return renderAll(arguments);
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, int& status) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "scenes to images, without a window or a display");
+    RenderArguments& to = *arguments;
+    command->add_option("SCENE", to.scenes, "scene files (.glib)")->required();
+    command->add_option("-o,--output", to.output,
+                        "image file, or folder for several; the name's ending decides the format; - is standard output");
+    command->add_option("--size", to.size, "WxH in pixels instead of the scene's WindowSize");
+    command->add_option("--time", to.options.time, "seconds since the start of the scene")->check(CLI::Range(-1e9, 1e9));
+    command->add_option("--frames", to.frames, "number of frames of an animation, written as NAME_0000.png ...")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--fps", to.framesPerSecond, "frames a second of an animation")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->capture_default_str();
+    command->add_option("--set", to.options.set, "NAME=VALUE sets a uniform, as uKd=.5 or uColor=1,.5,0")
+        ->allow_extra_args(false);
+    command->add_option("--view", to.options.view, "auto moves the eye out of a scene, glman leaves it where it is")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic}, {"glman", ViewPolicy::glman}}));
+    command->add_option("--samples", to.options.samples, "samples a pixel")->check(CLI::Range(1, 64));
+    command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
+    command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
+    command->add_option("--driver", to.driver, "which OpenGL: auto, egl, egl-device, osmesa")
+        ->transform(CLI::CheckedTransformer(kDriverWords));
+    command->add_option("--jobs", to.jobs, "scenes rendered at once")->check(CLI::Range(1, 256));
+    command->add_option("--timeout", to.timeout, "seconds that one picture may take, 0 for no limit")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--tile", to.options.tileSize, "side of the tiles of large pictures in pixels")
+        ->check(CLI::Range(16, 16384));
+    command->add_flag("--strict", to.options.strict, "warnings are errors");
+    command->add_flag("--no-shim", to.noShim, "compile the shaders as they are, without translating their dialect");
+    command->add_flag("--explain", to.explain, "say what was made, what was skipped and why");
+    command->add_option("--stats", to.statsFile, "write times and counts of every stage as JSON");
+    command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,38 @@
+#include "geometry/arrow.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "geometry/frame.h"
+#include "geometry/revolution.h"
+
+namespace glibra::geometry {
+
+Mesh xarrow(int slices) {
+    assert(slices >= 2);
+    constexpr int kSides = 24;
+    constexpr double kTail = -1, kNeck = .6, kTip = 1, kShaftRadius = .05, kHeadRadius = .1;
+    constexpr auto kT = [](double x) { return (x + 1) / 2; };
+    const int onShaft = std::min(slices - 1, std::max(1, static_cast<int>(std::floor(.8 * slices + .5))));
+
+    Surface surface(Topology::triangles, 2, xarrowCounts(slices));
+    const Axis pointing{.along = {1, 0, 0}, .zero = {0, 1, 0}, .quarter = {0, 0, 1}};
+    const std::vector<glm::dvec2> circle = unitCircle(kSides);
+    const Band shaft{kTail, kShaftRadius, kT(kTail), kNeck, kShaftRadius, kT(kNeck), onShaft, false};
+    const Band head{kNeck, kHeadRadius, kT(kNeck), kTip, 0, kT(kTip), slices - onShaft, true};
+    for (const Band& band : {shaft, head}) {
+        const std::uint32_t base = surface.size();
+        addBandPoints(surface, pointing, band, circle);
+        addBandCells(surface, base, band, kSides);
+    }
+    const glm::dvec3 z{0, 0, 1}, y{0, 1, 0};
+    addCap(surface, pointing, {.along = kTail, .radius = kShaftRadius, .sDirection = z, .tDirection = y}, 1,
+           circle);
+    addBackRing(surface, pointing, {.along = kNeck, .radius = kHeadRadius, .sDirection = z, .tDirection = y},
+                kShaftRadius, circle);
+    return std::move(surface).finish();
+}
+
+}  // namespace glibra::geometry

@@ -1,0 +1,153 @@
+#include "geometry/list_mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/frame.h"
+#include "geometry/list_topology.h"
+
+namespace glibra::geometry {
+namespace {
+
+template <std::size_t N>
+using Numbers = std::array<double, N>;
+
+glm::dvec3 euclidean(const Numbers<4>& point) {
+    const glm::dvec3 xyz{point[0], point[1], point[2]};
+    return point[3] == 0 ? xyz : xyz / point[3];
+}
+
+glm::dvec3 areaNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return glm::cross(b - a, c - a);
+}
+
+constexpr glm::dvec3 kTowardViewer{0, 0, 1};
+
+bool getsNormals(ListTopology topology) {
+    return meshTopology(topology) == Topology::triangles;
+}
+
+/// The sum of the area vectors of the triangles around each vertex. Separate primitives share no vertices, so
+/// that for triangles and quads this is the face's own: the two halves of a quad are added at all four of its
+/// corners.
+std::vector<glm::dvec3> computedNormals(ListTopology topology, std::span<const ListVertex> vertices,
+                                        std::span<const std::uint32_t> indices) {
+    std::vector<glm::dvec3> normals(vertices.size(), kTowardViewer);
+    if (!getsNormals(topology)) return normals;
+    std::fill(normals.begin(), normals.end(), glm::dvec3(0));
+    const auto place = [&](std::uint32_t index) { return euclidean(vertices[index].position); };
+    for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) {
+        const glm::dvec3 area = areaNormal(place(indices[i]), place(indices[i + 1]), place(indices[i + 2]));
+        if (topology == ListTopology::quads) {
+            const std::size_t quad = indices[i] / 4 * 4;
+            for (std::size_t corner = quad; corner < quad + 4; ++corner) normals[corner] += area;
+        } else {
+            for (std::size_t corner = i; corner < i + 3; ++corner) normals[indices[corner]] += area;
+        }
+    }
+    for (glm::dvec3& normal : normals) normal = unitOr(normal, kTowardViewer);
+    return normals;
+}
+
+/// An attribute of the first `components` numbers that `numbersOf` gives for each of `count` vertices.
+template <class NumbersOf>
+Attribute attributeOf(std::string_view name, int components, std::size_t count, NumbersOf numbersOf) {
+    Attribute attribute{std::string(name), components, {}};
+    attribute.values.reserve(count * static_cast<std::size_t>(components));
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto numbers = numbersOf(i);
+        for (int c = 0; c < components; ++c)
+            attribute.values.push_back(static_cast<float>(numbers[static_cast<std::size_t>(c)]));
+    }
+    return attribute;
+}
+
+Numbers<3> numbersOf(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// Components of a texture coordinate that differ from what a missing one reads: 0, 0, 0, 1. None or at least
+/// two.
+int texCoordComponents(std::span<const ListVertex> vertices) {
+    int components = 0;
+    for (const ListVertex& vertex : vertices) {
+        if (vertex.texCoord[3] != 1) return 4;
+        if (vertex.texCoord[2] != 0)
+            components = 3;
+        else if (vertex.texCoord[0] != 0 || vertex.texCoord[1] != 0)
+            components = std::max(components, 2);
+    }
+    return components;
+}
+
+bool allWeightsOne(std::span<const ListVertex> vertices) {
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [](const ListVertex& v) { return v.position[3] == 1; });
+}
+
+}  // namespace
+
+ListMesh meshFromList(ListTopology topology, std::span<const ListVertex> vertices, bool hasNormals,
+                      int patchVertices) {
+    ListMesh list;
+    list.mesh.topology = meshTopology(topology);
+    if (topology == ListTopology::patches) list.mesh.patchVertices = patchVertices;
+    ListIndices numbered = listIndices(topology, vertices.size(), patchVertices);
+    list.mesh.indices = std::move(numbered.indices);
+    list.dropped = numbered.dropped;
+    if (vertices.empty()) return list;
+
+    std::vector<glm::dvec3> normals;
+    if (hasNormals)
+        for (const ListVertex& vertex : vertices)
+            normals.emplace_back(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
+    else
+        normals = computedNormals(topology, vertices, list.mesh.indices);
+
+    const std::size_t count = vertices.size();
+    std::vector<Attribute>& attributes = list.mesh.attributes;
+    attributes.push_back(attributeOf(kPosition, allWeightsOne(vertices) ? 3 : 4, count,
+                                     [&](std::size_t i) { return vertices[i].position; }));
+    attributes.push_back(
+        attributeOf(kNormal, 3, count, [&](std::size_t i) { return numbersOf(normals[i]); }));
+    attributes.push_back(attributeOf(kTangent, 3, count,
+                                     [&](std::size_t i) { return numbersOf(fallbackTangent(normals[i])); }));
+    if (const int components = texCoordComponents(vertices); components > 0)
+        attributes.push_back(
+            attributeOf(kTexCoord, components, count, [&](std::size_t i) { return vertices[i].texCoord; }));
+    if (std::all_of(vertices.begin(), vertices.end(),
+                    [&](const ListVertex& v) { return v.color == vertices.front().color; }))
+        list.color = vertices.front().color;
+    else
+        attributes.push_back(attributeOf(kColor, 4, count, [&](std::size_t i) { return vertices[i].color; }));
+    return list;
+}
+
+ListMesh meshFromList(std::string_view topologyWord, std::span<const ListVertex> vertices, bool hasNormals,
+                      int patchVertices) {
+    const std::optional<ListTopology> topology = listTopology(topologyWord);
+    assert(topology);
+    return meshFromList(topology.value_or(ListTopology::points), vertices, hasNormals, patchVertices);
+}
+
+Mesh trianglesList(std::span<const std::array<double, 4>> points) {
+    assert(points.size() % 3 == 0);
+    constexpr std::array<Numbers<4>, 3> kCorners{{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}};
+    std::vector<ListVertex> vertices;
+    vertices.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        vertices.push_back({.position = points[i], .texCoord = kCorners[i % 3]});
+    return meshFromList(ListTopology::triangles, vertices, false, 0).mesh;
+}
+
+Mesh linesAdjacencyList(std::span<const std::array<double, 4>> points) {
+    assert(points.size() % 4 == 0);
+    std::vector<ListVertex> vertices;
+    vertices.reserve(points.size());
+    for (const std::array<double, 4>& point : points) vertices.push_back({.position = point});
+    return meshFromList(ListTopology::linesAdjacency, vertices, false, 0).mesh;
+}
+
+}  // namespace glibra::geometry

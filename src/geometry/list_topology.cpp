@@ -1,0 +1,166 @@
+#include "geometry/list_topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+namespace glibra::geometry {
+namespace {
+
+struct Word {
+    std::string_view text;
+    ListTopology topology;
+};
+
+constexpr std::array<Word, 15> kWords{{
+    {"points", ListTopology::points},
+    {"lines", ListTopology::lines},
+    {"line_strip", ListTopology::lineStrip},
+    {"line_loop", ListTopology::lineLoop},
+    {"triangles", ListTopology::triangles},
+    {"triangle_strip", ListTopology::triangleStrip},
+    {"triangle_fan", ListTopology::triangleFan},
+    {"polygon", ListTopology::polygon},
+    {"quads", ListTopology::quads},
+    {"quad_strip", ListTopology::quadStrip},
+    {"lines_adjacency", ListTopology::linesAdjacency},
+    {"line_strip_adjacency", ListTopology::lineStripAdjacency},
+    {"triangles_adjacency", ListTopology::trianglesAdjacency},
+    {"triangle_strip_adjacency", ListTopology::triangleStripAdjacency},
+    {"patches", ListTopology::patches},
+}};
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+using Indices = std::vector<std::uint32_t>;
+
+void put(Indices& indices, std::initializer_list<std::uint32_t> more) {
+    indices.insert(indices.end(), more);
+}
+
+/// The i-th triangle, from 0, of a strip with adjacency that has `count` of them: OpenGL 4.6 core,
+/// table 10.1. Even vertices are the strip, odd ones lie across its outer edges; across an inner edge lies
+/// the neighbour's far corner.
+void putStripAdjacency(Indices& indices, std::uint32_t i, std::uint32_t count) {
+    const std::uint32_t at = 2 * i;
+    const std::uint32_t before = i == 0 ? 1 : at - 2;
+    const std::uint32_t after = i + 1 == count ? at + 5 : at + 6;
+    if (i % 2 == 0)
+        put(indices, {at, before, at + 2, after, at + 4, at + 3});
+    else
+        put(indices, {at + 2, before, at, at + 3, at + 4, after});
+}
+
+}  // namespace
+
+std::optional<ListTopology> listTopology(std::string_view word) {
+    std::string plain(word.substr(0, 64));
+    std::transform(plain.begin(), plain.end(), plain.begin(), lower);
+    std::string_view bare = plain;
+    if (bare.starts_with("gl_")) bare.remove_prefix(3);
+    for (const Word& each : kWords)
+        if (each.text == bare) return each.topology;
+    return std::nullopt;
+}
+
+Topology meshTopology(ListTopology topology) {
+    switch (topology) {
+        case ListTopology::points:
+            return Topology::points;
+        case ListTopology::lines:
+        case ListTopology::lineStrip:
+        case ListTopology::lineLoop:
+            return Topology::lines;
+        case ListTopology::linesAdjacency:
+        case ListTopology::lineStripAdjacency:
+            return Topology::linesAdjacency;
+        case ListTopology::trianglesAdjacency:
+        case ListTopology::triangleStripAdjacency:
+            return Topology::trianglesAdjacency;
+        case ListTopology::patches:
+            return Topology::patches;
+        default:
+            return Topology::triangles;
+    }
+}
+
+ListIndices listIndices(ListTopology topology, std::size_t count, int patchVertices) {
+    Indices out;
+    const auto n = static_cast<std::uint32_t>(count);
+    // Separate primitives of `size` vertices, in order.
+    const auto separate = [&](std::uint32_t size) {
+        out.resize(n - n % size);
+        std::iota(out.begin(), out.end(), 0U);
+        return n % size;
+    };
+    // Primitives that share vertices: `least` vertices make the first, each `step` more another.
+    const auto shared = [&](std::uint32_t least, std::uint32_t step, auto putPrimitive) {
+        if (n < least) return n;
+        const std::uint32_t primitives = (n - least) / step + 1;
+        for (std::uint32_t i = 0; i < primitives; ++i) putPrimitive(i, primitives);
+        return (n - least) % step;
+    };
+    std::uint32_t dropped = 0;
+    switch (topology) {
+        case ListTopology::points:
+            dropped = separate(1);
+            break;
+        case ListTopology::lines:
+            dropped = separate(2);
+            break;
+        case ListTopology::triangles:
+            dropped = separate(3);
+            break;
+        case ListTopology::linesAdjacency:
+            dropped = separate(4);
+            break;
+        case ListTopology::trianglesAdjacency:
+            dropped = separate(6);
+            break;
+        case ListTopology::patches:
+            assert(patchVertices >= 1);
+            dropped = separate(static_cast<std::uint32_t>(patchVertices));
+            break;
+        case ListTopology::lineStrip:
+        case ListTopology::lineLoop:
+            dropped = shared(2, 1, [&](std::uint32_t i, std::uint32_t) { put(out, {i, i + 1}); });
+            if (topology == ListTopology::lineLoop && n >= 2) put(out, {n - 1, 0});
+            break;
+        case ListTopology::triangleStrip:
+            dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) {
+                put(out, {i + i % 2, i + 1 - i % 2, i + 2});
+            });
+            break;
+        case ListTopology::triangleFan:
+        case ListTopology::polygon:
+            dropped = shared(3, 1, [&](std::uint32_t i, std::uint32_t) { put(out, {0, i + 1, i + 2}); });
+            break;
+        case ListTopology::quads: {
+            for (std::uint32_t a = 0; a + 4 <= n; a += 4) put(out, {a, a + 1, a + 2, a, a + 2, a + 3});
+            dropped = n % 4;
+            break;
+        }
+        case ListTopology::quadStrip:
+            dropped = shared(4, 2, [&](std::uint32_t i, std::uint32_t) {
+                const std::uint32_t a = 2 * i;
+                put(out, {a, a + 1, a + 3, a, a + 3, a + 2});
+            });
+            break;
+        case ListTopology::lineStripAdjacency:
+            dropped = shared(4, 1, [&](std::uint32_t i, std::uint32_t) {
+                put(out, {i, i + 1, i + 2, i + 3});
+            });
+            break;
+        case ListTopology::triangleStripAdjacency:
+            dropped =
+                shared(6, 2, [&](std::uint32_t i, std::uint32_t all) { putStripAdjacency(out, i, all); });
+            break;
+    }
+    return {std::move(out), dropped};
+}
+
+}  // namespace glibra::geometry

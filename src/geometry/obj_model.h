@@ -1,0 +1,55 @@
+#pragma once
+// Wavefront OBJ models as written in the file: positions, texture coordinates, normals, polygons.
+
+#include <glibra/result.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glibra::geometry {
+
+/// Largest sizes that are read; beyond them: file-E09.
+inline constexpr std::uint64_t kLargestModelFile = std::uint64_t{1} << 30;  ///< bytes
+inline constexpr std::uint64_t kMostTriangles = 16'777'216;                 ///< also segments of a shapefile
+
+/// No texture coordinate, no normal.
+inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+/// One corner of a polygon: indices from 0 into the model's arrays.
+struct ObjCorner {
+    std::uint32_t position = 0;
+    std::uint32_t texCoord = kNoIndex;
+    std::uint32_t normal = kNoIndex;
+
+    friend bool operator==(const ObjCorner&, const ObjCorner&) = default;
+};
+
+/// All indices are valid, every face has three corners or more, all numbers are finite.
+struct ObjModel {
+    std::vector<std::array<float, 3>> positions;
+    std::vector<std::array<float, 3>> texCoords;  ///< s, t, p; missing ones 0
+    std::vector<std::array<float, 3>> normals;    ///< as written, not yet of unit length
+    std::vector<ObjCorner> corners;               ///< of all faces, face after face
+    std::vector<std::uint32_t> faceStarts;        ///< first corner of each face, then the number of corners
+
+    [[nodiscard]] std::size_t faceCount() const { return faceStarts.empty() ? 0 : faceStarts.size() - 1; }
+    /// Triangles of all faces cut into fans.
+    [[nodiscard]] std::uint64_t triangleCount() const {
+        return corners.size() - 2 * std::uint64_t{faceCount()};
+    }
+};
+
+/// Reads the whole text of a model; `path` is for messages. Read are v, vt, vn and f; o, g, s, usemtl, mtllib
+/// and comments mean nothing; other words are named once each (file-W04). Indices count from 1, negative ones
+/// from the end of what stands above; positive ones may also point further down. Faces with fewer than three
+/// corners or with an index out of range are dropped (file-W05), malformed numbers are 0 or their longest
+/// numeric prefix (file-W06); of these two at most a hundred messages each and then one with the number of
+/// the rest. Errors: file-E07 no face, file-E08 a compiler's object file, file-E09 too large. Any bytes may
+/// be given.
+Result<ObjModel> parseObj(std::string_view text, std::string path);
+
+}  // namespace glibra::geometry

@@ -1,0 +1,217 @@
+#include "glib/lexer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::string_view kOpening = "<[{(";
+constexpr std::string_view kClosing = ">]})";
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isControl(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && !isBlank(c)) || byte == 0x7f;
+}
+
+/// Reads the tokens of one line. Offsets are those of the file.
+class LineReader {
+  public:
+    LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log)
+        : text_(text.substr(0, range.end)), messages_(messages), log_(log) {
+        line_.range = range;
+        at_ = range.begin;
+    }
+
+    Line read() {
+        if (line_.range.end - line_.range.begin > kLongestLine) {
+            log_.error("glib-E15",
+                       fmt::format("line of {} bytes; the limit is {}",
+                                   groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
+                                   groupedText(static_cast<long long>(kLongestLine))),
+                       position(at_));
+            line_.faulty = line_.tooLong = true;
+            return std::move(line_);
+        }
+        reportControlByte();
+        while (skipBlanks()) readToken();
+        return std::move(line_);
+    }
+
+  private:
+    Position position(std::size_t offset) const {
+        return {line_.range.number, static_cast<int>(offset - line_.range.begin) + 1};
+    }
+
+    void reportControlByte() {
+        for (std::size_t i = line_.range.begin; i < line_.range.end; ++i) {
+            if (!isControl(text_[i])) continue;
+            log_.error("glib-E03",
+                       fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
+                                   static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
+                       position(i));
+            line_.faulty = true;
+            return;
+        }
+    }
+
+    /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be the rest
+    /// of a UTF-8 character.
+    std::size_t noBreakSpaceAt(std::size_t offset) const {
+        if (text_.substr(offset, 2) == "\xc2\xa0") return 2;
+        if (text_[offset] != '\xa0') return 0;
+        const bool afterAscii = offset == line_.range.begin || offset == afterNoBreakSpace_ ||
+                                static_cast<unsigned char>(text_[offset - 1]) < 0x80;
+        return afterAscii ? 1 : 0;
+    }
+
+    bool atComment(std::size_t offset) const {
+        return text_[offset] == '#' || text_.substr(offset, 2) == "//";
+    }
+
+    /// Goes to the next token; false at the end of the line's code.
+    bool skipBlanks() {
+        for (; at_ < text_.size(); ++at_) {
+            if (isBlank(text_[at_]) || isControl(text_[at_])) continue;
+            const std::size_t noBreakSpace = noBreakSpaceAt(at_);
+            if (noBreakSpace == 0) break;
+            if (afterNoBreakSpace_ == 0)
+                log_.warning("glib-W35", "no-break space read as a blank", position(at_));
+            at_ += noBreakSpace - 1;
+            afterNoBreakSpace_ = at_ + 1;
+        }
+        if (at_ >= text_.size()) return false;
+        const bool comment = atComment(at_);
+        if (comment || text_[at_] == '/') {
+            if (!comment)
+                log_.warning("glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path",
+                             position(at_));
+            line_.isComment = true;
+            return false;
+        }
+        return true;
+    }
+
+    void readToken() {
+        const char c = text_[at_];
+        if (c == '"')
+            readQuoted();
+        else if (kOpening.find(c) != std::string_view::npos)
+            add(TokenKind::open, at_, at_ + 1, text_.substr(at_, 1));
+        else if (kClosing.find(c) != std::string_view::npos)
+            add(TokenKind::close, at_, at_ + 1, text_.substr(at_, 1));
+        else
+            readWord();
+    }
+
+    void readQuoted() {
+        const std::size_t close = text_.find('"', at_ + 1);
+        if (close != std::string_view::npos)
+            return add(TokenKind::quoted, at_, close + 1, text_.substr(at_ + 1, close - at_ - 1));
+        log_.error("glib-E02", "quoted name is not closed on this line", position(at_));
+        line_.faulty = true;
+        add(TokenKind::quoted, at_, text_.size(), text_.substr(at_ + 1));
+    }
+
+    bool endsWord(std::size_t offset) const {
+        const char c = text_[offset];
+        return isBlank(c) || isControl(c) || kOpening.find(c) != std::string_view::npos ||
+               kClosing.find(c) != std::string_view::npos || atComment(offset) || noBreakSpaceAt(offset) > 0;
+    }
+
+    void readWord() {
+        const std::size_t begin = at_;
+        std::size_t end = begin;
+        while (end < text_.size() && !endsWord(end)) ++end;
+        const std::size_t wordEnd = end;  // before anything is taken off
+        if (text_[end - 1] == '\\' && isLastOnLine(end)) {
+            line_.continues = true;
+            line_.backslash = position(--end);
+        }
+        const std::string_view written = text_.substr(begin, end - begin);
+        std::string_view word = written;
+        while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
+        if (word.size() < written.size()) {
+            log_.warning("glib-W03",
+                         fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())), quoted(written)),
+                         position(begin));
+        }
+        if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {
+            line_.continues = false;
+            add(TokenKind::word, begin, begin + word.size(), word);
+            return readMessage(begin + written.size());
+        }
+        at_ = wordEnd;
+        if (word.empty()) return;
+        add(numberPrefix(word) ? TokenKind::number : TokenKind::word, begin, begin + word.size(), word);
+        at_ = wordEnd;
+    }
+
+    /// True if nothing but blanks and a comment follows; reports them after a backslash.
+    bool isLastOnLine(std::size_t end) {
+        std::size_t next = end;
+        while (next < text_.size() && (isBlank(text_[next]) || noBreakSpaceAt(next) > 0))
+            next += std::max<std::size_t>(1, noBreakSpaceAt(next));
+        const bool comment = next < text_.size() && (atComment(next) || (text_[next] == '/' && next > end));
+        if (next < text_.size() && !comment) return false;
+        if (next > end)
+            log_.warning("glib-W02", "text after the continuation backslash ignored", position(end - 1));
+        return true;
+    }
+
+    void readMessage(std::size_t begin) {
+        std::size_t end = text_.size();
+        while (begin < end && isBlank(text_[begin])) ++begin;
+        while (end > begin && isBlank(text_[end - 1])) --end;
+        line_.isMessage = true;
+        line_.message = text_.substr(begin, end - begin);
+        line_.messageEnd = end;
+        at_ = text_.size();
+    }
+
+    void add(TokenKind kind, std::size_t begin, std::size_t end, std::string_view text) {
+        line_.tokens.push_back({kind, text, begin, end, position(begin)});
+        at_ = end;
+    }
+
+    std::string_view text_;  ///< the file up to the end of this line
+    MessageLines messages_;
+    MessageLog& log_;
+    Line line_;
+    std::size_t at_ = 0;
+    std::size_t afterNoBreakSpace_ = 0;  ///< offset after the last one; 0: none on this line yet
+};
+
+}  // namespace
+
+std::optional<bool> Token::truth() const {
+    if (kind != TokenKind::word) return std::nullopt;
+    if (sameWord(text, "true")) return true;
+    if (sameWord(text, "false")) return false;
+    return std::nullopt;
+}
+
+LineSplitter::LineSplitter(std::string_view text) : text_(text) {
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+}
+
+std::optional<LineRange> LineSplitter::next() {
+    if (at_ >= text_.size()) return std::nullopt;
+    const std::size_t begin = at_;
+    const std::size_t end = std::min(text_.find_first_of("\r\n", begin), text_.size());
+    at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+    return LineRange{++number_, begin, end};
+}
+
+Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log) {
+    return LineReader(text, range, messages, log).read();
+}
+
+}  // namespace glibra::glib

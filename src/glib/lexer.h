@@ -1,0 +1,75 @@
+#pragma once
+// From bytes to lines of tokens (language, 1.1, 1.2, 1.4). Tokens point into the text, which must outlive them.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "glib/message_log.h"
+#include "glib/script.h"
+
+namespace glibra::glib {
+
+enum class TokenKind {
+    word,
+    quoted,  ///< a word in quotes: never a command, a number or `true`
+    number,  ///< begins with a number; `text` may go on after it
+    open,    ///< one of < [ { (
+    close,   ///< one of > ] } )
+};
+
+struct Token {
+    TokenKind kind = TokenKind::word;
+    std::string_view text;  ///< without quotes, commas at the end and the continuation backslash
+    std::size_t begin = 0;  ///< byte offsets in the file, with quotes
+    std::size_t end = 0;
+    Position position;
+
+    [[nodiscard]] bool isWord() const { return kind == TokenKind::word || kind == TokenKind::quoted; }
+    /// A number or the beginning of a bracket group.
+    [[nodiscard]] bool beginsValue() const { return kind == TokenKind::number || kind == TokenKind::open; }
+    /// The unquoted words `true` and `false`, in any case.
+    [[nodiscard]] std::optional<bool> truth() const;
+};
+
+/// The bytes of one line, without its end; `begin` and `end` count from the file's first byte.
+struct LineRange {
+    int number = 1;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// One line, read.
+struct Line {
+    LineRange range;
+    std::vector<Token> tokens;
+    bool continues = false;  ///< ends with a backslash, at `backslash`
+    Position backslash;
+    bool isComment = false;     ///< there is a comment on it
+    bool faulty = false;        ///< an error was reported: its statement must not be run
+    bool tooLong = false;       ///< refused (glib-E15): it has no tokens
+    bool isMessage = false;     ///< a MessageBox: one token, the rest of the line is `message`
+    std::string_view message;   ///< without blanks at its ends
+    std::size_t messageEnd = 0;
+};
+
+/// Splits a text at LF, CR LF and lone CR; a byte-order mark is skipped.
+class LineSplitter {
+  public:
+    explicit LineSplitter(std::string_view text);
+    std::optional<LineRange> next();
+
+  private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int number_ = 0;
+};
+
+/// What a line that begins with MessageBox is read as.
+enum class MessageLines { rawText, tokens };
+
+/// Reads one line. Reports glib-E02, E03, E15 (length), W01, W02, W03, W35.
+Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log);
+
+}  // namespace glibra::glib

@@ -1,0 +1,172 @@
+#include "glib/statement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glib/bracket_group.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+constexpr std::size_t kCubeMapArguments = 7;  // unit and six files
+
+const CommandRow* commandOf(const Token& token) {
+    return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
+}
+
+bool isCommand(const Statement& statement, CommandId id) { return statement.row && statement.row->id == id; }
+
+/// How a message names the statement: "Program 'Magic'", "CubeMap".
+std::string described(const Statement& statement) {
+    std::string text(statement.row->name());
+    if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
+        text += " " + quoted(statement.arguments.front().text);
+    return text;
+}
+
+/// True if what follows the command word that begins the line can be its value as a tag.
+bool fitsAsTag(const Line& line) {
+    const std::vector<Token>& tokens = line.tokens;
+    if (tokens.size() < 2 || !tokens[1].beginsValue()) return false;
+    const std::size_t end = valueEnd(tokens, 1);
+    return end >= tokens.size() || !tokens[end].beginsValue();
+}
+
+}  // namespace
+
+const Line* StatementReader::peek() {
+    if (!ahead_) {
+        const std::optional<LineRange> range = lines_.next();
+        if (!range) return nullptr;
+        ahead_ = readLine(text_, *range, MessageLines::rawText, log_);
+    }
+    return &*ahead_;
+}
+
+const Line* StatementReader::peekCode() {
+    const Line* line = peek();
+    for (; line && line->tokens.empty(); line = peek()) drop();
+    return line;
+}
+
+Statement StatementReader::begin() {
+    const Line& line = *ahead_;
+    Statement statement;
+    statement.word = line.tokens.front();
+    statement.row = commandOf(statement.word);
+    statement.arguments.assign(line.tokens.begin() + 1, line.tokens.end());
+    statement.message = line.message;
+    statement.end = line.isMessage ? line.messageEnd : line.tokens.back().end;
+    statement.messagePosition = {line.range.number,
+                                 static_cast<int>(statement.end - line.message.size() - line.range.begin) + 1};
+    statement.faulty = line.faulty;
+    drop();
+    return statement;
+}
+
+void StatementReader::joinLine(Statement& statement) {
+    const Line& line = *ahead_;
+    statement.arguments.insert(statement.arguments.end(), line.tokens.begin(), line.tokens.end());
+    if (!line.tokens.empty()) statement.end = line.tokens.back().end;
+    statement.faulty = statement.faulty || line.faulty;
+    drop();
+}
+
+std::optional<Statement> StatementReader::next() {
+    const Line* line = peekCode();
+    if (!line) return std::nullopt;
+    bool pending = line->continues;
+    Position backslash = line->backslash;
+    Statement statement = begin();
+    if (refuseBraceBlock(statement)) return statement;
+
+    while (true) {
+        line = pending ? peek() : peekCode();
+        const bool blank = !line || (line->tokens.empty() && !line->continues);
+        if (pending && blank) {
+            const char* what = !line ? "the file ends here" : line->isComment ? "the next line is a comment" : "the next line is blank";
+            if (!line || !line->tooLong)
+                log_.warning("glib-W12", fmt::format("backslash, but {}: statement ends unless tags follow", what), backslash);
+            pending = false;
+            continue;
+        }
+        if (!line || !(pending ? continuesAfterBackslash(statement) : continuesWithoutBackslash(statement)))
+            return statement;
+        pending = ahead_->continues;
+        backslash = ahead_->backslash;
+        joinLine(statement);
+    }
+}
+
+bool StatementReader::continuesAfterBackslash(const Statement& statement) {
+    if (ahead_->tokens.empty()) return true;  // nothing but another backslash
+    const Token first = ahead_->tokens.front();
+    if (!commandOf(first)) return true;
+    if (isCommand(statement, CommandId::program)) {
+        if (statement.arguments.empty()) return true;  // the word after Program is always its name
+        if (fitsAsTag(*ahead_)) return true;
+        if (ahead_->isMessage) {  // MessageBox may be a tag, too
+            MessageLog unused{""};
+            Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused);
+            if (fitsAsTag(line)) {
+                *ahead_ = readLine(text_, ahead_->range, MessageLines::tokens, log_);
+                return true;
+            }
+        }
+    }
+    log_.warning("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)), first.position);
+    return false;
+}
+
+bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
+    if (commandOf(ahead_->tokens.front())) return false;
+    if (isCommand(statement, CommandId::program)) {
+        if (!readsAsPairs(ahead_->tokens)) return false;
+    } else if (isCommand(statement, CommandId::cubeMap)) {
+        const auto plain = std::count_if(statement.arguments.begin(), statement.arguments.end(), [](const Token& token) {
+            return token.kind != TokenKind::open && token.kind != TokenKind::close;
+        });
+        if (static_cast<std::size_t>(plain) >= kCubeMapArguments) return false;
+    } else {
+        return false;
+    }
+    log_.warning("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
+                 ahead_->tokens.front().position);
+    return true;
+}
+
+/// glib-E10. True if the block was passed over.
+bool StatementReader::refuseBraceBlock(Statement& statement) {
+    const std::vector<Token>& tokens = statement.arguments;
+    if (!isCommand(statement, CommandId::program) || tokens.empty() || tokens.size() > 2) return false;
+    if (tokens.back().kind != TokenKind::open || tokens.back().text != "{") return false;
+    if (tokens.size() == 2 && !tokens.front().isWord() && tokens.front().kind != TokenKind::number) return false;
+    const std::string name = tokens.size() == 2 ? std::string(tokens.front().text) + " " : std::string();
+    log_.error("glib-E10",
+               fmt::format("{}: brace blocks belong to another program's scene language", quoted("Program " + name + "{")),
+               statement.word.position);
+    statement.faulty = true;
+    return skipBraceBlock();
+}
+
+/// Passes over the lines of a brace block, so that they are not all reported; does nothing if it is never closed.
+bool StatementReader::skipBraceBlock() {
+    if (braceNeverCloses_) return false;
+    const LineSplitter start = lines_;
+    MessageLog unused{""};
+    long long depth = 1;
+    while (const std::optional<LineRange> range = lines_.next()) {
+        for (const Token& token : readLine(text_, *range, MessageLines::rawText, unused).tokens) {
+            if (token.kind == TokenKind::open && token.text == "{") ++depth;
+            if (token.kind == TokenKind::close && token.text == "}") --depth;
+        }
+        if (depth <= 0) return true;
+    }
+    braceNeverCloses_ = true;
+    lines_ = start;
+    return false;
+}
+
+}  // namespace glibra::glib

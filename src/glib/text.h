@@ -1,0 +1,41 @@
+#pragma once
+// Letters as the language sees them: ASCII only, whatever the locale says.
+
+#include <string>
+#include <string_view>
+
+namespace glibra::glib {
+
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+constexpr bool isLetter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+/// Equal without regard to the case of ASCII letters.
+constexpr bool sameWord(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (lower(a[i]) != lower(b[i])) return false;
+    return true;
+}
+
+inline std::string lower(std::string_view word) {
+    std::string text(word);
+    for (char& c : text) c = lower(c);
+    return text;
+}
+
+/// `text` between single quotes for a message; of a long one only the beginning, cut between characters of UTF-8.
+inline std::string quoted(std::string_view text) {
+    constexpr std::size_t kShown = 60;
+    if (text.size() <= kShown) return "'" + std::string(text) + "'";
+    std::size_t end = kShown;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+    return "'" + std::string(text.substr(0, end)) + "...'";
+}
+
+/// "1 number", "2 numbers".
+inline std::string counted(std::size_t count, std::string_view noun) {
+    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+}  // namespace glibra::glib

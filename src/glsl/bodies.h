@@ -1,0 +1,63 @@
+#pragma once
+// What stands inside functions and initialisers: which words are local names, which types expressions have.
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/macros.h"
+#include "glsl/syntax.h"
+#include "glsl/types.h"
+
+namespace glibra::glsl {
+
+/// A local variable or parameter as declared.
+struct LocalVariable {
+    std::uint32_t name = 0;  ///< view index
+    Type type;
+    bool isParameter = false;
+    std::uint32_t constToken = kNone;  ///< the `const` of its declaration
+    Range initializer;
+};
+
+/// A call of a function by name (not of a constructor), with what its arguments are.
+struct Call {
+    std::uint32_t name = 0;
+    std::vector<Range> arguments;
+    std::vector<Type> types;
+};
+
+/// A `return expression;` in a function of type `wanted`.
+struct ReturnValue {
+    Range expression;
+    Type type;
+    Type wanted;
+};
+
+enum class WordRole : std::uint8_t {
+    none,
+    global,            ///< a use of something that is not local
+    local,             ///< a use of a local variable or parameter
+    localDeclaration,  ///< the name in its declaration
+    member,            ///< behind a '.'
+    other              ///< part of a declaration at file scope, of a type, ...
+};
+
+struct Bodies {
+    std::vector<WordRole> roles;  ///< by view index
+    std::vector<LocalVariable> locals;
+    std::vector<Call> calls;
+    std::vector<ReturnValue> returns;
+    std::set<std::string, std::less<>> localNames;  ///< of locals, parameters, structs and members
+};
+
+/// Index of the matching bracket of every bracket, `view.size()` where there is none.
+std::vector<std::uint32_t> matchBrackets(std::span<const ViewToken> view);
+
+/// Walks all functions and initialisers. Bounded depth, linear in the number of tokens.
+Bodies walkBodies(std::span<const ViewToken> view, const Syntax& syntax);
+
+}  // namespace glibra::glsl

@@ -1,0 +1,68 @@
+#pragma once
+// GLSL types as far as translation has to infer them. What is not known for certain is `unknown`, and stays untouched.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace glibra::glsl {
+
+enum class BaseType : std::uint8_t {
+    unknown,
+    voidType,
+    floating,
+    doublePrecision,
+    integer,
+    unsignedInteger,
+    boolean,
+    structure,
+    opaque
+};
+
+struct Type {
+    BaseType base = BaseType::unknown;
+    std::uint8_t columns = 1;  ///< more than 1: matrix
+    std::uint8_t rows = 1;     ///< components of a vector or of a matrix column
+    std::uint16_t arrayDepth = 0;
+    std::int32_t structure = -1;  ///< index into the structures of the stage
+    std::string_view word;        ///< of opaque types
+
+    friend bool operator==(const Type&, const Type&) = default;
+
+    [[nodiscard]] bool known() const { return base != BaseType::unknown; }
+    /// A number or bool, vector or matrix of them, and not an array.
+    [[nodiscard]] bool numeric() const {
+        return arrayDepth == 0 && base >= BaseType::floating && base <= BaseType::boolean;
+    }
+    [[nodiscard]] bool scalar() const { return numeric() && columns == 1 && rows == 1; }
+    [[nodiscard]] bool vector() const { return numeric() && columns == 1 && rows > 1; }
+    [[nodiscard]] bool matrix() const { return numeric() && columns > 1; }
+    [[nodiscard]] bool integral() const {
+        return base == BaseType::integer || base == BaseType::unsignedInteger;
+    }
+    [[nodiscard]] int components() const { return columns * rows; }
+};
+
+constexpr Type scalarType(BaseType base) { return {base, 1, 1, 0, -1, {}}; }
+constexpr Type vectorType(BaseType base, int rows) { return {base, 1, static_cast<std::uint8_t>(rows), 0, -1, {}}; }
+
+/// The type that a type word names; unknown for other words.
+Type typeOfWord(std::string_view word);
+
+/// The word of a scalar, vector or matrix type: "vec3".
+std::string wordOf(const Type& type);
+
+/// Type of a variable that the translator or GLSL itself supplies: gl_*, GSTAP names, Timer, ...; else unknown.
+Type typeOfSuppliedName(std::string_view name);
+
+/// Type of `left op right` for + - * / % and comparisons.
+Type binaryType(std::string_view op, const Type& left, const Type& right);
+
+/// Type that a built-in function, of any version, returns.
+Type callType(std::string_view function, std::span<const Type> arguments);
+
+/// "0", "0.", "vec3(0.)", "false", "mat4(0.)": the zero of a numeric type word; empty if there is none.
+std::string zeroOf(std::string_view typeWord);
+
+}  // namespace glibra::glsl

@@ -1,0 +1,51 @@
+#include "glsl/unit.h"
+
+#include <algorithm>
+
+namespace glibra::glsl {
+
+Place Unit::placeOfToken(std::uint32_t token) const {
+    if (token >= tokens.size()) return start();
+    const Token& at = tokens[token];
+    return {files[at.file], at.line, at.column};
+}
+
+bool Unit::isUserName(std::string_view name) const {
+    return isDeclared(name) || macros.find(name) != macros.end() ||
+           bodies.localNames.find(name) != bodies.localNames.end();
+}
+
+void Unit::declare(const std::string& line) {
+    if (std::find(prologue.begin(), prologue.end(), line) == prologue.end()) prologue.push_back(line);
+}
+
+Unit* ProgramUnits::find(Stage stage) {
+    const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });
+    return found == units.end() ? nullptr : &*found;
+}
+
+Unit* ProgramUnits::before(Stage stage) {
+    Unit* result = nullptr;
+    for (Unit& each : units)
+        if (each.stage < stage) result = &each;
+    return result;
+}
+
+Unit* ProgramUnits::lastBeforeRaster() { return before(Stage::fragment); }
+
+std::string shortPlace(const Place& place) {
+    const std::size_t slash = place.file.find_last_of("/\\");
+    return (slash == std::string::npos ? place.file : place.file.substr(slash + 1)) + ":" + std::to_string(place.line);
+}
+
+std::string textOf(const Unit& unit, Range range) {
+    std::string text;
+    for (std::uint32_t i = range.first; i < range.end && i < unit.view.size(); ++i) {
+        const auto wordLike = [](TokenKind kind) { return kind == TokenKind::word || kind == TokenKind::number; };
+        if (i > range.first && wordLike(unit.view[i].kind) && wordLike(unit.view[i - 1].kind)) text += ' ';
+        text += unit.view[i].text;
+    }
+    return text;
+}
+
+}  // namespace glibra::glsl

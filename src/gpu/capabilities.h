@@ -1,0 +1,66 @@
+#pragma once
+// What the driver can do, as numbers read once when a context is opened. No GL call is needed to look at
+// them.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glibra::gpu {
+
+struct Capabilities {
+    std::string vendor, renderer, version, shadingLanguage;  ///< the driver's own words
+    /// One word for the family of drivers, so that tolerances and work-arounds can be chosen by it:
+    /// "llvmpipe", "softpipe", "osmesa-llvmpipe", "osmesa-softpipe", "nvidia", "amd", "intel", "apple",
+    /// "zink", "d3d12", "other".
+    std::string family;
+    int major = 0, minor = 0;  ///< of GL
+    int glslVersion = 0;       ///< the number for #version, 410..460
+
+    int max1DTextureSide = 0;  ///< GL has one limit for 1D and 2D
+    int max2DTextureSide = 0;
+    int max3DTextureSide = 0;
+    int maxCubeSide = 0;
+    int maxRenderbufferSide = 0;
+    int maxViewportWidth = 0, maxViewportHeight = 0;
+    int maxSamples = 1;  ///< of colour and depth renderbuffers
+    int maxIntegerSamples = 1;
+    int maxDrawBuffers = 8;
+    int maxColorAttachments = 8;
+
+    int vertexTextureUnits = 0, tessControlTextureUnits = 0, tessEvaluationTextureUnits = 0;
+    int geometryTextureUnits = 0, fragmentTextureUnits = 0;
+    int combinedTextureUnits = 0;  ///< all stages together
+    int imageUnits = 0;            ///< 0 below GL 4.2
+    int maxAnisotropy = 1;         ///< 1: not supported
+
+    int maxVertexAttributes = 16;
+    int maxGeometryOutputVertices = 256;
+    int maxGeometryTotalOutputComponents = 1024;
+    int maxTessellationLevel = 64;
+    int maxPatchVertices = 32;
+    int maxClipDistances = 8;
+    int maxVertexUniformComponents = 0, maxFragmentUniformComponents = 0;
+    int maxUniformBlockBytes = 16384;
+    int maxUniformBufferBindings = 0;
+    int maxStorageBufferBindings = 0;  ///< 0 below GL 4.3
+
+    double minLineWidth = 1, maxLineWidth = 1;  ///< pixels, not antialiased
+    bool wideLines = false;                     ///< false: a width above 1 is an error in this context
+    double minPointSize = 1, maxPointSize = 1;  ///< pixels
+
+    bool packInvert = false;       ///< GL_MESA_pack_invert: rows can be read top first
+    bool parallelCompile = false;  ///< GL_KHR_parallel_shader_compile
+    bool debugOutput = false;      ///< KHR_debug or GL 4.3
+
+    std::vector<std::string> extensions;  ///< sorted
+    [[nodiscard]] bool hasExtension(std::string_view name) const;
+    [[nodiscard]] bool atLeast(int wantedMajor, int wantedMinor) const {
+        return major > wantedMajor || (major == wantedMajor && minor >= wantedMinor);
+    }
+};
+
+/// Asks the current context for everything above. `throughOsmesa` only decides about the family's name.
+Capabilities readCapabilities(bool throughOsmesa);
+
+}  // namespace glibra::gpu

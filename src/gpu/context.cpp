@@ -1,0 +1,179 @@
+#include "gpu/context.h"
+
+#include <glad/gl.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/backend.h"
+
+namespace glibra::gpu {
+
+struct Context::State {
+    DebugLog log;  // outlives the context, which calls back into it
+    std::unique_ptr<Backend> backend;
+    Capabilities capabilities;
+    std::string howOpened;
+    std::vector<std::string> failedWays;
+
+    ~State() {
+        // An adopted context lives on.
+        if (backend && backend->driver() == Driver::automatic) log.detach();
+    }
+};
+
+namespace {
+
+/// A context that somebody else made and keeps.
+class AdoptedBackend final : public Backend {
+  public:
+    explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
+    bool makeCurrent() override { return true; }
+    void* address(const char* function) override { return loader_(function); }
+    [[nodiscard]] Driver driver() const override { return Driver::automatic; }
+    [[nodiscard]] std::string description() const override { return "context of a window"; }
+
+  private:
+    std::function<void*(const char*)> loader_;
+};
+
+using Opener = Attempt (*)(const ContextOptions&);
+
+std::vector<Opener> openers(Driver driver) {
+    switch (driver) {
+        case Driver::egl:
+            return {openEglSurfaceless};
+        case Driver::eglDevice:
+            return {openEglDevice};
+        case Driver::osmesa:
+            return {openOsmesa};
+        case Driver::automatic:
+            break;
+    }
+    return {openEglSurfaceless, openEglDevice, openOsmesa};
+}
+
+/// Fills glad's table of functions from the current context; false if they are not there or the context is
+/// too old.
+bool loadFunctions(Backend& backend) {
+    const auto address = [](void* from, const char* function) {
+        return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
+    };
+    return gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+}
+
+/// The state that every picture starts from, where it differs from GL's own.
+void setInitialState() {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
+
+std::string joined(const std::vector<std::string>& phrases) {
+    std::string text;
+    for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
+    return text;
+}
+
+}  // namespace
+
+Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
+
+const Capabilities& Context::capabilities() const {
+    return state_->capabilities;
+}
+DebugLog& Context::debugLog() const {
+    return state_->log;
+}
+Driver Context::driver() const {
+    return state_->backend->driver();
+}
+const std::string& Context::howOpened() const {
+    return state_->howOpened;
+}
+const std::vector<std::string>& Context::failedWays() const {
+    return state_->failedWays;
+}
+
+bool Context::makeCurrent() {
+    return state_->backend->makeCurrent() && loadFunctions(*state_->backend);
+}
+
+Result<Context> openContext(const ContextOptions& options) {
+    // llvmpipe reads it when it is loaded, so it has to be there before. A value of the user's own is left
+    // alone.
+    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
+
+    std::vector<std::string> failures;
+    for (const Opener open : openers(options.driver)) {
+        Attempt attempt = open(options);
+        if (auto* phrases = std::get_if<std::vector<std::string>>(&attempt)) {
+            failures.insert(failures.end(), phrases->begin(), phrases->end());
+            continue;
+        }
+        auto& backend = std::get<std::unique_ptr<Backend>>(attempt);
+        if (!loadFunctions(*backend)) {
+            failures.push_back(backend->description() + ": no OpenGL 4.1");
+            continue;
+        }
+        auto state = std::make_unique<Context::State>();
+        state->capabilities = readCapabilities(backend->driver() == Driver::osmesa);
+        state->howOpened = backend->description();
+        state->failedWays = std::move(failures);
+        state->backend = std::move(backend);
+        state->log.attach(state->capabilities.debugOutput);
+        setInitialState();
+        return Context(std::move(state));
+    }
+    return error("gpu-E01",
+                 "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
+}
+
+Result<Context> adopt(const std::function<void*(const char*)>& loader) {
+    auto state = std::make_unique<Context::State>();
+    state->backend = std::make_unique<AdoptedBackend>(loader);
+    if (!loader || !loadFunctions(*state->backend))
+        return error("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1");
+    state->capabilities = readCapabilities(false);
+    state->howOpened = state->backend->description();
+    state->log.attach(state->capabilities.debugOutput);
+    setInitialState();
+    return Context(std::move(state));
+}
+
+namespace {
+struct DriverWord {
+    Driver driver;
+    std::string_view word;
+};
+constexpr std::array<DriverWord, 4> kDriverWords{{{Driver::automatic, "auto"},
+                                                  {Driver::egl, "egl"},
+                                                  {Driver::eglDevice, "egl-device"},
+                                                  {Driver::osmesa, "osmesa"}}};
+}  // namespace
+
+std::string_view word(Driver driver) {
+    for (const DriverWord& each : kDriverWords)
+        if (each.driver == driver) return each.word;
+    return "auto";
+}
+
+Result<Driver> driverOfWord(std::string_view word) {
+    std::vector<std::string> words;
+    for (const DriverWord& each : kDriverWords) {
+        if (each.word == word) return each.driver;
+        words.emplace_back(each.word);
+    }
+    std::string list;
+    for (const std::string& each : words) list += (list.empty() ? "" : ", ") + each;
+    return error("gpu-E01", "no driver is called '" + std::string(word) + "'; there are " + list);
+}
+
+}  // namespace glibra::gpu

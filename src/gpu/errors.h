@@ -1,0 +1,29 @@
+#pragma once
+// Errors of GL as values, for the calls that a user's scene can make fail.
+
+#include <glad/gl.h>
+#include <glibra/diagnostic.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace glibra::gpu {
+
+/// "GL_OUT_OF_MEMORY" and so on; a number for what is unknown.
+std::string errorName(GLenum code);
+
+/// Forgets errors that earlier calls left behind.
+void clearErrors();
+
+/// What has gone wrong since clearErrors, GL_NO_ERROR if nothing.
+GLenum takeError();
+
+/// draw-E05 for lack of memory, gpu-E02 for every other error. `what` is a noun phrase: "a 16384 x 16384
+/// texture".
+Diagnostic allocationError(GLenum code, std::string_view what);
+
+/// 1536 -> "1.5 KiB", for messages.
+std::string readableBytes(std::uint64_t bytes);
+
+}  // namespace glibra::gpu

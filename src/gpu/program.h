@@ -1,0 +1,95 @@
+#pragma once
+// Shader sources to a linked program, in two steps, so that a driver that compiles in threads of its own can
+// do several at once.
+
+#include <glad/gl.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gpu/capabilities.h"
+#include "gpu/name.h"
+
+namespace glibra::gpu {
+
+inline void deleteShader(GLuint name) {
+    glDeleteShader(name);
+}
+inline void deleteProgram(GLuint name) {
+    glDeleteProgram(name);
+}
+
+/// A linked program.
+class Program {
+  public:
+    explicit Program(GLuint linked) : name_(linked) {}
+    void use() const { glUseProgram(name_.get()); }
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+
+  private:
+    Name<deleteProgram> name_;
+};
+
+/// GL_VERTEX_SHADER ... and its complete text.
+struct StageSource {
+    GLenum stage = GL_VERTEX_SHADER;
+    std::string_view text;
+};
+
+/// A vertex input's or fragment output's name and the location it should get, unless the shader says it
+/// itself.
+struct NamedLocation {
+    std::string name;
+    GLuint location = 0;
+};
+
+struct ProgramSource {
+    std::span<const StageSource> stages;
+    std::vector<NamedLocation> vertexInputs;
+    std::vector<NamedLocation> fragmentOutputs;
+    bool separable = false;
+};
+
+/// What the driver said about one stage. Logs may be filled when all is well: then they are warnings.
+struct StageLog {
+    GLenum stage = GL_VERTEX_SHADER;
+    bool compiled = false;
+    std::string log;
+};
+
+struct BuildOutcome {
+    std::optional<Program> program;  ///< nothing if a stage did not compile or they did not link
+    std::vector<StageLog> stages;    ///< in the order given
+    std::string linkLog;             ///< empty if a stage did not compile
+};
+
+/// A program under way: compiling and linking are requested, nothing has been waited for.
+class ProgramBuild {
+  public:
+    ProgramBuild(const Capabilities& capabilities, const ProgramSource& source);
+    /// True if finish() will not wait. Without GL_KHR_parallel_shader_compile always true.
+    [[nodiscard]] bool isReady() const;
+    /// Waits and gives what came of it. Call it once.
+    BuildOutcome finish();
+
+  private:
+    struct StageBuild {
+        GLenum stage;
+        Name<deleteShader> shader;
+    };
+    std::vector<StageBuild> stages_;
+    Name<deleteProgram> program_;
+    bool canAsk_ = false;
+};
+
+/// Both steps in one.
+BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source);
+
+/// Whether the program can run with the state bound now (glValidateProgram); the log says why not.
+std::pair<bool, std::string> validate(const Program& program);
+
+}  // namespace glibra::gpu

@@ -1,0 +1,43 @@
+#pragma once
+// Pixels from the device into memory, top row first.
+
+#include <glibra/result.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "gpu/capabilities.h"
+#include "gpu/framebuffer.h"
+
+namespace glibra::gpu {
+
+/// A part of a framebuffer in window coordinates: (0, 0) is the lower left pixel.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// What a pixel looks like in memory: 1 to 4 components in the order red, green, blue, alpha.
+struct PixelLayout {
+    int components = 4;
+    TexelType type = TexelType::u8;
+    [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(components) * bytesOf(type); }
+};
+
+/// Bytes of such a rectangle, rows tightly packed.
+std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout);
+
+/// Reads colour `index` of the framebuffer into `pixels`, which must have byteCount bytes: rows from top to
+/// bottom, tightly packed, parts outside the framebuffer not defined. Waits for the drawing to end.
+/// Normalised formats are rounded by GL (u8: to nearest of 255ths), float formats read as u8 or u16 are
+/// limited to 0..1 first. gpu-E03 if the sizes do not fit, draw-E05 or gpu-E02 for errors of the driver.
+Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& framebuffer, int index,
+                       const PixelRectangle& rectangle, const PixelLayout& layout,
+                       std::span<std::byte> pixels);
+
+/// The same into memory of its own.
+Result<std::vector<std::byte>> readPixels(const Capabilities& capabilities, const Framebuffer& framebuffer,
+                                          int index, const PixelRectangle& rectangle,
+                                          const PixelLayout& layout);
+
+}  // namespace glibra::gpu

@@ -1,0 +1,263 @@
+#include "gpu/uniform.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "gpu/number.h"
+
+namespace glibra::gpu {
+namespace {
+
+/// Elements that the values fill, of those the array has from firstElement on.
+int elementsFilled(const ActiveUniform& uniform, std::size_t valueCount, int firstElement) {
+    if (uniform.type.word.empty() || firstElement < 0 || firstElement >= uniform.arraySize) return 0;
+    const std::size_t given = valueCount / static_cast<std::size_t>(uniform.type.components());
+    const auto room = static_cast<std::size_t>(uniform.arraySize - firstElement);
+    return static_cast<int>(std::min(given, room));
+}
+
+template <class T, class Convert>
+std::vector<T> converted(std::span<const double> values, Convert convert) {
+    std::vector<T> result;
+    result.reserve(values.size());
+    for (const double each : values) result.push_back(convert(each));
+    return result;
+}
+
+/// What glProgramUniformMatrix* is for the columns and rows; null for vectors.
+PFNGLPROGRAMUNIFORMMATRIX4FVPROC floatMatrixCall(int columns, int rows) {
+    switch (columns * 10 + rows) {
+        case 22:
+            return glProgramUniformMatrix2fv;
+        case 23:
+            return glProgramUniformMatrix2x3fv;
+        case 24:
+            return glProgramUniformMatrix2x4fv;
+        case 32:
+            return glProgramUniformMatrix3x2fv;
+        case 33:
+            return glProgramUniformMatrix3fv;
+        case 34:
+            return glProgramUniformMatrix3x4fv;
+        case 42:
+            return glProgramUniformMatrix4x2fv;
+        case 43:
+            return glProgramUniformMatrix4x3fv;
+        case 44:
+            return glProgramUniformMatrix4fv;
+        default:
+            return nullptr;
+    }
+}
+
+PFNGLPROGRAMUNIFORMMATRIX4DVPROC doubleMatrixCall(int columns, int rows) {
+    switch (columns * 10 + rows) {
+        case 22:
+            return glProgramUniformMatrix2dv;
+        case 23:
+            return glProgramUniformMatrix2x3dv;
+        case 24:
+            return glProgramUniformMatrix2x4dv;
+        case 32:
+            return glProgramUniformMatrix3x2dv;
+        case 33:
+            return glProgramUniformMatrix3dv;
+        case 34:
+            return glProgramUniformMatrix3x4dv;
+        case 42:
+            return glProgramUniformMatrix4x2dv;
+        case 43:
+            return glProgramUniformMatrix4x3dv;
+        case 44:
+            return glProgramUniformMatrix4dv;
+        default:
+            return nullptr;
+    }
+}
+
+/// The call for vectors of 1 to 4 components out of four.
+template <class Call>
+Call vectorCall(Call one, Call two, Call three, Call four, int rows) {
+    return rows == 1 ? one : rows == 2 ? two : rows == 3 ? three : four;
+}
+
+void setFloats(GLuint program, const ValueType& type, GLint location, GLsizei count, const GLfloat* values) {
+    if (const auto matrix = floatMatrixCall(type.columns, type.rows)) {
+        matrix(program, location, count, GL_FALSE, values);
+        return;
+    }
+    vectorCall(glProgramUniform1fv, glProgramUniform2fv, glProgramUniform3fv, glProgramUniform4fv, type.rows)(
+        program, location, count, values);
+}
+
+void setDoubles(GLuint program, const ValueType& type, GLint location, GLsizei count,
+                const GLdouble* values) {
+    if (const auto matrix = doubleMatrixCall(type.columns, type.rows)) {
+        matrix(program, location, count, GL_FALSE, values);
+        return;
+    }
+    vectorCall(glProgramUniform1dv, glProgramUniform2dv, glProgramUniform3dv, glProgramUniform4dv, type.rows)(
+        program, location, count, values);
+}
+
+void setInts(GLuint program, const ValueType& type, GLint location, GLsizei count, const GLint* values) {
+    vectorCall(glProgramUniform1iv, glProgramUniform2iv, glProgramUniform3iv, glProgramUniform4iv, type.rows)(
+        program, location, count, values);
+}
+
+void setUnsigneds(GLuint program, const ValueType& type, GLint location, GLsizei count,
+                  const GLuint* values) {
+    vectorCall(glProgramUniform1uiv, glProgramUniform2uiv, glProgramUniform3uiv, glProgramUniform4uiv,
+               type.rows)(program, location, count, values);
+}
+
+/// The bytes of one component in a block.
+struct ComponentBytes {
+    std::array<std::byte, 8> bytes{};
+    std::size_t count = 4;
+};
+
+ComponentBytes componentBytes(BaseType base, double value) {
+    ComponentBytes result;
+    const auto store = [&](const auto& number) {
+        result.count = sizeof number;
+        std::memcpy(result.bytes.data(), &number, sizeof number);
+    };
+    switch (base) {
+        case BaseType::floating:
+            store(toFloat(value));
+            break;
+        case BaseType::doublePrecision:
+            store(value);
+            break;
+        case BaseType::unsignedInteger:
+            store(toUnsigned(value));
+            break;
+        case BaseType::boolean:
+            store(static_cast<std::uint32_t>(value != 0 ? 1 : 0));
+            break;
+        default:
+            store(toInt(value));
+            break;
+    }
+    return result;
+}
+
+/// Byte of a component from the start of its element.
+std::size_t componentOffset(const ActiveUniform& uniform, int column, int row, std::size_t size) {
+    if (uniform.type.columns == 1) return static_cast<std::size_t>(row) * size;
+    const auto stride = static_cast<std::size_t>(std::max(uniform.matrixStride, 0));
+    const auto major = static_cast<std::size_t>(uniform.rowMajor ? row : column);
+    const auto minor = static_cast<std::size_t>(uniform.rowMajor ? column : row);
+    return major * stride + minor * size;
+}
+
+}  // namespace
+
+int setUniform(const Program& program, const ActiveUniform& uniform, std::span<const double> values,
+               int firstElement) {
+    const int count = elementsFilled(uniform, values.size(), firstElement);
+    if (count == 0 || uniform.location < 0) return 0;
+    const std::span<const double> used =
+        values.first(static_cast<std::size_t>(count) * static_cast<std::size_t>(uniform.type.components()));
+    const GLint location = uniform.location + firstElement;
+    switch (uniform.type.base) {
+        case BaseType::floating:
+            setFloats(program.id(), uniform.type, location, count, converted<GLfloat>(used, toFloat).data());
+            return count;
+        case BaseType::doublePrecision:
+            setDoubles(program.id(), uniform.type, location, count, used.data());
+            return count;
+        case BaseType::unsignedInteger:
+            setUnsigneds(program.id(), uniform.type, location, count,
+                         converted<GLuint>(used, toUnsigned).data());
+            return count;
+        case BaseType::boolean: {
+            const auto truth = [](double value) { return value != 0 ? 1 : 0; };
+            setInts(program.id(), uniform.type, location, count, converted<GLint>(used, truth).data());
+            return count;
+        }
+        case BaseType::atomicCounter:
+            return 0;
+        case BaseType::integer:
+        case BaseType::sampler:
+        case BaseType::image:
+            break;
+    }
+    setInts(program.id(), uniform.type, location, count, converted<GLint>(used, toInt).data());
+    return count;
+}
+
+int writeBlockMember(std::span<std::byte> block, const ActiveUniform& uniform, std::span<const double> values,
+                     int firstElement) {
+    const int count = elementsFilled(uniform, values.size(), firstElement);
+    if (uniform.block < 0 || uniform.offset < 0) return 0;
+    std::size_t next = 0;
+    for (int element = firstElement; element < firstElement + count; ++element) {
+        const std::size_t start =
+            static_cast<std::size_t>(uniform.offset) +
+            static_cast<std::size_t>(element) * static_cast<std::size_t>(std::max(uniform.arrayStride, 0));
+        for (int column = 0; column < uniform.type.columns; ++column)
+            for (int row = 0; row < uniform.type.rows; ++row) {
+                const ComponentBytes component = componentBytes(uniform.type.base, values[next++]);
+                const std::size_t at = start + componentOffset(uniform, column, row, component.count);
+                if (at + component.count > block.size()) continue;
+                std::memcpy(block.data() + at, component.bytes.data(), component.count);
+            }
+    }
+    return count;
+}
+
+std::vector<double> getUniform(const Program& program, const ActiveUniform& uniform, int element) {
+    if (uniform.location < 0 || element < 0 || element >= uniform.arraySize) return {};
+    const GLint location = uniform.location + element;
+    const auto components = static_cast<std::size_t>(uniform.type.components());
+    std::vector<double> values(components);
+    switch (uniform.type.base) {
+        case BaseType::floating: {
+            std::array<GLfloat, 16> read{};
+            glGetUniformfv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        case BaseType::doublePrecision: {
+            std::array<GLdouble, 16> read{};
+            glGetUniformdv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        case BaseType::unsignedInteger: {
+            std::array<GLuint, 4> read{};
+            glGetUniformuiv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        default: {
+            std::array<GLint, 4> read{};
+            glGetUniformiv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+    }
+    return values;
+}
+
+void useSubroutines(const ProgramInterface& interface, GLenum stage,
+                    std::span<const std::pair<int, GLuint>> choices) {
+    std::vector<GLuint> functions;
+    for (const SubroutineUniform& each : interface.subroutines) {
+        if (each.stage != stage || each.location < 0 || each.functions.empty()) continue;
+        const auto end = static_cast<std::size_t>(each.location) + static_cast<std::size_t>(each.arraySize);
+        if (functions.size() < end) functions.resize(end);
+        for (auto at = static_cast<std::size_t>(each.location); at < end; ++at)
+            functions[at] = each.functions[0].index;
+    }
+    for (const auto& [location, function] : choices)
+        if (location >= 0 && static_cast<std::size_t>(location) < functions.size())
+            functions[static_cast<std::size_t>(location)] = function;
+    if (!functions.empty())
+        glUniformSubroutinesuiv(stage, static_cast<GLsizei>(functions.size()), functions.data());
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,25 @@
+#pragma once
+// RLE4 and RLE8 of BMP files (Microsoft, "Bitmap Compression").
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace glibra::image {
+
+struct RunLengthLayout {
+    std::uint32_t width, height;
+    bool topDown;
+    std::uint32_t bits;  ///< 4 or 8
+};
+
+/// Fills `pixels` (top row first) by the commands in `data`; what no command reaches is colors[0]. `colors`
+/// has 2^bits entries. Pixels beyond the end of a row are dropped. Gives the number of rows that are there:
+/// layout.height if the picture is complete (all rows reached, or an end-of-picture command), less if the
+/// data end early.
+std::uint64_t decodeRunLengths(std::span<const std::byte> data, const RunLengthLayout& layout,
+                               std::span<const std::array<std::uint8_t, 4>> colors,
+                               std::span<std::array<std::uint8_t, 4>> pixels);
+
+}  // namespace glibra::image

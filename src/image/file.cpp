@@ -1,0 +1,159 @@
+#include "image/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <new>
+#include <system_error>
+
+namespace glibra::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The system's words for an error number, as they stand in a sentence.
+std::string reason(int number) {
+    std::string text = std::generic_category().message(number);
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return text;
+}
+
+Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
+    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
+}
+
+/// 0, or the error number.
+int writeAll(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    [[nodiscard]] int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+/// The name that is to be replaced: where a link points, else the path itself.
+fs::path resolved(const fs::path& path) {
+    std::error_code failed;
+    if (!fs::is_symlink(path, failed)) return path;
+    fs::path target = fs::weakly_canonical(path, failed);
+    return failed ? path : target;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& label, std::uint64_t largest) {
+    const auto unreadable = [&](const std::string& why) {
+        return error("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
+    };
+    // Without O_NONBLOCK a pipe would be waited for until somebody writes to it.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
+        return error("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
+    struct stat status {};
+    if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return unreadable(reason(errno));
+    if (S_ISDIR(status.st_mode)) return unreadable("it is a folder");
+    if (!S_ISREG(status.st_mode)) return unreadable("it is not an ordinary file");
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size == 0) return error("file-E02", fmt::format("'{}' is empty", label.name), label.place);
+    if (size > largest)
+        return error("file-E09",
+                     fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
+                                 readableBytes(largest)),
+                     label.place);
+
+    std::vector<std::byte> bytes;
+    try {
+        bytes.resize(size);
+    } catch (const std::bad_alloc&) {
+        return unreadable("there is not enough memory");
+    }
+    std::size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file.number(), bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return unreadable(reason(errno));
+        if (got == 0) break;  // somebody made it shorter meanwhile; the reader of its format will tell
+        have += static_cast<std::size_t>(got);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+TemporaryFile::TemporaryFile(fs::path target) : target_(resolved(target)) {
+    // mkstemp would ignore the user's file mode; so the names are tried in turn, with the process to tell
+    // runs apart.
+    constexpr int kAttempts = 1000;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        // Not the target's own name: together they might be longer than names may be.
+        const std::string name =
+            fmt::format(".glibra-{}-{}.tmp{}", ::getpid(), attempt, target_.extension().string());
+        path_ = target_.parent_path() / name;
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) return;
+        if (errno != EEXIST) break;
+    }
+    lastError_ = errno;
+    path_.clear();
+}
+
+TemporaryFile::~TemporaryFile() {
+    closeDescriptor();
+    if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+void TemporaryFile::closeDescriptor() {
+    if (descriptor_ >= 0 && ::close(descriptor_) != 0) lastError_ = errno;
+    descriptor_ = -1;
+}
+
+Diagnostic TemporaryFile::failure() const {
+    return cannotWrite(target_, reason(lastError_));
+}
+
+Diagnostics TemporaryFile::commit() {
+    if (path_.empty()) return {failure()};
+    closeDescriptor();
+    if (lastError_ == 0 && ::rename(path_.c_str(), target_.c_str()) != 0) lastError_ = errno;
+    if (lastError_ != 0) return {failure()};
+    path_.clear();
+    return {};
+}
+
+Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+        if (S_ISDIR(status.st_mode)) return {cannotWrite(path, "it is a folder")};
+        const Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        const int failed = device.number() < 0 ? errno : writeAll(device.number(), bytes);
+        if (failed != 0) return {cannotWrite(path, reason(failed))};
+        return {};
+    }
+    TemporaryFile temporary(path);
+    if (temporary.descriptor() < 0) return {temporary.failure()};
+    if (const int failed = writeAll(temporary.descriptor(), bytes); failed != 0)
+        return {cannotWrite(path, reason(failed))};
+    return temporary.commit();
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,156 @@
+#include "image/format.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace glibra::image {
+namespace {
+
+struct Row {
+    Format format;
+    std::string_view description;
+    std::string_view openImageIo;
+    std::string_view suffixes;  ///< each with its dot and a blank after it
+};
+
+// One row a format; a new one is added here and, if it has a signature, below.
+constexpr std::array kRows{
+    Row{Format::unknown, "neither a picture nor a raw texture", "", ""},
+    Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib "},
+    Row{Format::png, "a PNG picture", "png", ".png "},
+    Row{Format::jpeg, "a JPEG picture", "jpeg", ".jpg .jpeg .jpe .jfif "},
+    Row{Format::tiff, "a TIFF picture", "tiff", ".tif .tiff "},
+    Row{Format::openExr, "an EXR picture", "openexr", ".exr "},
+    Row{Format::hdr, "an HDR picture", "hdr", ".hdr .rgbe "},
+    Row{Format::targa, "a TGA picture", "targa", ".tga .tpic "},
+    Row{Format::gif, "a GIF picture", "gif", ".gif "},
+    Row{Format::webp, "a WebP picture", "webp", ".webp "},
+    Row{Format::photoshop, "a Photoshop picture", "psd", ".psd "},
+    Row{Format::dds, "a DDS picture", "dds", ".dds "},
+    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm .pfm "},
+    Row{Format::sgi, "an SGI picture", "sgi", ".sgi .rgb .rgba .bw "},
+    Row{Format::icon, "an ICO picture", "ico", ".ico "},
+    Row{Format::heif, "a HEIF picture", "heif", ".heic .heif .avif "},
+    Row{Format::rawTexture, "a raw texture", "", ".tex "},
+};
+
+const Row& rowOf(Format format) {
+    return *std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return row.format == format; });
+}
+
+struct Signature {
+    Format format;
+    std::size_t offset;
+    std::string_view bytes;
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::array kSignatures{
+    Signature{Format::png, 0, "\x89PNG\r\n\x1a\n"sv},
+    Signature{Format::jpeg, 0, "\xff\xd8\xff"sv},
+    Signature{Format::tiff, 0, "II*\0"sv},
+    Signature{Format::tiff, 0, "MM\0*"sv},
+    Signature{Format::tiff, 0, "II+\0"sv},
+    Signature{Format::tiff, 0, "MM\0+"sv},
+    Signature{Format::openExr, 0, "v/1\x01"sv},
+    Signature{Format::hdr, 0, "#?RADIANCE"sv},
+    Signature{Format::hdr, 0, "#?RGBE"sv},
+    Signature{Format::gif, 0, "GIF87a"sv},
+    Signature{Format::gif, 0, "GIF89a"sv},
+    Signature{Format::photoshop, 0, "8BPS"sv},
+    Signature{Format::dds, 0, "DDS "sv},
+    Signature{Format::sgi, 0, "\x01\xda\0\x01"sv},
+    Signature{Format::sgi, 0, "\x01\xda\x01\x01"sv},
+    Signature{Format::sgi, 0, "\x01\xda\0\x02"sv},
+    Signature{Format::sgi, 0, "\x01\xda\x01\x02"sv},
+    Signature{Format::icon, 0, "\0\0\x01\0"sv},
+    Signature{Format::heif, 4, "ftypheic"sv},
+    Signature{Format::heif, 4, "ftypheix"sv},
+    Signature{Format::heif, 4, "ftypmif1"sv},
+    Signature{Format::heif, 4, "ftypavif"sv},
+};
+
+bool hasAt(std::span<const std::byte> bytes, std::size_t offset, std::string_view text) {
+    if (bytes.size() < offset + text.size()) return false;
+    return std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset),
+                      [](char a, std::byte b) {
+                          return static_cast<unsigned char>(a) == std::to_integer<unsigned char>(b);
+                      });
+}
+
+unsigned byteAt(std::span<const std::byte> bytes, std::size_t at) {
+    return std::to_integer<unsigned>(bytes[at]);
+}
+
+bool isBmp(std::span<const std::byte> bytes) {
+    if (!hasAt(bytes, 0, "BM") || bytes.size() < 18) return false;
+    constexpr std::array<unsigned, 7> kHeaderSizes{12, 40, 52, 56, 64, 108, 124};
+    const bool small = byteAt(bytes, 15) == 0 && byteAt(bytes, 16) == 0 && byteAt(bytes, 17) == 0;
+    return small &&
+           std::find(kHeaderSizes.begin(), kHeaderSizes.end(), byteAt(bytes, 14)) != kHeaderSizes.end();
+}
+
+bool isPnm(std::span<const std::byte> bytes) {
+    if (bytes.size() < 3 || byteAt(bytes, 0) != 'P') return false;
+    const unsigned kind = byteAt(bytes, 1), separator = byteAt(bytes, 2);
+    const bool known = (kind >= '1' && kind <= '6') || kind == 'F' || kind == 'f';
+    return known && (separator == '\n' || separator == '\r' || separator == ' ' || separator == '\t' ||
+                     separator == '#');
+}
+
+/// TGA has no signature: its header must make sense throughout, and either the footer of version 2 or the
+/// length of uncompressed pixels must agree.
+bool isTarga(std::span<const std::byte> bytes) {
+    if (bytes.size() < 18) return false;
+    const unsigned mapType = byteAt(bytes, 1), kind = byteAt(bytes, 2), mapBits = byteAt(bytes, 7);
+    const std::size_t mapLength = byteAt(bytes, 5) | byteAt(bytes, 6) << 8;
+    const std::size_t width = byteAt(bytes, 12) | byteAt(bytes, 13) << 8;
+    const std::size_t height = byteAt(bytes, 14) | byteAt(bytes, 15) << 8;
+    const unsigned bits = byteAt(bytes, 16);
+    const bool mapped = kind == 1 || kind == 9;
+    if (mapType > 1 || !(mapped || kind == 2 || kind == 3 || kind == 10 || kind == 11)) return false;
+    if (mapped && mapType == 0) return false;
+    if (width == 0 || height == 0 || (byteAt(bytes, 17) & 0xc0U) != 0) return false;
+    if (bits != 8 && bits != 15 && bits != 16 && bits != 24 && bits != 32) return false;
+    if (mapType == 0 ? mapLength != 0 : mapLength == 0) return false;
+    if (hasAt(bytes, bytes.size() - 18, "TRUEVISION-XFILE.")) return true;
+    const std::size_t pixels = 18 + byteAt(bytes, 0) + mapLength * ((mapBits + 7) / 8);
+    if (kind >= 9) return bytes.size() > pixels;  // run lengths: no length to check
+    return bytes.size() >= pixels + width * height * ((bits + 7) / 8);
+}
+
+}  // namespace
+
+Format formatOf(std::span<const std::byte> bytes) {
+    if (isBmp(bytes)) return Format::bmp;
+    for (const Signature& each : kSignatures)
+        if (hasAt(bytes, each.offset, each.bytes)) return each.format;
+    if (hasAt(bytes, 0, "RIFF") && hasAt(bytes, 8, "WEBP")) return Format::webp;
+    if (isPnm(bytes)) return Format::pnm;
+    if (isTarga(bytes)) return Format::targa;
+    return Format::unknown;
+}
+
+Format formatOfSuffix(const std::filesystem::path& path) {
+    std::string suffix = path.extension().string();
+    if (suffix.size() < 2) return Format::unknown;
+    for (char& each : suffix)
+        if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
+    suffix += ' ';
+    for (const Row& row : kRows)
+        if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;
+    return Format::unknown;
+}
+
+std::string_view describe(Format format) {
+    return rowOf(format).description;
+}
+
+std::string_view openImageIoName(Format format) {
+    return rowOf(format).openImageIo;
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,37 @@
+#include "image/inspect.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "image/convert.h"
+
+namespace glibra::image {
+
+bool isOneColor(const Image& image) {
+    const std::size_t pixel = static_cast<std::size_t>(image.components) * bytesOf(image.type);
+    // Each byte equals the byte one pixel on exactly if all pixels are equal.
+    return image.data.size() <= pixel ||
+           std::memcmp(image.data.data(), image.data.data() + pixel, image.data.size() - pixel) == 0;
+}
+
+NonFinite countNonFinite(const Image& image) {
+    NonFinite found;
+    if (image.type != Component::f32 || !isConsistent(image)) return found;
+    const std::size_t rowValues = image.rowBytes() / sizeof(float);
+    for (int y = 0; y < image.height; ++y) {
+        const std::byte* row = image.row(y).data();
+        for (std::size_t i = 0; i < rowValues; ++i) {
+            float value = 0;
+            std::memcpy(&value, row + i * sizeof value, sizeof value);
+            if (std::isfinite(value)) continue;
+            if (found.nan + found.infinite == 0) {
+                found.x = static_cast<int>(i / static_cast<std::size_t>(image.components));
+                found.y = y;
+            }
+            ++(std::isnan(value) ? found.nan : found.infinite);
+        }
+    }
+    return found;
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,42 @@
+#include "image/jpeg_segments.h"
+
+namespace glibra::image {
+namespace {
+
+constexpr unsigned kStartOfScan = 0xda, kApp0 = 0xe0, kApp14 = 0xee, kApp15 = 0xef, kComment = 0xfe;
+
+bool isMetadata(unsigned marker) {
+    return marker == kComment || (marker > kApp0 && marker <= kApp15 && marker != kApp14);
+}
+
+}  // namespace
+
+std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
+    const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };
+    std::vector<std::byte> kept;
+    kept.reserve(jpeg.size());
+    std::size_t at = 2;  // after the start-of-image marker
+    std::size_t copied = 0;
+    const auto copyUntil = [&](std::size_t end) {
+        kept.insert(kept.end(), jpeg.begin() + static_cast<std::ptrdiff_t>(copied),
+                    jpeg.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    while (at + 4 <= jpeg.size() && byteAt(at) == 0xff) {
+        const unsigned marker = byteAt(at + 1);
+        if (marker == 0xff) {  // a fill byte
+            ++at;
+            continue;
+        }
+        const std::size_t end = at + 2 + (byteAt(at + 2) << 8U | byteAt(at + 3));
+        if (marker == kStartOfScan || marker < 0xc0 || end < at + 4 || end > jpeg.size()) break;
+        if (isMetadata(marker)) {
+            copyUntil(at);
+            copied = end;
+        }
+        at = end;
+    }
+    copyUntil(jpeg.size());
+    return kept;
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,16 @@
+#pragma once
+// The segments of a JPEG file (ISO/IEC 10918-1, annex B).
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glibra::image {
+
+/// The same picture without EXIF, XMP, ICC profiles, thumbnails and comments, which change no pixel here
+/// (8.2): only APP0 (JFIF) and APP14 (Adobe's colour transform) stay. OpenImageIO interprets EXIF and ends
+/// the process when that is damaged, so it must not get to see it. From the first segment that makes no
+/// sense, all is kept as it is.
+std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
+
+}  // namespace glibra::image

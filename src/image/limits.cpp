@@ -1,0 +1,45 @@
+#include "image/limits.h"
+
+#include <fmt/format.h>
+
+namespace glibra::image {
+
+std::string readableBytes(std::uint64_t bytes) {
+    const auto count = static_cast<double>(bytes);
+    // Rounded up: what is just above a limit must not read as the limit itself.
+    const auto tenths = [](double value) {
+        const auto scaled = static_cast<std::uint64_t>(value * 10);
+        return static_cast<double>(static_cast<double>(scaled) < value * 10 ? scaled + 1 : scaled) / 10;
+    };
+    constexpr double kMiB = 1 << 20;
+    if (bytes >= kGiB) return fmt::format("{} GiB", tenths(count / static_cast<double>(kGiB)));
+    if (count >= kMiB) return fmt::format("{} MiB", tenths(count / kMiB));
+    return fmt::format("{} bytes", bytes);
+}
+
+std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t bytesPerPixel,
+                                    const Limits& limits, const FileLabel& label) {
+    const auto side = static_cast<std::uint64_t>(limits.side);
+    if (width > side || height > side)
+        return error(
+            "file-E09",
+            fmt::format("'{}' has {} x {} pixels, the limit is {} a side", label.name, width, height, side),
+            label.place);
+    const std::uint64_t bytes = width * height * bytesPerPixel;
+    if (bytes > limits.texelBytes)
+        return error("file-E09",
+                     fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
+                                 readableBytes(bytes), width, height, readableBytes(limits.texelBytes)),
+                     label.place);
+    return std::nullopt;
+}
+
+Diagnostic damaged(const FileLabel& label, const std::string& what) {
+    return error("file-E04", fmt::format("'{}': {}", label.name, what), label.place);
+}
+
+Diagnostic endsEarly(const FileLabel& label, std::uint64_t rows, std::uint64_t height) {
+    return damaged(label, fmt::format("pixel data end after row {} of {}", rows, height));
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,50 @@
+#pragma once
+// The door between the program and its OpenImageIO module: C functions, plain structs, no memory that changes
+// hands, no exception that crosses. Pixels are RGBA (reading) or RGB and RGBA (writing), top row first,
+// tightly packed.
+
+#include <stddef.h>
+#include <stdint.h>
+
+extern "C" {
+
+/// Raised whenever anything below changes; the program refuses a module with another number.
+#define GLIBRA_MODULE_VERSION 1
+
+enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
+enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
+
+/// Gives room for width x height RGBA pixels of a type, or null to refuse the picture. Must not throw.
+typedef void* (*GlibraAllocate)(void* context, uint64_t width, uint64_t height, int type);
+
+struct GlibraReadRequest {
+    const char* format;  ///< OpenImageIO's name of the format, which the caller has told by the content
+    const char* path;    ///< the file, or null if there is none, only bytes
+    const void* bytes;   ///< its whole content
+    size_t size;
+    GlibraAllocate allocate;
+    void* context;  ///< for `allocate`
+    char* message;  ///< gets the reason of a failure, zero-terminated
+    size_t messageSize;
+};
+
+struct GlibraWriteRequest {
+    const char* format;
+    const char* path;  ///< an existing file is overwritten
+    int width, height;
+    int components;  ///< 3 or 4
+    int type;
+    const void* pixels;
+    char* message;
+    size_t messageSize;
+};
+
+typedef int (*GlibraModuleVersion)();
+typedef int (*GlibraReadPicture)(const struct GlibraReadRequest*);
+typedef int (*GlibraWritePicture)(const struct GlibraWriteRequest*);
+
+/// The module's functions, by these names.
+int glibraModuleVersion();
+int glibraReadPicture(const struct GlibraReadRequest* request);
+int glibraWritePicture(const struct GlibraWriteRequest* request);
+}

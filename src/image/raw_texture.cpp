@@ -1,0 +1,141 @@
+#include "image/raw_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "image/bytes.h"
+
+namespace glibra::image {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+std::size_t headerBytes(int dimensions) {
+    return 4 * static_cast<std::size_t>(dimensions);
+}
+
+/// The sizes at the front of the file as a texture of d dimensions; nothing if the file is too short for
+/// them.
+std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
+    if (file.size() < headerBytes(dimensions)) return std::nullopt;
+    RawShape shape{dimensions, {1, 1, 1}, type};
+    for (int i = 0; i < dimensions; ++i)
+        shape.sizes.at(static_cast<std::size_t>(i)) = little32(file, headerBytes(i));
+    return shape;
+}
+
+/// File length of a shape, or nothing if a size is 0 or the length is beyond 2^62.
+std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
+    std::uint64_t texels = 1;
+    for (const std::uint32_t size : shape.sizes) {
+        if (size == 0 || texels > (std::uint64_t{1} << 57) / size) return std::nullopt;
+        texels *= size;
+    }
+    return headerBytes(shape.dimensions) + 4 * bytesOf(shape.type) * texels;
+}
+
+/// "2 float texels (1D)", "2 x 1 x 3 byte texels (3D)".
+std::string describe(const RawShape& shape) {
+    std::string sizes = std::to_string(shape.sizes[0]);
+    for (int i = 1; i < shape.dimensions; ++i)
+        sizes += " x " + std::to_string(shape.sizes.at(static_cast<std::size_t>(i)));
+    return fmt::format("{} {} texels ({}D)", sizes, shape.type == Component::u8 ? "byte" : "float",
+                       shape.dimensions);
+}
+
+bool withinSides(const RawShape& shape, const Limits& limits) {
+    const int side = shape.dimensions == 3 ? limits.side3D : limits.side;
+    return std::all_of(shape.sizes.begin(), shape.sizes.end(), [&](std::uint32_t size) {
+        return size >= 1 && size <= static_cast<std::uint32_t>(side);
+    });
+}
+
+/// file-E05, with the lengths that the sizes at the front of the file would need.
+Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const Limits& limits) {
+    std::string would;
+    for (int d = 1; d <= 3; ++d) {
+        if (dimensions != 0 && dimensions != d) continue;
+        const auto bytes = shapeFor(file, d, Component::u8);
+        if (!bytes || !withinSides(*bytes, limits)) continue;
+        std::string sizes = std::to_string(bytes->sizes[0]);
+        for (int i = 1; i < d; ++i)
+            sizes += fmt::format(" x {}", bytes->sizes.at(static_cast<std::size_t>(i)));
+        if (d == 1) sizes += " (1D)";
+        const std::uint64_t texels = *lengthOf(*bytes) - headerBytes(d);
+        would += fmt::format("{} {} would need {} or {}", would.empty() ? ";" : ",", sizes,
+                             headerBytes(d) + texels, headerBytes(d) + 4 * texels);
+    }
+    if (would.empty()) would = "; it does not begin with sizes";
+    const std::string kind = dimensions == 0 ? "raw texture" : fmt::format("raw {}D texture", dimensions);
+    return error("file-E05", fmt::format("'{}': {} bytes fit no {}{}", label.name, file.size(), kind, would),
+                 label.place);
+}
+
+void toMachineOrder(std::vector<std::byte>& floats) {
+    if constexpr (std::endian::native == std::endian::big)
+        for (std::size_t at = 0; at + 4 <= floats.size(); at += 4)
+            std::reverse(floats.begin() + static_cast<std::ptrdiff_t>(at),
+                         floats.begin() + static_cast<std::ptrdiff_t>(at + 4));
+}
+
+}  // namespace
+
+std::vector<RawShape> rawShapes(Bytes file, int dimensions) {
+    std::vector<RawShape> fitting;
+    for (int d = 1; d <= 3; ++d)
+        for (const Component type : {Component::u8, Component::f32}) {
+            if (dimensions != 0 && dimensions != d) continue;
+            const auto shape = shapeFor(file, d, type);
+            if (shape && lengthOf(*shape) == file.size()) fitting.push_back(*shape);
+        }
+    return fitting;
+}
+
+bool looksRaw(Bytes file, int dimensions, const Limits& limits) {
+    for (int d = 1; d <= 3; ++d) {
+        if (dimensions != 0 && dimensions != d) continue;
+        const auto shape = shapeFor(file, d, Component::u8);
+        if (shape && withinSides(*shape, limits)) return true;
+    }
+    return false;
+}
+
+Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel& label,
+                                    const Limits& limits) {
+    const std::vector<RawShape> shapes = rawShapes(file, dimensions);
+    if (shapes.empty()) return fitsNothing(file, dimensions, label, limits);
+    const RawShape& shape = shapes.front();
+    const std::size_t offset = headerBytes(shape.dimensions);
+    if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
+        return error("file-E09",
+                     fmt::format("'{}' holds {}, the limits are {} a side and {}", label.name,
+                                 describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
+                                 readableBytes(limits.texelBytes)),
+                     label.place);
+
+    TexelBlock block;
+    block.dimensions = shape.dimensions;
+    block.width = static_cast<int>(shape.sizes[0]);
+    block.height = static_cast<int>(shape.sizes[1]);
+    block.depth = static_cast<int>(shape.sizes[2]);
+    block.type = shape.type;
+    block.data.assign(file.begin() + static_cast<std::ptrdiff_t>(offset), file.end());
+    if (shape.type == Component::f32) toMachineOrder(block.data);
+
+    Result<TexelBlock> result(std::move(block));
+    if (shapes.size() > 1) {
+        std::string all = describe(shapes[0]);
+        for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describe(shapes[i]);
+        result.diagnostics.push_back(
+            warning("file-W07", fmt::format("{} bytes fit {}; {}D taken", file.size(), all, shape.dimensions),
+                    label.place));
+    }
+    return result;
+}
+
+}  // namespace glibra::image

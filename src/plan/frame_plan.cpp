@@ -1,0 +1,332 @@
+#include "plan/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "plan/needs.h"
+#include "plan/overrides.h"
+#include "plan/skipped.h"
+#include "plan/submission.h"
+#include "plan/texture_uses.h"
+#include "plan/uniform_names.h"
+
+namespace glibra::plan {
+namespace {
+
+/// What planning knows of a PlannedProgram besides.
+struct ProgramState {
+    Diagnostics diagnostics;  ///< of translating, compiling, linking and of its pairs
+    std::vector<UnitUse> units;
+    Diagnostics unitProblems;  ///< draw-E05: said at each draw
+    bool isAnnounced = false;  ///< its diagnostics are in the plan's
+};
+
+class FramePlanner {
+  public:
+    FramePlanner(const scene::Scene& scene, const InterfaceOf& interfaceOf, const PlanOptions& options)
+        : scene_(scene),
+          interfaceOf_(interfaceOf),
+          options_(options),
+          usedOverrides_(options.overrides.size()),
+          meshOfShape_(scene.shapes.size(), scene::kNone),
+          reads_(scene.shapes.size()) {}
+
+    FramePlan plan(const MayWriteImages& mayWriteImages) && {
+        const TexturesOf texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
+            std::vector<int> textures;
+            for (const TextureUse& use : usesOf(draw, programOf(draw, pass))) textures.push_back(use.texture);
+            return textures;
+        };
+        const Needs needs = findNeeds(scene_, texturesOf, mayWriteImages, options_.everything);
+        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
+            if (needs.passes[pass]) planPass(scene_.passes[pass], needs.steps[pass]);
+        if (options_.everything) planUndrawnPrograms();
+        for (std::size_t i = 0; i < needs.textures.size(); ++i)
+            if (needs.textures[i]) plan_.textures.push_back(static_cast<int>(i));
+        listAttributes();
+        reportOverrides();
+        if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
+        return std::move(plan_);
+    }
+
+  private:
+    using VariantKey = std::tuple<int, bool, int>;
+
+    const scene::Program* sceneProgram(int index) const {
+        return index < 0 ? nullptr : &scene_.programs.at(static_cast<std::size_t>(index));
+    }
+    ProgramState& state(int program) { return states_.at(static_cast<std::size_t>(program)); }
+    const PlannedProgram& planned(int program) const {
+        return plan_.programs.at(static_cast<std::size_t>(program));
+    }
+
+    /// Adds what was not said before, word for word at the same place.
+    void say(const Diagnostic& diagnostic) {
+        if (said_
+                .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
+                         diagnostic.place.column)
+                .second)
+            plan_.diagnostics.push_back(diagnostic);
+    }
+
+    int programOf(const scene::Draw& draw, const scene::Pass& pass) {
+        ProgramVariant variant;
+        variant.program = usesBuiltin(scene_, draw) ? scene::kNone : draw.program;
+        variant.flatColors = draw.flatColors;
+        variant.colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()));
+        return programOf(variant);
+    }
+
+    /// Index of the variant in the plan; asks for its interface the first time.
+    int programOf(const ProgramVariant& variant) {
+        const auto [entry, isNew] =
+            programs_.try_emplace(VariantKey{variant.program, variant.flatColors, variant.colorTargets},
+                                  static_cast<int>(states_.size()));
+        if (!isNew) return entry->second;
+        const ProgramInterface& interface = interfaceOf_(variant);
+        PlannedProgram program{variant, &interface, {}, {}};
+        ProgramState state;
+        state.diagnostics = interface.facts.diagnostics;
+        if (interface.usable) {
+            const scene::Program noPairs;
+            const scene::Program* own = sceneProgram(variant.program);
+            const std::span<const Override> overrides(options_.overrides);
+            UniformResolution resolution =
+                resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
+                                own != nullptr ? overrides : overrides.first(0), usedOverrides_);
+            program.values = std::move(resolution.values);
+            program.controls = std::move(resolution.controls);
+            append(state.diagnostics, std::move(resolution.diagnostics));
+            auto units =
+                assignUnits(interface, resolution.samplers, options_.maxTextureUnits, options_.maxImageUnits);
+            if (units) state.units = std::move(*units);
+            state.unitProblems = std::move(units.diagnostics);
+        }
+        plan_.programs.push_back(std::move(program));
+        states_.push_back(std::move(state));
+        return entry->second;
+    }
+
+    /// What the samplers of a draw read; equal for draws with the same program, slots and wrap.
+    const std::vector<TextureUse>& usesOf(const scene::Draw& draw, int program) {
+        const auto [entry, isNew] = uses_.try_emplace({program, draw.slots, draw.sampling.clamp});
+        if (isNew)
+            entry->second = textureUses(scene_, draw, *planned(program).interface, state(program).units);
+        return entry->second;
+    }
+
+    void planPass(const scene::Pass& pass, const std::vector<StepNeed>& needs) {
+        PlannedPass result;
+        result.pass = &pass;
+        for (std::size_t step = 0; step < pass.steps.size(); ++step) {
+            if (needs[step] != StepNeed::needed) continue;
+            if (const auto* clear = std::get_if<scene::Clear>(&pass.steps[step]))
+                result.steps.emplace_back(clear);
+            else
+                planDraw(std::get<scene::Draw>(pass.steps[step]), pass, result);
+        }
+        plan_.passes.push_back(std::move(result));
+    }
+
+    void planDraw(const scene::Draw& draw, const scene::Pass& pass, PlannedPass& result) {
+        const int index = programOf(draw, pass);
+        const ProgramInterface& interface = *planned(index).interface;
+        const scene::Program* program = sceneProgram(planned(index).variant.program);
+        announce(index);
+        reportMissingStage(draw);
+
+        if (!interface.usable) return planUnusable(draw, index, result);
+        const Result<Submission> submission = submissionOf(scene_, draw, program, interface);
+        Diagnostics problems = submission.diagnostics;
+        for (Diagnostic each : state(index).unitProblems) {
+            each.place = draw.place;
+            each.text = draw.word + ": " + each.text;
+            problems.push_back(std::move(each));
+        }
+        const std::vector<TextureUse>& uses = usesOf(draw, index);
+        append(problems, feedback(draw, pass, index, uses));
+        for (const Diagnostic& each : problems) say(each);
+        if (!submission || hasError(problems)) return;
+
+        remarkOnce(draw, index, program, *submission, uses);
+        result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
+    }
+
+    /// The program has no stages to go by; a window shows the shape in one colour. Patches cannot be shown
+    /// so.
+    void planUnusable(const scene::Draw& draw, int index, PlannedPass& result) {
+        const geometry::Topology topology =
+            topologyOf(scene_.shapes.at(static_cast<std::size_t>(draw.shape)));
+        if (topology == geometry::Topology::patches) return;
+        result.steps.emplace_back(
+            PlannedDraw{&draw, index, meshOf(draw, *planned(index).interface), {topology, 0}, {}});
+    }
+
+    void announce(int program) {
+        if (std::exchange(state(program).isAnnounced, true)) return;
+        for (const Diagnostic& each : state(program).diagnostics) say(each);
+    }
+
+    /// draw-W01, once a program.
+    void reportMissingStage(const scene::Draw& draw) {
+        if (draw.program < 0 || !usesBuiltin(scene_, draw) || !incomplete_.insert(draw.program).second)
+            return;
+        const scene::Program& program = *sceneProgram(draw.program);
+        const bool hasVertex = program.hasStage(glsl::Stage::vertex);
+        const bool hasFragment = program.hasStage(glsl::Stage::fragment);
+        const char* missing = hasVertex     ? "no fragment stage"
+                              : hasFragment ? "no vertex stage"
+                                            : "no vertex and no fragment stage";
+        say(warning("draw-W01", fmt::format("Program '{}' has {}; flat colour used", program.name, missing),
+                    draw.place));
+    }
+
+    /// draw-E01: a sampler reads what the pass draws into.
+    Diagnostics feedback(const scene::Draw& draw, const scene::Pass& pass, int program,
+                         const std::vector<TextureUse>& uses) {
+        Diagnostics errors;
+        std::set<int> units;
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            const bool isTarget =
+                uses[i].texture >= 0 && !uses[i].isImage &&
+                std::find(pass.targets.begin(), pass.targets.end(), uses[i].texture) != pass.targets.end();
+            const int unit = state(program).units.at(i).binding.unit;
+            if (isTarget && units.insert(unit).second)
+                errors.push_back(error("draw-E01",
+                                       fmt::format("{} samples unit {} while rendering into it "
+                                                   "(RenderToTexture on line {})",
+                                                   draw.word, unit, pass.place.line),
+                                       draw.place));
+        }
+        return errors;
+    }
+
+    /// What is said at the first draw only to which it applies: draw-W02, W03, W05.
+    void remarkOnce(const scene::Draw& draw, int index, const scene::Program* program,
+                    const Submission& submission, const std::vector<TextureUse>& uses) {
+        const ProgramInterface& interface = *planned(index).interface;
+        const int sceneIndex = planned(index).variant.program;
+        const auto once = [&](const char* id, const std::string& text) {
+            if (remarks_.emplace(sceneIndex, id, text).second) say(warning(id, text, draw.place));
+        };
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (uses[i].texture >= 0) continue;
+            const ActiveUniform& sampler = interface.uniforms.at(static_cast<std::size_t>(uses[i].uniform));
+            const int unit = state(index).units.at(i).binding.unit;
+            const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
+                                                         : fmt::format("{} / {}", unit, sampler.type.word);
+            once("draw-W02", fmt::format("{} '{}' reads unit {}, which is empty",
+                                         uses[i].isImage ? "image" : "sampler", sampler.name, slot));
+        }
+        for (const ActiveInput& input : interface.inputs)
+            if (attributeOf(input) == nullptr && !isInternalName(input.name))
+                once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1",
+                                             userName(interface, input.name)));
+        if (ignoresPointSize(draw, program, interface, submission)) {
+            using glsl::Stage;
+            const Stage last = program->hasStage(Stage::geometry)         ? Stage::geometry
+                               : program->hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
+                                                                          : Stage::vertex;
+            const std::string file = stageFileName(scene_, *program, last);
+            once("draw-W05", fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
+                                         file.empty() ? "Program '" + program->name + "'" : file));
+        }
+    }
+
+    static std::string userName(const ProgramInterface& interface, const std::string& name) {
+        const auto found = interface.facts.userNames.find(name);
+        return found != interface.facts.userNames.end() ? found->second : name;
+    }
+    static const glsl::BuiltinInput* attributeOf(const ActiveInput& input) {
+        for (const glsl::BuiltinInput& row : glsl::builtinInputs())
+            if (row.name == input.name) return &row;
+        return nullptr;
+    }
+
+    /// The mesh of the draw's shape, and what this program reads of it.
+    int meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
+        const auto shape = static_cast<std::size_t>(draw.shape);
+        int& mesh = meshOfShape_.at(shape);
+        if (mesh < 0) {
+            mesh = static_cast<int>(plan_.meshes.size());
+            plan_.meshes.push_back({draw.shape, {}});
+        }
+        for (const ActiveInput& input : interface.inputs)
+            if (const glsl::BuiltinInput* row = attributeOf(input); row != nullptr)
+                reads_[shape].insert(row->attribute);
+        // A window shows what an unusable program should have drawn in one colour, and needs to know where.
+        if (!interface.usable) reads_[shape].insert(geometry::kPosition);
+        return mesh;
+    }
+
+    void listAttributes() {
+        for (PlannedMesh& mesh : plan_.meshes) {
+            const auto shape = static_cast<std::size_t>(mesh.shape);
+            for (std::string& name : attributesOf(scene_.shapes[shape]))
+                if (options_.everything || reads_[shape].contains(name))
+                    mesh.attributes.push_back(std::move(name));
+        }
+    }
+
+    /// glibra check compiles also what nothing is drawn with.
+    void planUndrawnPrograms() {
+        std::set<int> drawn;
+        for (const PlannedProgram& each : plan_.programs) drawn.insert(each.variant.program);
+        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+            const scene::Program& program = scene_.programs[i];
+            if (drawn.contains(static_cast<int>(i)) || !program.hasStage(glsl::Stage::vertex) ||
+                !program.hasStage(glsl::Stage::fragment))
+                continue;
+            announce(programOf(ProgramVariant{static_cast<int>(i), false, 1}));
+        }
+    }
+
+    /// glib-W23 for `--set` names that no program has. Of a program that was not asked for, or did not link,
+    /// only the pairs are known: a name among them is let pass.
+    void reportOverrides() {
+        std::vector<std::string> names;
+        std::set<int> known;
+        for (const PlannedProgram& program : plan_.programs) {
+            if (program.interface->usable) known.insert(program.variant.program);
+            for (const ActiveUniform& uniform : program.interface->uniforms)
+                if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
+                    names.push_back(uniform.name);
+        }
+        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+            if (known.contains(static_cast<int>(i))) continue;
+            for (const glib::UniformSpec& spec : scene_.programs[i].uniforms)
+                for (std::size_t each = 0; each < options_.overrides.size(); ++each)
+                    if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
+        }
+        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
+    }
+
+    const scene::Scene& scene_;
+    const InterfaceOf& interfaceOf_;
+    const PlanOptions& options_;
+    std::vector<bool> usedOverrides_;
+    std::map<VariantKey, int> programs_;
+    std::vector<ProgramState> states_;  ///< of plan_.programs
+    std::map<std::tuple<int, int, bool>, std::vector<TextureUse>> uses_;
+    std::vector<int> meshOfShape_;
+    std::vector<std::set<std::string_view>> reads_;  ///< attributes of each shape that a program reads
+    std::set<int> incomplete_;                       ///< programs of draw-W01
+    std::set<std::tuple<int, std::string, std::string>> remarks_;
+    std::set<std::tuple<std::string, std::string, std::string, int, int>> said_;
+    FramePlan plan_;
+};
+
+}  // namespace
+
+FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
+                    const MayWriteImages& mayWriteImages, const PlanOptions& options) {
+    return FramePlanner(scene, interfaceOf, options).plan(mayWriteImages);
+}
+
+}  // namespace glibra::plan

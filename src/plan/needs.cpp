@@ -1,0 +1,189 @@
+#include "plan/needs.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "plan/submission.h"
+
+namespace glibra::plan {
+namespace {
+
+/// A step of the scene: pass and step index.
+using StepIndex = std::pair<std::size_t, std::size_t>;
+
+class NeedFinder {
+  public:
+    NeedFinder(const scene::Scene& scene, const TexturesOf& texturesOf, const MayWriteImages& mayWriteImages)
+        : scene_(scene),
+          texturesOf_(texturesOf),
+          mayWriteImages_(mayWriteImages),
+          visited_(scene.passes.size()),
+          read_(scene.textures.size()) {
+        needs_.passes.resize(scene.passes.size());
+        needs_.textures.resize(scene.textures.size());
+        for (const scene::Pass& pass : scene.passes)
+            needs_.steps.emplace_back(pass.steps.size(), StepNeed::needed);
+    }
+
+    Needs find(bool everything) && {
+        if (everything) {
+            needs_.passes.assign(needs_.passes.size(), true);
+        } else {
+            markEmptyShapes();
+            startAtWindow();
+        }
+        spread();
+        while (!everything && addImageWriter()) spread();
+        for (std::size_t i = 0; i < needs_.passes.size(); ++i)
+            if (!needs_.passes[i])
+                std::fill(needs_.steps[i].begin(), needs_.steps[i].end(), StepNeed::passNotNeeded);
+        for (std::size_t i = 0; i < read_.size(); ++i)
+            if (read_[i] || everything) needs_.textures[i] = true;
+        return std::move(needs_);
+    }
+
+  private:
+    bool isWindow(std::size_t pass) const { return scene_.passes[pass].targets.empty(); }
+    const scene::Draw* drawAt(StepIndex index) const {
+        return std::get_if<scene::Draw>(&scene_.passes[index.first].steps[index.second]);
+    }
+
+    void markEmptyShapes() {
+        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
+            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+                const scene::Draw* draw = drawAt({pass, step});
+                if (draw != nullptr && drawsNothing(scene_.shapes.at(static_cast<std::size_t>(draw->shape))))
+                    needs_.steps[pass][step] = StepNeed::drawsNothing;
+            }
+    }
+
+    bool mayWrite(const scene::Draw& draw) {
+        if (usesBuiltin(scene_, draw)) return false;
+        const auto [entry, isNew] = writes_.try_emplace(draw.program, false);
+        if (isNew) entry->second = mayWriteImages_ && mayWriteImages_(draw.program);
+        return entry->second;
+    }
+
+    void startAtWindow() {
+        std::vector<StepIndex> window;
+        std::optional<std::size_t> lastClear;
+        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) {
+            if (!isWindow(pass)) continue;
+            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+                if (const auto* clear = std::get_if<scene::Clear>(&scene_.passes[pass].steps[step])) {
+                    lastClear = window.size();
+                    needs_.clear = clear->place;
+                }
+                window.push_back({pass, step});
+            }
+        }
+        std::size_t kept = 0;  // steps from the front that an image-writing draw needs
+        for (std::size_t i = lastClear.value_or(0); i > 0 && kept == 0; --i) {
+            const auto [pass, step] = window[i - 1];
+            const scene::Draw* draw = drawAt(window[i - 1]);
+            if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed && mayWrite(*draw)) kept = i;
+        }
+        for (std::size_t i = kept; lastClear && i < *lastClear; ++i) {
+            StepNeed& need = needs_.steps[window[i].first][window[i].second];
+            if (need == StepNeed::needed) need = StepNeed::coveredByClear;
+        }
+        const std::size_t firstSeen = lastClear ? window[*lastClear].first : 0;
+        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) {
+            if (!isWindow(pass)) continue;
+            // Even a pass without draws counts, since it may carry the window's implicit clear.
+            const std::vector<StepNeed>& steps = needs_.steps[pass];
+            needs_.passes[pass] =
+                pass >= firstSeen || std::find(steps.begin(), steps.end(), StepNeed::needed) != steps.end();
+        }
+    }
+
+    /// Follows textures and shared depth from the needed passes to others, until nothing new is found.
+    void spread() {
+        bool isChanged = true;
+        while (isChanged) {
+            isChanged = false;
+            for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
+                if (!needs_.passes[pass] && !feedsNeeded(pass)) continue;
+                needs_.passes[pass] = true;
+                if (visited_[pass]) continue;
+                visited_[pass] = true;
+                isChanged = true;
+                visit(pass);
+            }
+        }
+    }
+
+    void visit(std::size_t pass) {
+        for (const int target : scene_.passes[pass].targets)
+            needs_.textures.at(static_cast<std::size_t>(target)) = true;
+        for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+            const scene::Draw* draw = drawAt({pass, step});
+            if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed) continue;
+            for (const int texture : texturesOf_(*draw, scene_.passes[pass]))
+                if (texture >= 0) read_.at(static_cast<std::size_t>(texture)) = true;
+        }
+        if (!isWindow(pass) && !startsWithClearDepth(scene_.passes[pass])) keepDepthBefore(pass);
+    }
+
+    static bool startsWithClearDepth(const scene::Pass& pass) {
+        return pass.clearDepth ||
+               (!pass.steps.empty() && std::holds_alternative<scene::Clear>(pass.steps.front()));
+    }
+
+    /// The latest earlier pass with the same depth buffer: its depth is what this pass is tested against.
+    void keepDepthBefore(std::size_t pass) {
+        for (std::size_t earlier = pass; earlier-- > 0;) {
+            const scene::Pass& other = scene_.passes[earlier];
+            if (other.targets.empty() || other.depthBuffer != scene_.passes[pass].depthBuffer) continue;
+            needs_.passes[earlier] = true;
+            return;
+        }
+    }
+
+    bool feedsNeeded(std::size_t pass) const {
+        const std::vector<int>& targets = scene_.passes[pass].targets;
+        return std::any_of(targets.begin(), targets.end(),
+                           [&](int target) { return read_.at(static_cast<std::size_t>(target)); });
+    }
+
+    /// Takes in the last pass that is not needed yet and may write to an image.
+    bool addImageWriter() {
+        for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
+            if (needs_.passes[pass] || isWindow(pass)) continue;
+            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+                const scene::Draw* draw = drawAt({pass, step});
+                if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed || !mayWrite(*draw))
+                    continue;
+                needs_.passes[pass] = true;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const scene::Scene& scene_;
+    const TexturesOf& texturesOf_;
+    const MayWriteImages& mayWriteImages_;
+    std::vector<bool> visited_;
+    std::vector<bool> read_;      ///< textures that a needed draw reads
+    std::map<int, bool> writes_;  ///< answers of mayWriteImages
+    Needs needs_;
+};
+
+}  // namespace
+
+bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
+    if (draw.program < 0) return true;
+    const scene::Program& program = scene.programs.at(static_cast<std::size_t>(draw.program));
+    return !program.hasStage(glsl::Stage::vertex) || !program.hasStage(glsl::Stage::fragment);
+}
+
+Needs findNeeds(const scene::Scene& scene, const TexturesOf& texturesOf, const MayWriteImages& mayWriteImages,
+                bool everything) {
+    return NeedFinder(scene, texturesOf, mayWriteImages).find(everything);
+}
+
+}  // namespace glibra::plan

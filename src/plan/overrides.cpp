@@ -1,0 +1,103 @@
+#include "plan/overrides.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "plan/near_name.h"
+
+namespace glibra::plan {
+namespace {
+
+constexpr std::size_t kMostValues = 4096;  // as in a bracket of the language
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t";
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// A whole number token, finite as a 32-bit float.
+std::optional<double> readNumber(std::string_view token) {
+    if (token.starts_with('+')) token.remove_prefix(1);
+    // from_chars also reads "inf" and "nan", which are words here.
+    if (token.empty() || token.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return {};
+    double value = 0;
+    const auto [end, problem] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (problem != std::errc() || end != token.data() + token.size()) return {};
+    if (!std::isfinite(static_cast<float>(value))) return {};
+    return value;
+}
+
+/// Takes the brackets off; nothing if an opening one has no partner.
+std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
+    struct Bracket {
+        char open, close;
+        glib::UniformForm form;
+    };
+    constexpr Bracket kBrackets[] = {{'[', ']', glib::UniformForm::list},
+                                     {'(', ')', glib::UniformForm::list},
+                                     {'<', '>', glib::UniformForm::range},
+                                     {'{', '}', glib::UniformForm::color}};
+    for (const Bracket& each : kBrackets) {
+        if (!value.starts_with(each.open)) continue;
+        if (value.size() < 2 || !value.ends_with(each.close)) return {};
+        value = trimmed(value.substr(1, value.size() - 2));
+        return each.form;
+    }
+    return glib::UniformForm::number;
+}
+
+}  // namespace
+
+Result<Override> parseOverride(std::string_view text) {
+    const auto bad = [&](std::string_view why) { return error("", fmt::format("--set {}: {}", text, why)); };
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) return bad("NAME=VALUE is wanted");
+    Override result;
+    result.name = trimmed(text.substr(0, equals));
+    if (result.name.empty()) return bad("the name is missing");
+
+    std::string_view value = trimmed(text.substr(equals + 1));
+    const std::optional<glib::UniformForm> form = takeBrackets(value);
+    if (!form) return bad("a bracket is not closed");
+    result.form = *form;
+    if (value == "true" || value == "false") {
+        result.form = glib::UniformForm::truth;
+        result.values = {value == "true" ? 1.0 : 0.0};
+        return result;
+    }
+    while (!value.empty()) {
+        const std::string_view token = value.substr(0, value.find_first_of(" \t,"));
+        if (!token.empty()) {
+            const std::optional<double> number = readNumber(token);
+            if (!number) return bad(fmt::format("'{}' is not a number", token));
+            if (result.values.size() == kMostValues)
+                return bad(fmt::format("more than {} values", kMostValues));
+            result.values.push_back(*number);
+        }
+        value.remove_prefix(std::min(value.size(), token.size() + 1));
+    }
+    if (result.values.empty()) return bad("the value is missing");
+    if (result.form == glib::UniformForm::number && result.values.size() > 1)
+        result.form = glib::UniformForm::list;
+    return result;
+}
+
+Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vector<bool>& used,
+                            std::span<const std::string> names) {
+    Diagnostics diagnostics;
+    for (std::size_t i = 0; i < overrides.size(); ++i) {
+        if (i < used.size() && used[i]) continue;
+        const std::string& name = overrides[i].name;
+        diagnostics.push_back(warning("glib-W23", fmt::format("no program of the scene has a uniform '{}'{}",
+                                                              name, suggestion(name, names))));
+    }
+    return diagnostics;
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,174 @@
+#include "plan/skipped.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "plan/texture_uses.h"
+
+namespace glibra::plan {
+namespace {
+
+constexpr std::array<std::string_view, 6> kAttributes{geometry::kPosition, geometry::kNormal,
+                                                      geometry::kTexCoord, geometry::kTangent,
+                                                      geometry::kColor,    geometry::kFaceIndex};
+
+template <class Value>
+bool contains(const std::vector<Value>& values, const Value& wanted) {
+    return std::find(values.begin(), values.end(), wanted) != values.end();
+}
+
+class SkipList {
+  public:
+    SkipList(const scene::Scene& scene, const Needs& needs, const FramePlan& plan)
+        : scene_(scene),
+          needs_(needs),
+          plan_(plan),
+          firstDraws_(scene.shapes.size()),
+          hasDraw_(scene.programs.size()),
+          programs_(scene.programs.size()),
+          textures_(scene.textures.size()),
+          files_(scene.files.size()) {}
+
+    std::vector<Skipped> list() && {
+        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) addPass(pass);
+        addPrograms();
+        addMeshes();
+        addTextures();
+        addFiles();
+        return std::move(skipped_);
+    }
+
+  private:
+    void add(const char* what, std::string why, const Place& place) {
+        skipped_.push_back({what, std::move(why), place});
+    }
+
+    std::string fileName(int file) const {
+        return file < 0 ? std::string() : scene_.files.at(static_cast<std::size_t>(file)).name;
+    }
+    void useFile(int file) {
+        if (file >= 0) files_.at(static_cast<std::size_t>(file)) = true;
+    }
+
+    void addPass(std::size_t index) {
+        const scene::Pass& pass = scene_.passes[index];
+        if (!needs_.passes[index])
+            add("pass",
+                pass.targets.empty()
+                    ? fmt::format("the window is cleared again on line {}", needs_.clear.line)
+                    : std::string("nothing that is seen samples its targets"),
+                pass.place);
+        for (std::size_t step = 0; step < pass.steps.size(); ++step) {
+            const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]);
+            if (draw != nullptr) {
+                const auto shape = static_cast<std::size_t>(draw->shape);
+                if (firstDraws_.at(shape) == nullptr) firstDraws_[shape] = draw;
+                if (draw->program >= 0) hasDraw_.at(static_cast<std::size_t>(draw->program)) = true;
+            }
+            if (needs_.steps[index][step] == StepNeed::coveredByClear) {
+                const std::string why =
+                    fmt::format("the window is cleared again on line {}", needs_.clear.line);
+                if (draw != nullptr)
+                    add("draw", draw->word + ": " + why, draw->place);
+                else
+                    add("statement", "Clear: " + why, std::get<scene::Clear>(pass.steps[step]).place);
+            }
+            if (needs_.steps[index][step] == StepNeed::drawsNothing && draw != nullptr)
+                add("draw", draw->word + ": it has no size and draws nothing", draw->place);
+        }
+    }
+
+    void addPrograms() {
+        for (const PlannedProgram& each : plan_.programs)
+            if (each.variant.program >= 0)
+                programs_.at(static_cast<std::size_t>(each.variant.program)) = true;
+        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+            const scene::Program& program = scene_.programs[i];
+            if (programs_[i]) {
+                for (const scene::StageFile& stage : program.stages) useFile(stage.file);
+                continue;
+            }
+            const bool isWhole =
+                program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment);
+            const char* why = !hasDraw_[i] ? "nothing is drawn with it"
+                              : !isWhole   ? "it lacks a vertex or fragment stage"
+                                           : "nothing that is seen is drawn with it";
+            add("program", fmt::format("'{}': {}", program.name, why), program.place);
+        }
+    }
+
+    void addMeshes() {
+        std::vector<const PlannedMesh*> planned(scene_.shapes.size());
+        for (const PlannedMesh& mesh : plan_.meshes) planned.at(static_cast<std::size_t>(mesh.shape)) = &mesh;
+        std::vector<Skipped> attributes;
+        for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+            const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
+            const Place place = firstDraws_[i] != nullptr ? firstDraws_[i]->place : Place{};
+            if (planned[i] == nullptr) {
+                add("mesh", word + ": nothing that is seen draws it", place);
+                continue;
+            }
+            useFile(scene_.shapes[i].file);
+            for (const std::string& attribute : attributesOf(scene_.shapes[i]))
+                if (!contains(planned[i]->attributes, attribute))
+                    attributes.push_back(
+                        {"attribute", fmt::format("{} of {}: no program reads it", attribute, word), place});
+        }
+        skipped_.insert(skipped_.end(), attributes.begin(), attributes.end());
+    }
+
+    void addTextures() {
+        for (const int each : plan_.textures) textures_.at(static_cast<std::size_t>(each)) = true;
+        for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
+            const scene::Texture& texture = scene_.textures[i];
+            const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
+            if (textures_[i]) {
+                if (picture != nullptr)
+                    for (const int file : picture->files) useFile(file);
+                continue;
+            }
+            const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
+            add(isNoise ? "noise texture" : "texture",
+                fmt::format("unit {}: no active sampler reads it", slotText(texture.unit, texture.target)),
+                texture.place);
+        }
+    }
+
+    void addFiles() {
+        for (std::size_t i = 0; i < scene_.files.size(); ++i)
+            if (!files_[i])
+                add("file", fmt::format("'{}': nothing that is seen needs it", fileName(static_cast<int>(i))),
+                    scene_.files[i].place);
+    }
+
+    const scene::Scene& scene_;
+    const Needs& needs_;
+    const FramePlan& plan_;
+    std::vector<const scene::Draw*> firstDraws_;     ///< of each shape
+    std::vector<bool> hasDraw_;                      ///< programs that any draw has
+    std::vector<bool> programs_, textures_, files_;  ///< in use
+    std::vector<Skipped> skipped_;
+};
+
+}  // namespace
+
+std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, const FramePlan& plan) {
+    return SkipList(scene, needs, plan).list();
+}
+
+std::vector<std::string> attributesOf(const scene::Shape& shape) {
+    std::vector<std::string> names;
+    for (const std::string_view each : kAttributes) {
+        bool isCarried = each != geometry::kColor;
+        if (each == geometry::kFaceIndex) isCarried = shape.command == glib::CommandId::soccerball;
+        if (shape.list != nullptr) isCarried = shape.list->attribute(each) != nullptr;
+        if (isCarried) names.emplace_back(each);
+    }
+    return names;
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,92 @@
+#include "plan/texture_uses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace glibra::plan {
+namespace {
+
+int textureInSlot(const scene::Scene& scene, int table, int unit, scene::TextureTarget target) {
+    if (table < 0 || static_cast<std::size_t>(table) >= scene.slotTables.size()) return scene::kNone;
+    for (const scene::Slot& slot : scene.slotTables[static_cast<std::size_t>(table)])
+        if (slot.unit == unit && slot.target == target) return slot.texture;
+    return scene::kNone;
+}
+
+bool isNoise(const scene::Scene& scene, int texture) {
+    return texture >= 0 && std::holds_alternative<scene::NoiseSource>(
+                               scene.textures.at(static_cast<std::size_t>(texture)).source);
+}
+
+}  // namespace
+
+Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
+                                         std::span<const SamplerBinding> samplers, int maxTextureUnits,
+                                         int maxImageUnits) {
+    std::vector<UnitUse> uses;
+    uses.reserve(samplers.size());
+    std::map<std::pair<int, std::string>, int> textureUnits;
+    std::map<std::pair<int, std::string>, int> imageUnits;
+    for (const SamplerBinding& sampler : samplers) {
+        const ValueType& type = interface.uniforms.at(static_cast<std::size_t>(sampler.uniform)).type;
+        auto& units = type.base == BaseType::image ? imageUnits : textureUnits;
+        const int next = static_cast<int>(units.size());
+        uses.push_back({sampler, units.try_emplace({sampler.unit, type.word}, next).first->second});
+    }
+    const auto tooMany = [](const char* kind, std::size_t wanted, int available) {
+        return error("draw-E05",
+                     fmt::format("the program needs {} {} units at once, the graphics device has {}", wanted,
+                                 kind, available));
+    };
+    if (textureUnits.size() > static_cast<std::size_t>(std::max(maxTextureUnits, 0)))
+        return tooMany("texture", textureUnits.size(), maxTextureUnits);
+    if (imageUnits.size() > static_cast<std::size_t>(std::max(maxImageUnits, 0)))
+        return tooMany("image", imageUnits.size(), maxImageUnits);
+    return uses;
+}
+
+std::vector<TextureUse> textureUses(const scene::Scene& scene, const scene::Draw& draw,
+                                    const ProgramInterface& interface, std::span<const UnitUse> units) {
+    std::vector<TextureUse> uses;
+    uses.reserve(units.size());
+    for (const UnitUse& unit : units) {
+        const ValueType& type = interface.uniforms.at(static_cast<std::size_t>(unit.binding.uniform)).type;
+        TextureUse use;
+        use.uniform = unit.binding.uniform;
+        use.element = unit.binding.element;
+        use.driverUnit = unit.driverUnit;
+        use.isImage = type.base == BaseType::image;
+        if (type.target) {
+            use.target = *type.target;
+            use.texture = textureInSlot(scene, draw.slots, unit.binding.unit, use.target);
+        }
+        use.clamp =
+            use.target == scene::TextureTarget::cube || (draw.sampling.clamp && !isNoise(scene, use.texture));
+        uses.push_back(use);
+    }
+    return uses;
+}
+
+std::string slotText(int unit, scene::TextureTarget target) {
+    const char* word = "2D";
+    switch (target) {
+        case scene::TextureTarget::texture1D:
+            word = "1D";
+            break;
+        case scene::TextureTarget::texture2D:
+            break;
+        case scene::TextureTarget::texture3D:
+            word = "3D";
+            break;
+        case scene::TextureTarget::cube:
+            word = "cube";
+            break;
+    }
+    return fmt::format("{} / {}", unit, word);
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,380 @@
+#include "plan/type_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace glibra::plan {
+namespace {
+
+using glib::UniformForm;
+
+bool isOpaque(const ValueType& type) {
+    return type.base == BaseType::sampler || type.base == BaseType::image;
+}
+bool isWhole(const ValueType& type) {
+    return type.base == BaseType::integer || type.base == BaseType::unsignedInteger;
+}
+bool isReal(const ValueType& type) {
+    return type.base == BaseType::floating || type.base == BaseType::doublePrecision;
+}
+
+/// "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5": the value as messages quote it.
+std::string quote(const GivenValue& given) {
+    constexpr std::size_t kMostShown = 6;
+    if (given.form == UniformForm::truth) return given.values.front() != 0 ? "<true>" : "<false>";
+    std::string numbers;
+    for (std::size_t i = 0; i < given.values.size(); ++i) {
+        if (i == kMostShown) {
+            numbers += " ...";
+            break;
+        }
+        if (i > 0) numbers += ' ';
+        numbers += numberText(given.values[i]);
+    }
+    switch (given.form) {
+        case UniformForm::list:
+            return "list [ " + numbers + " ]";
+        case UniformForm::range:
+            return "range < " + numbers + " >";
+        case UniformForm::color:
+            return "colour { " + numbers + " }";
+        case UniformForm::number:
+        case UniformForm::truth:
+            break;
+    }
+    return numbers;
+}
+
+const char* brackets(UniformForm form) {
+    switch (form) {
+        case UniformForm::list:
+            return "[ ]";
+        case UniformForm::color:
+            return "{ }";
+        default:
+            return "< >";
+    }
+}
+
+std::string countText(std::size_t count) {
+    return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
+struct Range {
+    double minimum = 0, current = 0, maximum = 1;
+};
+
+/// Reads one pair for one uniform; every member function adds to `reading`.
+class ValueReader {
+  public:
+    ValueReader(const GivenValue& given, const ActiveUniform& uniform, bool oneElement)
+        : given_(given),
+          type_(uniform.type),
+          array_(uniform.isArray && !oneElement),
+          elements_(static_cast<std::size_t>(std::max(uniform.arraySize, 1))) {
+        typeName_ = type_.word;
+        if (array_) typeName_ += fmt::format("[{}]", elements_);
+    }
+
+    Reading read() && {
+        if (given_.values.empty()) {
+            warn("glib-W17", fmt::format("tag '{}' has no value, skipped", given_.tag), given_.tagPlace);
+            reading_.ignored = true;
+        } else if (array_) {
+            readArray();
+        } else {
+            readElement();
+        }
+        return std::move(reading_);
+    }
+
+  private:
+    std::size_t components() const { return static_cast<std::size_t>(std::max(type_.components(), 1)); }
+    double first() const { return given_.values.front(); }
+
+    void warn(const char* id, std::string text, const Place& place) {
+        reading_.diagnostics.push_back(warning(id, std::move(text), place));
+    }
+    void warnCount(const std::string& text) {
+        warn("glib-W15",
+             fmt::format("{}: {} in {}, {}", given_.tag, countText(given_.values.size()),
+                         brackets(given_.form), text),
+             given_.valuePlace);
+    }
+    /// glib-W20, once a pair: the value's form does not go with the type.
+    void warnForm(const std::string& outcome) {
+        if (saidForm_) return;
+        saidForm_ = true;
+        warn("glib-W20", fmt::format("{} is {}, {} {}", given_.tag, typeName_, quote(given_), outcome),
+             given_.valuePlace);
+    }
+    void ignore() {
+        warnForm("ignored");
+        reading_.ignored = true;
+        reading_.values.clear();
+    }
+
+    /// One number as a component of the type.
+    double convert(double value) {
+        if (type_.base == BaseType::boolean) return value != 0 ? 1 : 0;
+        if (!isWhole(type_) && !isOpaque(type_)) return value;
+        const double cut = std::trunc(value) + 0.0;  // + 0: -0 becomes 0
+        if (cut != value && !saidCut_) {
+            saidCut_ = true;
+            warn("glib-W27", fmt::format("{} cut to {}", numberText(value), numberText(cut)),
+                 given_.valuePlace);
+        }
+        if (isOpaque(type_)) return cut;
+        const bool isSigned = type_.base == BaseType::integer;
+        const double lowest = isSigned ? std::numeric_limits<std::int32_t>::min() : 0;
+        const double highest =
+            isSigned ? std::numeric_limits<std::int32_t>::max() : std::numeric_limits<std::uint32_t>::max();
+        const double kept = std::clamp(cut, lowest, highest);
+        if (kept != cut && !saidForm_) {
+            saidForm_ = true;
+            warn("glib-W20",
+                 fmt::format("{} is {}, {} read as {:.0f}", given_.tag, type_.word, numberText(value), kept),
+                 given_.valuePlace);
+        }
+        return kept;
+    }
+
+    void setAll(double value) { reading_.values.assign(components(), convert(value)); }
+    void setDiagonal(double value) {
+        reading_.values.assign(components(), 0);
+        for (int i = 0; i < std::min(type_.columns, type_.rows); ++i)
+            reading_.values.at(static_cast<std::size_t>(i * type_.rows + i)) = value;
+    }
+    /// The given values in order, `wanted` of them; missing ones are 0.
+    void setList(std::size_t wanted, bool countMatters) {
+        const std::size_t given = given_.values.size();
+        if (countMatters && given < wanted)
+            warnCount(fmt::format("{} takes {}, the rest stay 0", typeName_, wanted));
+        if (countMatters && given > wanted)
+            warnCount(fmt::format("{} takes {}, surplus ignored", typeName_, wanted));
+        reading_.values.assign(wanted, 0);
+        for (std::size_t i = 0; i < std::min(given, wanted); ++i)
+            reading_.values[i] = convert(given_.values[i]);
+    }
+
+    /// The three numbers of a range by the rules for one, two and too many values (glib-W15).
+    Range readRange() {
+        const std::span<const double> values = given_.values;
+        Range range;
+        if (values.size() >= 3) {
+            range = {values[0], values[1], values[2]};
+            if (values.size() > 3) warnCount("surplus ignored");
+            return range;
+        }
+        if (values.size() == 1)
+            range = {std::min(0.0, values[0]), values[0], std::max(1.0, values[0])};
+        else
+            range = {values[0], values[1], std::max(values[0], values[1])};
+        if (type_.base == BaseType::boolean)
+            warnCount(fmt::format("read as {}", range.current != 0 ? "true" : "false"));
+        else
+            warnCount(fmt::format("read as min {}, cur {}, max {}", numberText(range.minimum),
+                                  numberText(range.current), numberText(range.maximum)));
+        return range;
+    }
+
+    void readElement() {
+        if (isOpaque(type_)) return readUnit();
+        if (type_.base == BaseType::other) return ignore();
+        if (type_.columns > 1) return readMatrix();
+        if (type_.rows > 1) return readVector();
+        if (type_.base == BaseType::boolean) return readBool();
+        readNumber();
+    }
+
+    void readNumber() {
+        switch (given_.form) {
+            case UniformForm::number:
+                return setAll(first());
+            case UniformForm::range:
+                return readSlider();
+            case UniformForm::truth:
+                setAll(first() != 0 ? 1 : 0);
+                if (isReal(type_)) warnForm("read as " + numberText(reading_.values.front()));
+                reading_.control = Control{0, UniformForm::truth, 0, reading_.values.front(), 1};
+                return;
+            case UniformForm::list:
+            case UniformForm::color:
+                break;
+        }
+        const double value = isWhole(type_) ? std::trunc(first()) + 0.0 : first();
+        warnForm("read as " +
+                 numberText(type_.base == BaseType::unsignedInteger ? std::max(value, 0.0) : value));
+        setAll(first());
+    }
+
+    void readSlider() {
+        const Range range = readRange();
+        setAll(range.current);
+        Control control{0, UniformForm::range, convert(range.minimum), reading_.values.front(),
+                        convert(range.maximum)};
+        if (control.minimum > control.maximum) {
+            warn("glib-W22",
+                 fmt::format("{}: minimum {} is above maximum {}, exchanged", given_.tag,
+                             numberText(control.minimum), numberText(control.maximum)),
+                 given_.valuePlace);
+            std::swap(control.minimum, control.maximum);
+        } else if (control.minimum == control.maximum) {
+            control.maximum = control.minimum + 1;
+            warn("glib-W22",
+                 fmt::format("{}: minimum and maximum are both {}, slider range {} ... {}", given_.tag,
+                             numberText(control.minimum), numberText(control.minimum),
+                             numberText(control.maximum)),
+                 given_.valuePlace);
+        }
+        if (control.current < control.minimum || control.current > control.maximum)
+            warn("glib-W21",
+                 fmt::format("{}: current value {} lies outside {} ... {}, kept", given_.tag,
+                             numberText(control.current), numberText(control.minimum),
+                             numberText(control.maximum)),
+                 given_.valuePlace);
+        reading_.control = control;
+    }
+
+    void readBool() {
+        double value = first();
+        if (given_.form == UniformForm::range) {
+            value = readRange().current;
+            if (given_.values.size() == 1) saidForm_ = true;  // glib-W15 has said what it is read as
+        }
+        setAll(value);
+        const bool isTrue = reading_.values.front() != 0;
+        if (given_.form != UniformForm::number && given_.form != UniformForm::truth)
+            warnForm(isTrue ? "read as true" : "read as false");
+        if (given_.form == UniformForm::range || given_.form == UniformForm::truth)
+            reading_.control = Control{0, UniformForm::truth, 0, isTrue ? 1.0 : 0.0, 1};
+    }
+
+    void readVector() {
+        switch (given_.form) {
+            case UniformForm::list:
+                return setList(components(), true);
+            case UniformForm::color:
+                return readColor();
+            case UniformForm::range:
+                setAll(readRange().current);
+                break;
+            case UniformForm::number:
+                setAll(first());
+                break;
+            case UniformForm::truth:
+                setAll(first() != 0 ? 1 : 0);
+                break;
+        }
+        warnForm(fmt::format("read as {} for all components", numberText(reading_.values.front())));
+    }
+
+    void readColor() {
+        const bool takesColor = type_.base == BaseType::floating && components() >= 3;
+        if (!takesColor) {
+            warnForm("read as its components");
+            return setList(components(), false);
+        }
+        const std::size_t count = given_.values.size();
+        if (count < 3) warnCount("missing components are 0");
+        if (count > 4) warnCount("surplus ignored");
+        setList(components(), false);
+        if (components() == 4 && count < 4) reading_.values[3] = 1;
+        reading_.control = Control{0, UniformForm::color, 0, 0, 1};
+    }
+
+    void readMatrix() {
+        switch (given_.form) {
+            case UniformForm::list:
+                return setList(components(), true);
+            case UniformForm::truth:
+            case UniformForm::color:
+                return ignore();
+            case UniformForm::number:
+                setDiagonal(first());
+                break;
+            case UniformForm::range:
+                setDiagonal(readRange().current);
+                break;
+        }
+        warnForm("read as a diagonal");
+    }
+
+    /// Units of the language; fractions are cut, and what is no unit is an error.
+    void checkUnits() {
+        for (const double unit : reading_.values) {
+            if (unit >= 0 && unit <= kHighestUnit) continue;
+            reading_.diagnostics.push_back(
+                error("glib-E12",
+                      fmt::format("texture unit {} is not between 0 and {}", numberText(unit), kHighestUnit),
+                      given_.valuePlace));
+            reading_.ignored = true;
+            reading_.values.clear();
+            return;
+        }
+    }
+
+    void readUnit() {
+        switch (given_.form) {
+            case UniformForm::truth:
+            case UniformForm::color:
+                return ignore();
+            case UniformForm::number:
+                setAll(first());
+                break;
+            case UniformForm::list:
+                setAll(first());
+                break;
+            case UniformForm::range:
+                setAll(readRange().current);
+                break;
+        }
+        if (given_.form != UniformForm::number)
+            warnForm(fmt::format("read as unit {}", numberText(reading_.values.front())));
+        checkUnits();
+    }
+
+    void readArray() {
+        if (given_.form == UniformForm::list && type_.base != BaseType::other) {
+            setList(elements_ * components(), true);
+            if (isOpaque(type_)) checkUnits();
+            return;
+        }
+        const bool hasReading = type_.base != BaseType::other &&
+                                (given_.form == UniformForm::number || given_.form == UniformForm::range ||
+                                 (!isOpaque(type_) && type_.columns == 1));
+        if (!hasReading) return ignore();
+        warnForm("read as its first element");
+        readElement();
+        reading_.control.reset();
+    }
+
+    const GivenValue& given_;
+    const ValueType& type_;
+    bool array_;
+    std::size_t elements_;
+    std::string typeName_;
+    bool saidForm_ = false;
+    bool saidCut_ = false;
+    Reading reading_;
+};
+
+}  // namespace
+
+Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement) {
+    return ValueReader(given, uniform, oneElement).read();
+}
+
+std::string numberText(double value) {
+    std::string text = fmt::format("{}", value);
+    const std::size_t digits = text.starts_with('-') ? 1 : 0;
+    if (text.size() > digits + 2 && text[digits] == '0' && text[digits + 1] == '.') text.erase(digits, 1);
+    return text;
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,94 @@
+#include "plan/uniform_names.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+
+namespace glibra::plan {
+namespace {
+
+/// True if `name`, as the user or the translated source spells it, is the table's `row`.
+bool isSpelling(std::string_view name, std::string_view row) {
+    constexpr std::string_view kEmitted = "glibra_";
+    constexpr std::string_view kCompatible = "gl_";
+    if (name == row) return true;
+    return row.starts_with(kEmitted) && name.starts_with(kCompatible) &&
+           row.substr(kEmitted.size()) == name.substr(kCompatible.size());
+}
+
+bool isTextureMatrix(glsl::Builtin value) {
+    return value == glsl::Builtin::textureMatrix || value == glsl::Builtin::textureMatrixInverse ||
+           value == glsl::Builtin::textureMatrixTranspose ||
+           value == glsl::Builtin::textureMatrixInverseTranspose;
+}
+
+}  // namespace
+
+UniformNames::UniformNames(const ProgramInterface& interface) {
+    for (std::size_t i = 0; i < interface.uniforms.size(); ++i) {
+        const ActiveUniform& uniform = interface.uniforms[i];
+        const int index = static_cast<int>(i);
+        arraySizes_.push_back(uniform.isArray ? std::max(uniform.arraySize, 1) : 0);
+        exact_[uniform.name].push_back(index);
+        if (uniform.block < 0) continue;
+        // GL reports `Block.member` for a block with an instance name, and `member` for one without.
+        const std::string prefix = uniform.blockName + ".";
+        if (uniform.name.starts_with(prefix))
+            members_[uniform.name.substr(prefix.size())].push_back(index);
+        else
+            members_[prefix + uniform.name].push_back(index);
+    }
+}
+
+const std::vector<int>* UniformNames::indices(std::string_view name) const {
+    if (const auto found = exact_.find(name); found != exact_.end()) return &found->second;
+    if (const auto found = members_.find(name); found != members_.end()) return &found->second;
+    return nullptr;
+}
+
+std::vector<NamedUniform> UniformNames::find(std::string_view tag) const {
+    std::vector<NamedUniform> found;
+    if (const std::vector<int>* whole = indices(tag)) {
+        for (const int each : *whole) found.push_back({each, 0, false});
+        return found;
+    }
+    const std::size_t bracket = tag.rfind('[');
+    if (bracket == std::string_view::npos || !tag.ends_with(']')) return found;
+    const std::string_view digits = tag.substr(bracket + 1, tag.size() - bracket - 2);
+    int element = 0;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), element);
+    if (problem != std::errc() || end != digits.data() + digits.size() || element < 0) return found;
+    const std::vector<int>* arrays = indices(tag.substr(0, bracket));
+    if (arrays == nullptr) return found;
+    for (const int each : *arrays)
+        if (element < arraySizes_.at(static_cast<std::size_t>(each))) found.push_back({each, element, true});
+    return found;
+}
+
+const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform) {
+    for (const glsl::BuiltinUniform& row : glsl::builtinUniforms()) {
+        if (!isSpelling(uniform.name, row.name)) continue;
+        const bool sameType = row.type.substr(0, row.type.find('[')) == uniform.type.word;
+        return sameType && uniform.isArray == isTextureMatrix(row.value) ? &row : nullptr;
+    }
+    return nullptr;
+}
+
+bool isSuppliedName(std::string_view name) {
+    const auto uniforms = glsl::builtinUniforms();
+    const auto inputs = glsl::builtinInputs();
+    return std::any_of(uniforms.begin(), uniforms.end(),
+                       [&](const glsl::BuiltinUniform& row) { return isSpelling(name, row.name); }) ||
+           std::any_of(inputs.begin(), inputs.end(),
+                       [&](const glsl::BuiltinInput& row) { return isSpelling(name, row.name); });
+}
+
+bool isInternalName(std::string_view name) {
+    return name.starts_with("glibra_") || name.starts_with("gl_");
+}
+
+std::string_view rootName(std::string_view name) {
+    return name.substr(0, name.find_first_of(".["));
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,270 @@
+#include "plan/uniforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "plan/near_name.h"
+#include "plan/type_table.h"
+#include "plan/uniform_names.h"
+
+namespace glibra::plan {
+namespace {
+
+bool isOpaque(const ActiveUniform& uniform) {
+    return uniform.type.base == BaseType::sampler || uniform.type.base == BaseType::image;
+}
+bool isNoise(const glsl::BuiltinUniform& row) {
+    return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
+}
+
+/// One program's pairs on the way to values.
+class Resolver {
+  public:
+    Resolver(const scene::Program& program, const std::string& scenePath, const ProgramInterface& interface,
+             std::span<const Override> overrides)
+        : program_(program),
+          scenePath_(scenePath),
+          interface_(interface),
+          overrides_(overrides),
+          names_(interface),
+          touched_(interface.uniforms.size()) {
+        for (const ActiveUniform& uniform : interface.uniforms) {
+            rows_.push_back(suppliedBy(uniform));
+            units_.push_back(isOpaque(uniform) ? defaultUnits(uniform, rows_.back()) : std::vector<int>());
+        }
+    }
+
+    UniformResolution resolve(std::vector<bool>& usedOverrides) && {
+        supply();
+        findOverridden();
+        applyPairs();
+        applyOverrides(usedOverrides);
+        reportUnset();
+        listSamplers();
+        return std::move(result_);
+    }
+
+  private:
+    const ActiveUniform& uniform(int index) const {
+        return interface_.uniforms.at(static_cast<std::size_t>(index));
+    }
+    Place place(glib::Position position) const { return {scenePath_, position.line, position.column}; }
+    void warn(const char* id, std::string text, const Place& place) {
+        result_.diagnostics.push_back(warning(id, std::move(text), place));
+    }
+
+    /// Units without any tag: the noise texture's, layout(binding), 0.
+    std::vector<int> defaultUnits(const ActiveUniform& sampler, const glsl::BuiltinUniform* row) const {
+        int first = 0;
+        bool counts = false;
+        if (row != nullptr && isNoise(*row)) {
+            first = row->value == glsl::Builtin::noise2 ? kNoise2Unit : kNoise3Unit;
+        } else if (const auto binding = interface_.facts.textureBindings.find(sampler.name);
+                   binding != interface_.facts.textureBindings.end()) {
+            first = binding->second;
+            counts = true;
+        }
+        std::vector<int> units(static_cast<std::size_t>(std::max(sampler.arraySize, 1)), first);
+        for (std::size_t i = 0; counts && i < units.size(); ++i) units[i] += static_cast<int>(i);
+        return units;
+    }
+
+    void supply() {
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            if (rows_[i] != nullptr && !isNoise(*rows_[i]))
+                result_.values.push_back({static_cast<int>(i), 0, Supplied{rows_[i]->value}});
+    }
+
+    /// What the command line replaces; a value that means nothing for the type leaves the scene's alone.
+    void findOverridden() {
+        for (const Override& each : overrides_)
+            for (const NamedUniform& named : names_.find(each.name))
+                if (!readValue({each.name, each.form, each.values, {}, {}}, uniform(named.uniform),
+                               named.oneElement)
+                         .ignored)
+                    overridden_.insert({named.uniform, named.element});
+    }
+
+    void applyPairs() {
+        std::set<std::string_view> seen;
+        std::vector<const glib::UniformSpec*> counting;
+        for (auto spec = program_.uniforms.rbegin(); spec != program_.uniforms.rend(); ++spec)
+            if (seen.insert(spec->tag).second)
+                counting.push_back(&*spec);  // of equal tags the last one counts
+        std::reverse(counting.begin(), counting.end());
+        for (const glib::UniformSpec* spec : counting) {
+            const GivenValue given{spec->tag, spec->form, spec->values, place(spec->tagPosition),
+                                   place(spec->valuePosition)};
+            const std::vector<NamedUniform> named = names_.find(spec->tag);
+            if (named.empty()) reportUnknown(given);
+            for (const NamedUniform& each : named)
+                apply(given, each, overridden_.contains({each.uniform, each.element}));
+        }
+    }
+
+    void applyOverrides(std::vector<bool>& used) {
+        if (used.size() < overrides_.size()) used.resize(overrides_.size());
+        for (std::size_t i = 0; i < overrides_.size(); ++i) {
+            const Override& each = overrides_[i];
+            const GivenValue given{each.name, each.form, each.values, {}, {}};
+            const std::vector<NamedUniform> named = names_.find(each.name);
+            if (!named.empty()) used[i] = true;
+            if (named.empty() && isSuppliedName(each.name)) {
+                used[i] = true;
+                reportSupplied(given);
+            }
+            for (const NamedUniform& one : named) apply(given, one, false);
+        }
+    }
+
+    void apply(const GivenValue& given, const NamedUniform& named, bool isOverridden) {
+        const ActiveUniform& target = uniform(named.uniform);
+        const glsl::BuiltinUniform* row = rows_.at(static_cast<std::size_t>(named.uniform));
+        if (row != nullptr && !isNoise(*row)) return reportSupplied(given);
+        Reading reading = readValue(given, target, named.oneElement);
+        if (isOverridden) {  // the scene's value is not used, but its slider stays
+            if (reading.control) addControl(named.uniform, *reading.control);
+            return;
+        }
+        append(result_.diagnostics, std::move(reading.diagnostics));
+        if (reading.ignored) return;
+        touched_.at(static_cast<std::size_t>(named.uniform)) = true;
+        if (isOpaque(target)) {
+            std::vector<int>& units = units_.at(static_cast<std::size_t>(named.uniform));
+            const auto first = static_cast<std::size_t>(named.element);
+            for (std::size_t i = 0; i < reading.values.size() && first + i < units.size(); ++i)
+                units[first + i] = static_cast<int>(reading.values[i]);
+            if (row != nullptr)
+                warn("glib-W25",
+                     fmt::format("'{}' is supplied by the program; the tag selects unit {} for it", given.tag,
+                                 units.front()),
+                     given.tagPlace);
+            return;
+        }
+        if (!reading.values.empty()) setCurrent(named.uniform, reading.values.front());
+        if (reading.control) addControl(named.uniform, *reading.control);
+        result_.values.push_back({named.uniform, named.element, Literal{std::move(reading.values)}});
+    }
+
+    void setCurrent(int index, double value) {
+        for (Control& each : result_.controls)
+            if (each.uniform == index && each.form != glib::UniformForm::color) each.current = value;
+    }
+    void addControl(int index, Control control) {
+        control.uniform = index;
+        for (Control& each : result_.controls)
+            if (each.uniform == index) {
+                each = control;
+                return;
+            }
+        result_.controls.push_back(control);
+    }
+
+    bool isDeclared(std::string_view name) const {
+        return interface_.facts.uniforms.contains(std::string(name)) ||
+               interface_.facts.uniforms.contains(std::string(rootName(name)));
+    }
+
+    void reportSupplied(const GivenValue& given) {
+        if (given.tag == "Timer") {
+            constexpr double kDefaultPeriod = 10;
+            const bool isPeriod =
+                given.form == glib::UniformForm::number && !given.values.empty() && given.values.front() > 0;
+            const double period = isPeriod ? given.values.front() : kDefaultPeriod;
+            return warn("glib-W25",
+                        fmt::format("'Timer' is supplied by the program; set its period with the command "
+                                    "'Timer {}'",
+                                    numberText(period)),
+                        given.tagPlace);
+        }
+        warn("glib-W25", fmt::format("'{}' is supplied by the program, so the tag has no effect", given.tag),
+             given.tagPlace);
+    }
+
+    /// The tag names no active uniform: supplied but unused, declared but unused, or unknown.
+    void reportUnknown(const GivenValue& given) {
+        const std::string_view tag = given.tag;
+        if (isSuppliedName(tag)) return reportSupplied(given);
+        const std::string members = std::string(tag) + ".";
+        const std::string elements = std::string(tag) + "[";
+        std::string member;
+        for (const ActiveUniform& each : interface_.uniforms)
+            if (member.empty() && (each.name.starts_with(members) || each.name.starts_with(elements)))
+                member = each.name;
+        if (member.empty() && isDeclared(tag))
+            return warn("glib-W24",
+                        fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
+                        given.tagPlace);
+        const std::string hint =
+            member.empty() ? suggestion(tag, knownNames()) : "; did you mean '" + member + "'?";
+        warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
+             given.tagPlace);
+    }
+
+    const std::vector<std::string>& knownNames() {
+        if (knownNames_.empty()) {
+            for (const ActiveUniform& each : interface_.uniforms)
+                if (!isInternalName(each.name) && suppliedBy(each) == nullptr)
+                    knownNames_.push_back(each.name);
+            for (const auto& [name, declared] : interface_.facts.uniforms)
+                if (!isInternalName(name)) knownNames_.push_back(name);
+        }
+        return knownNames_;
+    }
+
+    /// glib-W37: active, and nobody said what it is.
+    void reportUnset() {
+        if (interface_.isBuiltin) return;
+        for (std::size_t i = 0; i < interface_.uniforms.size(); ++i) {
+            const ActiveUniform& each = interface_.uniforms[i];
+            if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
+            if (isOpaque(each)) {
+                if (!interface_.facts.textureBindings.contains(each.name))
+                    warn("glib-W37",
+                         fmt::format("uniform '{}' of '{}' is not set, it reads unit 0", each.name,
+                                     program_.name),
+                         program_.place);
+                continue;
+            }
+            const auto declared = interface_.facts.uniforms.find(std::string(rootName(each.name)));
+            if (declared != interface_.facts.uniforms.end() && declared->second.hasInitializer) continue;
+            warn("glib-W37",
+                 fmt::format("uniform '{}' of '{}' is not set, it is 0", each.name, program_.name),
+                 program_.place);
+        }
+    }
+
+    void listSamplers() {
+        for (std::size_t i = 0; i < units_.size(); ++i)
+            for (std::size_t element = 0; element < units_[i].size(); ++element)
+                result_.samplers.push_back(
+                    {static_cast<int>(i), static_cast<int>(element), units_[i][element]});
+    }
+
+    const scene::Program& program_;
+    const std::string& scenePath_;
+    const ProgramInterface& interface_;
+    std::span<const Override> overrides_;
+    UniformNames names_;
+    std::vector<const glsl::BuiltinUniform*> rows_;  ///< what supplies each uniform, or null
+    std::vector<std::vector<int>> units_;            ///< of samplers and images, an element each
+    std::vector<bool> touched_;                      ///< a pair or an override gave it a value
+    std::set<std::pair<int, int>> overridden_;
+    std::vector<std::string> knownNames_;
+    UniformResolution result_;
+};
+
+}  // namespace
+
+UniformResolution resolveUniforms(const scene::Program& program, const std::string& scenePath,
+                                  const ProgramInterface& interface, std::span<const Override> overrides,
+                                  std::vector<bool>& usedOverrides) {
+    return Resolver(program, scenePath, interface, overrides).resolve(usedOverrides);
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,34 @@
+#pragma once
+// --axes: three axes two units long with the letters X, Y and Z at their ends.
+
+#include <glibra/result.h>
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "gpu/reflection.h"
+#include "gpu/vertex_array.h"
+#include "render/frame.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+class Axes {
+  public:
+    static Result<Axes> create(const gpu::Context& context);
+
+    /// Draws into the bound target, which shows `tile` of a picture of that size: with the projection of the scene's last draw
+    /// into the window and the viewing matrix of its last LookAt, the eye moved back by `eyeDistance`.
+    void draw(const scene::Scene& scene, double eyeDistance, const Tile& tile, int width, int height) const;
+
+  private:
+    Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines, int count);
+
+    gpu::Program program_;
+    gpu::ActiveUniform matrix_;
+    gpu::Buffer vertices_;
+    gpu::VertexArray lines_;
+    int count_;
+};
+
+}  // namespace glibra::render

@@ -1,0 +1,79 @@
+#pragma once
+// A scene's meshes, textures and targets on the device, made when first asked for.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/target.h"
+#include "gpu/texture.h"
+#include "gpu/vertex_array.h"
+#include "plan/frame_plan.h"
+#include "render/programs.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+/// A mesh on the device: one buffer for each attribute that some program reads.
+struct DeviceMesh {
+    struct Attribute {
+        std::string name;
+        int components = 0;
+        gpu::Buffer floats;
+        std::optional<gpu::Buffer> integers;  ///< the same values as ints, where a program declares the input so
+    };
+    std::vector<Attribute> attributes;
+    std::optional<gpu::Buffer> indices;
+    int indexCount = 0;
+    std::size_t vertexCount = 0;
+};
+
+class DeviceScene {
+  public:
+    DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats)
+        : context_(context), scene_(scene), stats_(stats) {}
+
+    /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
+    Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
+
+    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made (told by prepare).
+    const geometry::Mesh* mesh(int shape, Diagnostics& diagnostics);
+    /// Frees the CPU's copies.
+    void releaseMeshes() { meshes_.clear(); }
+
+    /// Null if the mesh has nothing to draw.
+    [[nodiscard]] const DeviceMesh* deviceMesh(int planned) const;
+    [[nodiscard]] const gpu::Texture* texture(int texture) const;
+    /// Reads (0, 0, 0, 1) everywhere.
+    const gpu::Texture& emptyTexture(scene::TextureTarget target);
+    const gpu::Sampler& sampler(bool clamp);
+    /// Joins the mesh's buffers and the program's inputs; kept.
+    const gpu::VertexArray& vertexArray(int planned, int program, const BuiltProgram& built);
+    /// The render target of a pass into textures; kept.
+    Result<const gpu::Target*> target(const scene::Pass& pass);
+
+  private:
+    Diagnostics upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs);
+    Diagnostics makeTexture(int index);
+    Result<gpu::Texture> createTexture(const scene::Texture& texture);
+
+    const gpu::Context& context_;
+    const scene::Scene& scene_;
+    Stats& stats_;
+    std::map<int, std::optional<geometry::Mesh>> meshes_;
+    std::vector<std::unique_ptr<DeviceMesh>> deviceMeshes_;
+    std::map<int, gpu::Texture> textures_;
+    std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it
+    std::map<int, int> sameTexture_;
+    std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
+    std::map<bool, gpu::Sampler> samplers_;
+    std::map<std::pair<int, int>, gpu::VertexArray> vertexArrays_;
+    std::map<int, gpu::SharedDepth> depthBuffers_;
+    std::map<std::pair<std::vector<int>, int>, gpu::Target> targets_;
+};
+
+}  // namespace glibra::render

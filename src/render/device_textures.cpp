@@ -1,0 +1,185 @@
+// The textures, samplers and targets of DeviceScene.
+
+#include <glibra/diagnostic.h>
+
+#include "image/texture_file.h"
+#include "noise/cache.h"
+#include "render/device_scene.h"
+
+namespace glibra::render {
+namespace {
+
+gpu::TextureShape shapeOf(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D: return gpu::TextureShape::texture1D;
+        case scene::TextureTarget::texture2D: return gpu::TextureShape::texture2D;
+        case scene::TextureTarget::texture3D: return gpu::TextureShape::texture3D;
+        case scene::TextureTarget::cube: break;
+    }
+    return gpu::TextureShape::cube;
+}
+
+int dimensionsOf(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D: return 1;
+        case scene::TextureTarget::texture3D: return 3;
+        case scene::TextureTarget::texture2D:
+        case scene::TextureTarget::cube: break;
+    }
+    return 2;
+}
+
+gpu::TexelFormat formatOf(scene::TexelFormat format) {
+    switch (format) {
+        case scene::TexelFormat::rgba16f: return gpu::TexelFormat::rgba16f;
+        case scene::TexelFormat::rgba32f: return gpu::TexelFormat::rgba32f;
+        case scene::TexelFormat::r32f: return gpu::TexelFormat::r32f;
+        case scene::TexelFormat::rgba8: break;
+    }
+    return gpu::TexelFormat::rgba8;
+}
+
+gpu::TexelFormat formatOf(image::Component type) {
+    switch (type) {
+        case image::Component::u8: return gpu::TexelFormat::rgba8;
+        case image::Component::u16: return gpu::TexelFormat::rgba16;
+        case image::Component::f32: break;
+    }
+    return gpu::TexelFormat::rgba32f;
+}
+
+gpu::TexelType typeOf(image::Component type) {
+    switch (type) {
+        case image::Component::u8: return gpu::TexelType::u8;
+        case image::Component::u16: return gpu::TexelType::u16;
+        case image::Component::f32: break;
+    }
+    return gpu::TexelType::f32;
+}
+
+/// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
+std::vector<std::uint16_t> widened(const std::vector<std::uint8_t>& bytes) {
+    std::vector<std::uint16_t> wide(bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
+    return wide;
+}
+
+Result<std::vector<std::uint8_t>> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
+                                              const Place& place) {
+    if (source.file == scene::kNone) return noise::cachedTexels(source.dimensions, source.size);
+    const scene::FileReference& file = scene.files[static_cast<std::size_t>(source.file)];
+    Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
+    if (!read) return std::move(read.diagnostics);
+    std::vector<std::uint8_t> bytes(read->data.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
+    return bytes;
+}
+
+}  // namespace
+
+Diagnostics DeviceScene::makeTexture(int index) {
+    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
+    if (const auto* picture = std::get_if<scene::PictureSource>(&texture.source)) {
+        // Files used twice are read once: statements that name the same files share one texture.
+        std::vector<int> key = picture->files;
+        key.push_back(static_cast<int>(texture.target));
+        const auto [first, isNew] = pictures_.try_emplace(std::move(key), index);
+        if (!isNew) {
+            sameTexture_[index] = first->second;
+            return {};
+        }
+    }
+    Result<gpu::Texture> made = createTexture(texture);
+    if (made) {
+        const gpu::TextureSize size = made->size();
+        stats_.add("textures", 1);
+        stats_.add("texels", static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                                 static_cast<std::uint64_t>(size.depth) *
+                                 (texture.target == scene::TextureTarget::cube ? 6U : 1U));
+        textures_.emplace(index, std::move(*made));
+    }
+    return std::move(made.diagnostics);
+}
+
+Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
+    const gpu::Capabilities& capabilities = context_.capabilities();
+    const gpu::TextureShape shape = shapeOf(texture.target);
+    if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source))
+        return gpu::Texture::create(capabilities, shape, formatOf(empty->format),
+                                    {empty->width, empty->height, empty->depth});
+
+    if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        const StageTimer timer(stats_, "noise");
+        Result<std::vector<std::uint8_t>> bytes = noiseTexels(scene_, *noise, texture.place);
+        if (!bytes) return std::move(bytes.diagnostics);
+        const std::vector<std::uint16_t> wide = widened(*bytes);
+        const int depth = noise->dimensions == 3 ? noise->size : 1;
+        return gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
+                                    {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+    }
+
+    const auto& picture = std::get<scene::PictureSource>(texture.source);
+    Diagnostics diagnostics;
+    std::vector<std::filesystem::path> paths;
+    for (const int each : picture.files) {
+        const scene::FileReference& file = scene_.files[static_cast<std::size_t>(each)];
+        append(diagnostics, file.remarks);
+        paths.push_back(file.path);
+    }
+    if (hasError(diagnostics)) return diagnostics;
+    const StageTimer timer(stats_, "read");
+    Result<image::TexelBlock> block;
+    if (texture.target == scene::TextureTarget::cube) {
+        block = image::readCubeMap(paths, texture.place);
+    } else {
+        block = image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
+    }
+    append(diagnostics, std::move(block.diagnostics));
+    if (!block) return diagnostics;
+    Result<gpu::Texture> made =
+        gpu::Texture::create(capabilities, shape, formatOf(block->type), {block->width, block->height, block->depth},
+                             {block->data, block->components, typeOf(block->type)});
+    append(diagnostics, std::move(made.diagnostics));
+    made.diagnostics = std::move(diagnostics);
+    return made;
+}
+
+const gpu::Texture* DeviceScene::texture(int texture) const {
+    const auto same = sameTexture_.find(texture);
+    const auto found = textures_.find(same == sameTexture_.end() ? texture : same->second);
+    return found == textures_.end() ? nullptr : &found->second;
+}
+
+const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
+    const auto known = emptyTextures_.find(target);
+    if (known != emptyTextures_.end()) return known->second;
+    const std::size_t faces = target == scene::TextureTarget::cube ? 6 : 1;
+    std::vector<std::uint8_t> texels;
+    for (std::size_t i = 0; i < faces; ++i) texels.insert(texels.end(), {0, 0, 0, 255});
+    Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8,
+                                                     {1, 1, 1}, {std::as_bytes(std::span(texels)), 4});
+    return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;
+}
+
+const gpu::Sampler& DeviceScene::sampler(bool clamp) {
+    const auto known = samplers_.find(clamp);
+    if (known != samplers_.end()) return known->second;
+    return samplers_.emplace(clamp, gpu::Sampler(clamp ? gpu::Wrap::clampToEdge : gpu::Wrap::repeat)).first->second;
+}
+
+Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
+    const auto key = std::pair(pass.targets, pass.depthBuffer);
+    if (const auto known = targets_.find(key); known != targets_.end()) return &known->second;
+    std::vector<const gpu::Texture*> textures;
+    for (const int each : pass.targets) textures.push_back(texture(each));
+    gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
+    Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
+    if (!made) {
+        for (Diagnostic& each : made.diagnostics) each.place = pass.place;
+        return std::move(made.diagnostics);
+    }
+    depth = made->depth();
+    return &targets_.emplace(key, std::move(*made)).first->second;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,251 @@
+#include "render/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "gpu/uniform.h"
+#include "render/supplied.h"
+
+namespace glibra::render {
+namespace {
+
+std::array<float, 4> asFloats(const glm::dvec4& color) {
+    return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b),
+            static_cast<float>(color.a)};
+}
+
+GLenum glMode(geometry::Topology topology) {
+    switch (topology) {
+        case geometry::Topology::points: return GL_POINTS;
+        case geometry::Topology::lines: return GL_LINES;
+        case geometry::Topology::linesAdjacency: return GL_LINES_ADJACENCY;
+        case geometry::Topology::triangles: return GL_TRIANGLES;
+        case geometry::Topology::trianglesAdjacency: return GL_TRIANGLES_ADJACENCY;
+        case geometry::Topology::patches: break;
+    }
+    return GL_PATCHES;
+}
+
+GLenum imageFormat(gpu::TexelFormat format) { return gpu::internalFormat(format); }
+
+void enable(GLenum capability, bool on) {
+    if (on)
+        glEnable(capability);
+    else
+        glDisable(capability);
+}
+
+}  // namespace
+
+FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
+                         const ProgramLibrary& programs, DeviceScene& device, Stats& stats)
+    : context_(context), scene_(scene), plan_(plan), programs_(programs), device_(device), stats_(stats),
+      states_(plan.programs.size()) {}
+
+void FrameDrawer::setPictureSize(int width, int height) {
+    width_ = width;
+    height_ = height;
+}
+
+bool FrameDrawer::texturesComeFirst() const {
+    bool windowSeen = false;
+    for (const plan::PlannedPass& pass : plan_.passes) {
+        if (pass.pass->targets.empty())
+            windowSeen = true;
+        else if (windowSeen)
+            return false;
+    }
+    return true;
+}
+
+Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, double time, bool texturePasses) {
+    Diagnostics diagnostics;
+    tile_ = tile;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const plan::PlannedPass& pass : plan_.passes) {
+        const bool isWindow = pass.pass->targets.empty();
+        if (!isWindow && !texturePasses) continue;
+        const gpu::Target* target = &window;
+        if (!isWindow) {
+            Result<const gpu::Target*> made = device_.target(*pass.pass);
+            append(diagnostics, std::move(made.diagnostics));
+            if (!made) return diagnostics;
+            target = *made;
+        }
+        beginPass(pass, *target);
+        for (const auto& step : pass.steps) {
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                append(diagnostics, drawOne(*draw, *target, isWindow, time));
+            else
+                clear(*target, *std::get<const scene::Clear*>(step));
+        }
+        stats_.add("passes", 1);
+    }
+    return diagnostics;
+}
+
+void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const {
+    context_.debugLog().setPlace(pass.pass->place);
+    target.bind();
+    for (std::size_t i = 0; i < pass.pass->clearColors.size(); ++i)
+        if (const auto& color = pass.pass->clearColors[i]) target.clearColor(static_cast<int>(i), asFloats(*color));
+    if (pass.pass->clearDepth) target.clearDepth();
+}
+
+void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear) const {
+    const int colors = target.readable().colorCount();
+    for (int i = 0; i < colors; ++i) target.clearColor(i, asFloats(clear.color));
+    target.clearDepth();
+}
+
+void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
+    ProgramState& state = states_[static_cast<std::size_t>(program)];
+    if (state.literalsSet) return;
+    state.literalsSet = true;
+    std::vector<std::vector<std::byte>> blocks;
+    for (const gpu::UniformBlock& each : built.reflected.blocks)
+        blocks.emplace_back(static_cast<std::size_t>(each.bytes));
+    for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(program)].values) {
+        const auto* literal = std::get_if<plan::Literal>(&binding.value);
+        if (!literal) continue;
+        const gpu::ActiveUniform& uniform = built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        if (uniform.block >= 0)
+            gpu::writeBlockMember(blocks[static_cast<std::size_t>(uniform.block)], uniform, literal->values,
+                                  binding.firstElement);
+        else
+            gpu::setUniform(*built.program, uniform, literal->values, binding.firstElement);
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        glUniformBlockBinding(built.program->id(), built.reflected.blocks[i].index, static_cast<GLuint>(i));
+        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i])) state.blocks.push_back(std::move(*buffer));
+    }
+}
+
+void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw,
+                              double aspect, bool isWindow, double time) {
+    DrawFacts facts;
+    facts.projection = scene::projectionMatrix(draw.projection, aspect);
+    facts.modelView = draw.modelView;
+    if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
+        facts.modelView = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -eyeDistance_)) * facts.modelView;
+    facts.timer = time / draw.timerPeriod - std::floor(time / draw.timerPeriod);
+    facts.color = draw.color;
+    facts.pointSize = draw.raster.pointSize;
+    for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(planned.program)].values) {
+        const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
+        if (!supplied) continue;
+        const gpu::ActiveUniform& uniform = built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        gpu::setUniform(*built.program, uniform, suppliedValue(supplied->value, facts, uniform.arraySize));
+    }
+    // The names below are the translator's; a program that is not tiled has no such uniforms.
+    for (const gpu::ActiveUniform& uniform : built.reflected.uniforms) {
+        if (uniform.name == "glibra_Tile") {
+            const std::array<double, 4> whole{1, 1, 0, 0};
+            const double width = tile_.width;
+            const double height = tile_.height;
+            const std::array<double, 4> part{width_ / width, height_ / height, (width_ - 2.0 * tile_.x - width) / width,
+                                             (height_ - 2.0 * tile_.y - height) / height};
+            gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
+        } else if (uniform.name == "glibra_TileOrigin") {
+            const std::array<double, 2> origin{isWindow ? tile_.x : 0.0, isWindow ? tile_.y : 0.0};
+            gpu::setUniform(*built.program, uniform, origin);
+        }
+    }
+}
+
+void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                    const scene::Draw& draw) const {
+    const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
+    for (const gpu::ActiveInput& input : built.reflected.inputs) {
+        if (input.location < 0) continue;
+        std::string_view attribute;
+        for (const glsl::BuiltinInput& each : glsl::builtinInputs())
+            if (each.name == input.name) attribute = each.attribute;
+        const bool fed = std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
+                                     [&](const DeviceMesh::Attribute& each) { return each.name == attribute; });
+        if (fed) continue;
+        std::array<double, 4> value{0, 0, 0, 1};
+        if (attribute == geometry::kColor) value = {draw.color.r, draw.color.g, draw.color.b, draw.color.a};
+        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type.type, value);
+    }
+}
+
+void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built) {
+    for (const plan::TextureUse& use : planned.textures) {
+        const gpu::Texture* texture = use.texture == scene::kNone ? nullptr : device_.texture(use.texture);
+        if (!texture) texture = &device_.emptyTexture(use.target);
+        if (use.isImage) {
+            glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0, GL_READ_WRITE,
+                               imageFormat(texture->format()));
+        } else {
+            texture->bind(use.driverUnit);
+            device_.sampler(use.clamp).bind(use.driverUnit);
+        }
+        const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
+        gpu::setUniform(*built.program, built.reflected.uniforms[static_cast<std::size_t>(use.uniform)], unit,
+                        use.element);
+    }
+}
+
+void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+                            Diagnostics& diagnostics) {
+    const scene::RasterState& raster = planned.draw->raster;
+    const gpu::Capabilities& capabilities = context_.capabilities();
+    enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque);
+    const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
+    const double width = std::clamp(raster.lineWidth, capabilities.minLineWidth, widest);
+    if (raster.lineWidth > widest && !lineWidthTold_) {
+        lineWidthTold_ = true;
+        diagnostics.push_back(warning(
+            "draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest), planned.draw->place));
+    }
+    glLineWidth(static_cast<float>(width));
+    const bool sizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
+    enable(GL_PROGRAM_POINT_SIZE, sizeFromShader);
+    if (!sizeFromShader)
+        glPointSize(static_cast<float>(std::clamp(raster.pointSize, capabilities.minPointSize, capabilities.maxPointSize)));
+    const int distances = built.interface.facts.clipDistances;
+    for (int i = 0; i < std::max(distances, clipDistances_); ++i)
+        enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < distances);
+    clipDistances_ = distances;
+    if (planned.submission.topology == geometry::Topology::patches)
+        glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
+}
+
+Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
+                                 double time) {
+    Diagnostics diagnostics;
+    const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
+    if (!mesh) return diagnostics;
+    const scene::Draw& draw = *planned.draw;
+    const BuiltProgram& built = *programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    context_.debugLog().setPlace(draw.place);
+    built.program->use();
+    setLiterals(planned.program, built);
+    const double aspect = isWindow ? static_cast<double>(width_) / height_
+                                   : static_cast<double>(target.width()) / target.height();
+    setSupplied(planned, built, draw, aspect, isWindow, time);
+    const std::vector<gpu::Buffer>& blocks = states_[static_cast<std::size_t>(planned.program)].blocks;
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
+    setConstantInputs(planned, built, draw);
+    bindTextures(planned, built);
+    setRaster(planned, built, isWindow, diagnostics);
+    device_.vertexArray(planned.mesh, planned.program, built).bind();
+    glDrawElements(glMode(planned.submission.topology), mesh->indexCount, GL_UNSIGNED_INT, nullptr);
+    const bool writesImages = std::any_of(planned.textures.begin(), planned.textures.end(),
+                                          [](const plan::TextureUse& use) { return use.isImage; });
+    if (writesImages) glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    stats_.add("draws", 1);
+    stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount));
+    return diagnostics;
+}
+
+}  // namespace glibra::render

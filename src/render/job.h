@@ -1,0 +1,40 @@
+#pragma once
+// One scene to image files: the unit of work of `glibra render`, done alone or in a worker process.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "gpu/context.h"
+
+namespace glibra::render {
+
+struct Job {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< file; "-" is standard output, as PNG
+    RenderOptions options;
+    int frames = 1;
+    double framesPerSecond = 30;
+    bool explain = false;
+    bool stats = false;
+};
+
+/// What became of it. `failed` says that the scene or its output is wrong; `diagnostics` say why.
+struct JobResult {
+    bool failed = false;
+    Diagnostics diagnostics;
+    std::string explanation;  ///< --explain
+    std::string statsJson;    ///< --stats
+};
+
+/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next. Called with the number of
+/// frames written so far, as soon as each is.
+JobResult runJob(gpu::Context& context, const Job& job, const std::function<void(int framesWritten)>& frameWritten);
+
+/// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the last frame needs, at
+/// least four.
+std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames);
+
+}  // namespace glibra::render

@@ -1,0 +1,196 @@
+#include "render/programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <embedded/builtin_shaders.h>
+
+#include "image/file.h"
+#include "scene/file_lookup.h"
+
+namespace glibra::render {
+namespace {
+
+constexpr std::uint64_t kLargestSource = 4ULL << 20;
+
+GLenum glStage(glsl::Stage stage) {
+    switch (stage) {
+        case glsl::Stage::vertex: return GL_VERTEX_SHADER;
+        case glsl::Stage::tessControl: return GL_TESS_CONTROL_SHADER;
+        case glsl::Stage::tessEvaluation: return GL_TESS_EVALUATION_SHADER;
+        case glsl::Stage::geometry: return GL_GEOMETRY_SHADER;
+        case glsl::Stage::fragment: break;
+    }
+    return GL_FRAGMENT_SHADER;
+}
+
+/// The bytes as text without a UTF-8 mark.
+std::string asText(const std::vector<std::byte>& bytes) {
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return text;
+}
+
+glsl::Target targetOf(const gpu::Capabilities& capabilities) {
+    glsl::Target target;
+    target.version = std::clamp(capabilities.glslVersion, 410, 450);
+    target.lineDirectiveTakesFileName = capabilities.hasExtension("GL_ARB_shading_language_include");
+    target.maxGeometryOutputVertices = capabilities.maxGeometryOutputVertices;
+    target.maxGeometryTotalOutputComponents = capabilities.maxGeometryTotalOutputComponents;
+    target.hasExtension = [&capabilities](std::string_view name) { return capabilities.hasExtension(name); };
+    return target;
+}
+
+glsl::SamplerKind samplerKind(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D: return glsl::SamplerKind::sampler1D;
+        case scene::TextureTarget::texture2D: return glsl::SamplerKind::sampler2D;
+        case scene::TextureTarget::texture3D: return glsl::SamplerKind::sampler3D;
+        case scene::TextureTarget::cube: break;
+    }
+    return glsl::SamplerKind::samplerCube;
+}
+
+}  // namespace
+
+ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
+                               bool tiled, Stats& stats)
+    : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats) {}
+
+const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
+    const auto [entry, isNew] = sources_.try_emplace(file);
+    SourceFile& source = entry->second;
+    if (!isNew) return source;
+    const scene::FileReference& reference = scene_.files[static_cast<std::size_t>(file)];
+    source.diagnostics = reference.remarks;
+    source.path = reference.path.string();
+    if (reference.path.empty()) return source;
+    auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
+    append(source.diagnostics, std::move(bytes.diagnostics));
+    if (bytes) source.text = asText(*bytes);
+    return source;
+}
+
+std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(int program, std::string_view tag) const {
+    std::vector<glsl::SamplerKind> kinds;
+    int unit = 0;
+    for (const glib::UniformSpec& each : scene_.programs[static_cast<std::size_t>(program)].uniforms)
+        if (each.tag == tag && !each.values.empty()) unit = static_cast<int>(each.values.front());
+    for (const scene::Texture& each : scene_.textures) {
+        if (each.unit != unit) continue;
+        const glsl::SamplerKind kind = samplerKind(each.target);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
+    glsl::ProgramRequest request;
+    request.target = targetOf(context_.capabilities());
+    request.flatColors = variant.flatColors;
+    request.colorTargets = variant.colorTargets;
+    request.tiled = tiled_;
+    if (variant.program == scene::kNone) {
+        request.name = "built-in";
+        request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
+                          {glsl::Stage::fragment, "flat.frag", std::string(builtin_shaders::flat_frag())}};
+        return request;
+    }
+    const scene::Program& program = scene_.programs[static_cast<std::size_t>(variant.program)];
+    request.name = program.name;
+    request.place = program.place;
+    request.shim = options_.shim;
+    request.geometryInput = program.geometryInput;
+    request.geometryOutput = program.geometryOutput;
+    request.geometryVerticesOut = program.geometryVerticesOut;
+    for (const scene::StageFile& stage : program.stages) {
+        const SourceFile& source = sourceFile(stage.file);
+        append(diagnostics, source.diagnostics);
+        if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
+    }
+    request.include = [this](std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
+        const scene::FileReference found =
+            scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
+        if (found.path.empty()) return std::nullopt;
+        const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
+        if (!bytes) return std::nullopt;
+        return glsl::IncludedFile{found.path.string(), asText(*bytes)};
+    };
+    request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
+        return samplerKinds(program, tag);
+    };
+    return request;
+}
+
+void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
+    Diagnostics diagnostics;
+    glsl::TranslatedProgram translated;
+    const Place programPlace =
+        variant.program == scene::kNone ? Place{} : scene_.programs[static_cast<std::size_t>(variant.program)].place;
+    {
+        const StageTimer timer(stats_, "translate");
+        const glsl::ProgramRequest asked = request(variant, diagnostics);
+        if (!hasError(diagnostics)) translated = glsl::translate(asked);
+        append(diagnostics, std::move(translated.diagnostics));
+    }
+    if (!hasError(diagnostics)) {
+        const StageTimer timer(stats_, "compile");
+        std::vector<gpu::StageSource> stages;
+        for (const glsl::TranslatedStage& each : translated.stages)
+            stages.push_back({glStage(each.stage), each.source});
+        gpu::BuildOutcome outcome =
+            gpu::buildProgram(context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+        for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
+            Diagnostics said = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+            if (!outcome.stages[i].compiled && !hasError(said))
+                said.push_back(error("glsl-E01", "the driver refuses it: " + outcome.stages[i].log,
+                                     {translated.stages[i].path, 1, 1}));
+            append(diagnostics, std::move(said));
+        }
+        if (!outcome.program && !hasError(diagnostics)) {
+            append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
+            if (!hasError(diagnostics))
+                diagnostics.push_back(error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
+        }
+        if (outcome.program) {
+            built.reflected = gpu::reflect(*outcome.program);
+            built.program = std::move(outcome.program);
+        }
+        stats_.add("programs", 1);
+    }
+    if (hasError(diagnostics) && variant.program != scene::kNone)
+        diagnostics.push_back(note("", "in program '" + scene_.programs[static_cast<std::size_t>(variant.program)].name +
+                                           "', stated here",
+                                   programPlace));
+    translated.diagnostics = std::move(diagnostics);
+    built.interface = describe(built.reflected, std::move(translated));
+    built.interface.usable = built.program.has_value();
+    built.interface.isBuiltin = variant.program == scene::kNone;
+}
+
+const plan::ProgramInterface& ProgramLibrary::interfaceOf(const plan::ProgramVariant& variant) {
+    if (const BuiltProgram* known = find(variant)) return known->interface;
+    programs_.emplace_back(variant, std::make_unique<BuiltProgram>());
+    build(variant, *programs_.back().second);
+    return programs_.back().second->interface;
+}
+
+const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) const {
+    for (const auto& [known, built] : programs_)
+        if (known == variant) return built.get();
+    return nullptr;
+}
+
+bool ProgramLibrary::mayWriteImages(int program) {
+    for (const scene::StageFile& stage : scene_.programs[static_cast<std::size_t>(program)].stages) {
+        const SourceFile& source = sourceFile(stage.file);
+        if (source.text && source.text->find("image") != std::string::npos &&
+            (source.text->find("imageStore") != std::string::npos ||
+             source.text->find("imageAtomic") != std::string::npos ||
+             source.text->find("#include") != std::string::npos))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,249 @@
+#include "render/scene_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gpu/readback.h"
+#include "image/file.h"
+#include "render/axes.h"
+#include "render/frame.h"
+#include "render/tiles.h"
+#include "scene/interpret.h"
+#include "scene/view.h"
+
+namespace glibra::render {
+namespace {
+
+constexpr std::uint64_t kLargestScene = 4ULL << 20;
+/// Larger pictures are drawn in tiles, so that the device's memory stays bounded: 8192 x 8192.
+constexpr std::int64_t kMostPixelsAtOnce = std::int64_t{1} << 26;
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
+
+/// The scene's text, or glib-E14 and glib-E15 in place of the ids of files that a scene names.
+Result<std::string> readScene(const std::filesystem::path& path) {
+    const Place place{path.string(), 1, 1};
+    std::error_code failure;
+    // An empty scene is legal, unlike every other empty file.
+    if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure)) return std::string();
+    const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
+    if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    const Diagnostic& why = bytes.diagnostics.front();
+    return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
+}
+
+/// A scene's text to a Scene, with the diagnostics of both steps in the scene's.
+Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options, Stats& stats) {
+    Result<std::string> text = readScene(path);
+    if (!text) return std::move(text.diagnostics);
+    glib::Script script;
+    {
+        const StageTimer timer(stats, "parse");
+        script = glib::parse(*text, path.string());
+    }
+    const StageTimer timer(stats, "interpret");
+    scene::Scene scene = scene::interpret(script, {options.libraryRoots});
+    Diagnostics diagnostics = std::move(script.diagnostics);
+    append(diagnostics, std::move(scene.diagnostics));
+    scene.diagnostics.clear();
+    return {std::move(scene), std::move(diagnostics)};
+}
+
+Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {
+    Result<std::vector<plan::Override>> overrides{std::vector<plan::Override>{}};
+    for (const std::string& each : set) {
+        Result<plan::Override> parsed = plan::parseOverride(each);
+        append(overrides.diagnostics, std::move(parsed.diagnostics));
+        if (parsed) overrides->push_back(std::move(*parsed));
+    }
+    if (hasError(overrides.diagnostics)) overrides.value.reset();
+    return overrides;
+}
+
+}  // namespace
+
+void applyStrict(Diagnostics& diagnostics, bool strict) {
+    if (!strict) return;
+    for (Diagnostic& each : diagnostics)
+        if (each.severity == Severity::warning) each.severity = Severity::error;
+}
+
+/// Everything that refers to something else here lies on the heap behind one pointer, in the order of dependence.
+struct SceneRenderer::State {
+    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled, Stats& stats)
+        : context(usedContext), options(std::move(usedOptions)), scene(std::move(interpreted)),
+          programs(context, scene, options, tiled, stats), device(context, scene, stats) {}
+
+    gpu::Context& context;
+    RenderOptions options;
+    scene::Scene scene;
+    ProgramLibrary programs;
+    DeviceScene device;
+    plan::FramePlan plan;
+    std::optional<FrameDrawer> drawer;
+    std::optional<Axes> axes;
+    std::vector<Tile> tiles;  ///< with their margins
+    std::vector<Tile> parts;  ///< what of each tile goes into the picture
+    std::optional<gpu::Target> window;
+    int width = 0, height = 0;
+    double eyeDistance = 0;
+
+    Diagnostics preparePlan(Stats& stats, bool everything);
+    Diagnostics placeEye(Stats& stats);
+    Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
+};
+
+Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
+    Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
+    if (!overrides) return std::move(overrides.diagnostics);
+    plan::PlanOptions planOptions;
+    planOptions.overrides = std::move(*overrides);
+    planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.everything = everything;
+    plan = plan::planFrame(
+        scene,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+    Diagnostics diagnostics = std::move(plan.diagnostics);
+    plan.diagnostics.clear();
+    if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
+    stats.skipped = plan.skipped;
+    return diagnostics;
+}
+
+Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
+    Diagnostics diagnostics;
+    if (options.view == ViewPolicy::glman || scene.usesLookAt) return diagnostics;
+    const StageTimer timer(stats, "view");
+    const scene::ViewMove move = scene::autoView(
+        scene, [&](int shape) { return device.mesh(shape, diagnostics); }, static_cast<double>(width) / height);
+    eyeDistance = move.distance;
+    drawer->setEyeDistance(eyeDistance);
+    append(diagnostics, move.diagnostics);
+    return diagnostics;
+}
+
+SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+const scene::Scene& SceneRenderer::scene() const { return state_->scene; }
+const plan::FramePlan& SceneRenderer::plan() const { return state_->plan; }
+int SceneRenderer::width() const { return state_->width; }
+int SceneRenderer::height() const { return state_->height; }
+
+Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
+                                          const RenderOptions& options, Stats& stats) {
+    const auto refuse = [&](Diagnostics diagnostics) {
+        applyStrict(diagnostics, options.strict);
+        return Result<SceneRenderer>(std::move(diagnostics));
+    };
+    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    Diagnostics diagnostics = std::move(interpreted.diagnostics);
+    applyStrict(diagnostics, options.strict);
+    if (!interpreted || hasError(diagnostics)) return refuse(std::move(diagnostics));
+
+    const int width = options.width > 0 ? options.width : interpreted->width;
+    const int height = options.height > 0 ? options.height : interpreted->height;
+    if (static_cast<std::int64_t>(width) * height > kMostPixels) {
+        diagnostics.push_back(error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
+                                    {path.string(), 1, 1}));
+        return refuse(std::move(diagnostics));
+    }
+    const gpu::Capabilities& capabilities = context.capabilities();
+    const int largest = std::min({capabilities.maxRenderbufferSide, capabilities.maxViewportWidth,
+                                  capabilities.maxViewportHeight});
+    const TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
+
+    auto state = std::make_unique<State>(context, options, std::move(*interpreted), grid.tiles.size() > 1, stats);
+    state->width = width;
+    state->height = height;
+    state->tiles = grid.tiles;
+    state->parts = grid.parts;
+    append(diagnostics, state->preparePlan(stats, false));
+    applyStrict(diagnostics, options.strict);
+    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
+
+    state->drawer.emplace(context, state->scene, state->plan, state->programs, state->device, stats);
+    state->drawer->setPictureSize(width, height);
+    append(diagnostics, state->placeEye(stats));
+    state->device.releaseMeshes();
+
+    Result<gpu::Target> window =
+        gpu::Target::window(capabilities, state->tiles.front().width, state->tiles.front().height,
+                            options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, options.samples);
+    append(diagnostics, std::move(window.diagnostics));
+    if (!window) return refuse(std::move(diagnostics));
+    state->window = std::move(window.value);
+    if (options.axes) {
+        Result<Axes> axes = Axes::create(context);
+        append(diagnostics, std::move(axes.diagnostics));
+        state->axes = std::move(axes.value);
+    }
+    append(diagnostics, context.debugLog().takeDiagnostics());
+    applyStrict(diagnostics, options.strict);
+    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
+    return {SceneRenderer(std::move(state)), std::move(diagnostics)};
+}
+
+Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture, Stats& stats) {
+    const Tile& tile = tiles[index];
+    const Tile& part = parts[index];
+    Diagnostics diagnostics;
+    {
+        const StageTimer timer(stats, "draw");
+        const bool textures = index == 0 || !drawer->texturesComeFirst();
+        append(diagnostics, drawer->draw(*window, tile, time, textures));
+        if (axes) axes->draw(scene, eyeDistance, tile, width, height);
+        window->resolve();
+    }
+    const StageTimer timer(stats, "readback");
+    const gpu::PixelLayout layout{picture.components,
+                                  picture.type == image::Component::f32 ? gpu::TexelType::f32 : gpu::TexelType::u8};
+    const gpu::PixelRectangle rectangle{part.x - tile.x, part.y - tile.y, part.width, part.height};
+    if (tiles.size() == 1) {
+        append(diagnostics, gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout, picture.data));
+        return diagnostics;
+    }
+    const auto pixels = gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout);
+    append(diagnostics, pixels.diagnostics);
+    if (pixels) pasteTile(*pixels, part, picture);
+    return diagnostics;
+}
+
+Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
+    State& state = *state_;
+    image::Image picture;
+    picture.width = state.width;
+    picture.height = state.height;
+    picture.components = state.options.alpha ? 4 : 3;
+    picture.type = state.options.floatPixels ? image::Component::f32 : image::Component::u8;
+    picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
+    Diagnostics diagnostics;
+    for (std::size_t i = 0; i < state.tiles.size() && !hasError(diagnostics); ++i)
+        append(diagnostics, state.drawTile(i, time, picture, stats));
+    stats.add("frames", 1);
+    append(diagnostics, state.context.debugLog().takeDiagnostics());
+    applyStrict(diagnostics, state.options.strict);
+    if (hasError(diagnostics)) return diagnostics;
+    return {std::move(picture), std::move(diagnostics)};
+}
+
+Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options) {
+    Stats stats;
+    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    Diagnostics diagnostics = std::move(interpreted.diagnostics);
+    if (interpreted) {
+        // A scene with errors in its text is checked further as far as it goes: its shaders may be wrong too.
+        SceneRenderer::State state(context, options, std::move(*interpreted), false, stats);
+        append(diagnostics, state.preparePlan(stats, true));
+    }
+    append(diagnostics, context.debugLog().takeDiagnostics());
+    applyStrict(diagnostics, options.strict);
+    return diagnostics;
+}
+
+}  // namespace glibra::render

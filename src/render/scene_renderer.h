@@ -1,0 +1,49 @@
+#pragma once
+// One scene, loaded: draws its picture for any time. Programs, meshes and textures stay on the device between frames.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "gpu/context.h"
+#include "image/image.h"
+#include "plan/frame_plan.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+class SceneRenderer {
+  public:
+    /// Parses, interprets, plans, compiles and uploads what a picture needs. Diagnostics of all that are in the result;
+    /// with an error among them (or a warning, if strict) there is no value.
+    static Result<SceneRenderer> load(gpu::Context& context, const std::filesystem::path& scene,
+                                      const RenderOptions& options, Stats& stats);
+
+    /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
+    Result<image::Image> draw(double time, Stats& stats);
+
+    [[nodiscard]] const scene::Scene& scene() const;
+    [[nodiscard]] const plan::FramePlan& plan() const;
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+
+    SceneRenderer(SceneRenderer&&) noexcept;
+    SceneRenderer& operator=(SceneRenderer&&) noexcept;
+    ~SceneRenderer();
+
+    struct State;  // in the implementation only
+
+  private:
+    explicit SceneRenderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// glibra check: parses, resolves and reads every file, compiles and links every program; draws nothing, skips nothing.
+Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options);
+
+/// With `strict` every warning becomes an error with the same id and text.
+void applyStrict(Diagnostics& diagnostics, bool strict);
+
+}  // namespace glibra::render

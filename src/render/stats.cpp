@@ -1,0 +1,58 @@
+#include "render/stats.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace glibra::render {
+
+void Stats::addTime(std::string_view stage, double milliseconds) {
+    for (Stage& each : stages)
+        if (each.name == stage) {
+            each.milliseconds += milliseconds;
+            return;
+        }
+    stages.push_back({std::string(stage), milliseconds});
+}
+
+void Stats::add(std::string_view count, std::uint64_t value) {
+    for (Count& each : counts)
+        if (each.name == count) {
+            each.value += value;
+            return;
+        }
+    counts.push_back({std::string(count), value});
+}
+
+std::string toJson(const Stats& stats, std::string_view scene, int width, int height, std::string_view driver) {
+    nlohmann::ordered_json json;
+    json["scene"] = scene;
+    json["size"] = {width, height};
+    json["driver"] = driver;
+    json["milliseconds"] = nlohmann::ordered_json::object();
+    for (const Stats::Stage& each : stats.stages) json["milliseconds"][each.name] = each.milliseconds;
+    json["counts"] = nlohmann::ordered_json::object();
+    for (const Stats::Count& each : stats.counts) json["counts"][each.name] = each.value;
+    json["skipped"] = nlohmann::ordered_json::array();
+    for (const plan::Skipped& each : stats.skipped)
+        json["skipped"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string toText(const Stats& stats) {
+    std::string text = "time\n";
+    double total = 0;
+    for (const Stats::Stage& each : stats.stages) {
+        text += fmt::format("  {:<12} {:9.2f} ms\n", each.name, each.milliseconds);
+        total += each.milliseconds;
+    }
+    text += fmt::format("  {:<12} {:9.2f} ms\nmade and drawn\n", "together", total);
+    for (const Stats::Count& each : stats.counts) text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
+    text += stats.skipped.empty() ? "skipped: nothing\n" : "skipped\n";
+    for (const plan::Skipped& each : stats.skipped)
+        text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
+    return text;
+}
+
+}  // namespace glibra::render

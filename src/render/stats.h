@@ -1,0 +1,55 @@
+#pragma once
+// What a picture took: the time of every stage, counts of what was made and drawn, and what was skipped.
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plan/frame_plan.h"
+
+namespace glibra::render {
+
+struct Stats {
+    struct Stage {
+        std::string name;
+        double milliseconds = 0;
+    };
+    struct Count {
+        std::string name;
+        std::uint64_t value = 0;
+    };
+    std::vector<Stage> stages;  ///< in order of their first use
+    std::vector<Count> counts;
+    std::vector<plan::Skipped> skipped;
+
+    void addTime(std::string_view stage, double milliseconds);
+    void add(std::string_view count, std::uint64_t value);
+};
+
+/// Adds the time from its construction to its end to one stage.
+class StageTimer {
+  public:
+    StageTimer(Stats& stats, std::string_view stage)
+        : stats_(stats), stage_(stage), start_(std::chrono::steady_clock::now()) {}
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+    ~StageTimer() {
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
+        stats_.addTime(stage_, taken.count());
+    }
+
+  private:
+    Stats& stats_;
+    std::string_view stage_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+/// For --stats: one JSON object, with the scene, the picture's size and the driver.
+std::string toJson(const Stats& stats, std::string_view scene, int width, int height, std::string_view driver);
+/// For --explain: the same for people.
+std::string toText(const Stats& stats);
+
+}  // namespace glibra::render

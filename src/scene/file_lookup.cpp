@@ -1,0 +1,262 @@
+#include "scene/file_lookup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "scene/near_files.h"
+
+namespace glibra::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names longer than every file system's limit are not looked for.
+constexpr std::size_t kLongestName = 4096;
+/// Folder entries looked at in one search without regard to case.
+constexpr int kMostVisits = 10'000;
+
+/// A name as written, in this system's spelling.
+struct CleanName {
+    std::string path;                ///< slashes only
+    std::vector<std::string> parts;  ///< between slashes, empty ones and "." left out
+    bool isAbsolute = false;
+    bool isNetwork = false;   ///< begins with two slashes: another machine
+    bool hasFolders = false;  ///< or a drive letter
+    std::string last;         ///< the last part, without a drive letter
+};
+
+CleanName clean(std::string_view written) {
+    CleanName name;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        const bool isBackslash = written[i] == '\\';
+        if (isBackslash && i > 1 && written[i - 1] == '\\') continue;  // a doubled one is one slash
+        name.path += isBackslash ? '/' : written[i];
+    }
+    name.isAbsolute = name.path.starts_with('/');
+    name.isNetwork = name.path.starts_with("//");
+    std::string part;
+    for (std::size_t i = 0; i <= name.path.size(); ++i) {
+        if (i < name.path.size() && name.path[i] != '/') {
+            part += name.path[i];
+            continue;
+        }
+        if (!part.empty() && part != ".") name.parts.push_back(part);
+        part.clear();
+    }
+    name.last = name.parts.empty() ? std::string() : name.parts.back();
+    name.hasFolders = name.path.find('/') != std::string::npos;
+    const bool hasDrive =
+        name.path.size() > 1 && name.path[1] == ':' && std::isalpha(static_cast<unsigned char>(name.path[0])) != 0;
+    if (hasDrive) {
+        name.hasFolders = true;
+        if (name.parts.size() == 1) name.last.erase(0, 2);
+    }
+    return name;
+}
+
+bool equalWithoutCase(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+/// Ordinary files below a folder whose path equals `parts` without regard to case, in byte order of the paths.
+class CaselessSearch {
+  public:
+    explicit CaselessSearch(FolderListings& listings) : listings_(listings) {}
+
+    std::vector<fs::path> find(const fs::path& folder, const std::vector<std::string>& parts) {
+        descend(folder, parts, 0);
+        return std::move(found_);
+    }
+
+  private:
+    void descend(const fs::path& folder, const std::vector<std::string>& parts, std::size_t next) {
+        const std::string& part = parts[next];
+        const bool isLast = next + 1 == parts.size();
+        if (part == "..") {
+            if (!isLast) descend(folder / part, parts, next + 1);
+            return;
+        }
+        for (const std::string& name : listings_.names(folder)) {
+            if (!equalWithoutCase(name, part) || ++visits_ > kMostVisits) continue;
+            const fs::path path = folder / name;
+            std::error_code failure;
+            if (!isLast && fs::is_directory(path, failure)) descend(path, parts, next + 1);
+            if (isLast && isOrdinaryFile(path)) found_.push_back(path);
+        }
+    }
+
+    FolderListings& listings_;
+    std::vector<fs::path> found_;
+    int visits_ = 0;
+};
+
+/// Rules 2 and 3 of 8.6 in some folders, rule by rule: the path as given, then without regard to case.
+class FolderSearch {
+  public:
+    FolderSearch(FileReference& reference, FolderListings& listings) : reference_(reference), listings_(listings) {}
+
+    bool find(const std::vector<fs::path>& folders, const std::vector<std::string>& parts) {
+        if (parts.empty()) return false;
+        for (const fs::path& folder : folders) {
+            fs::path path = folder;
+            for (const std::string& part : parts) path /= part;
+            if (!isOrdinaryFile(path)) continue;
+            reference_.path = std::move(path);
+            return true;
+        }
+        return std::any_of(folders.begin(), folders.end(),
+                           [&](const fs::path& folder) { return findCaseless(folder, parts); });
+    }
+
+  private:
+    bool findCaseless(const fs::path& folder, const std::vector<std::string>& parts) {
+        const std::vector<fs::path> found = CaselessSearch(listings_).find(folder, parts);
+        if (found.empty()) return false;
+        reference_.path = found.front();
+        const auto shown = [&](const fs::path& path) {
+            return folder.empty() || folder == "/" ? path.string() : path.lexically_relative(folder).string();
+        };
+        if (found.size() == 1) {
+            reference_.remarks.push_back(
+                warning("file-W01", fmt::format("'{}' found as '{}'", reference_.name, shown(found.front())),
+                        reference_.place));
+            return true;
+        }
+        std::string all = fmt::format("'{}'", shown(found[0]));
+        for (std::size_t i = 1; i < found.size(); ++i)
+            all += fmt::format("{} '{}'", i + 1 == found.size() ? " and" : ",", shown(found[i]));
+        reference_.remarks.push_back(
+            warning("file-W12",
+                    fmt::format("'{}' matches {}, '{}' taken", reference_.name, all, shown(found.front())),
+                    reference_.place));
+        return true;
+    }
+
+    FileReference& reference_;
+    FolderListings& listings_;
+};
+
+bool isFolder(const fs::path& path) {
+    std::error_code failure;
+    return fs::is_directory(path, failure);
+}
+
+/// The nearest folder from `folder` upwards that has `shaders` or `textures` in it.
+std::optional<fs::path> libraryAbove(const fs::path& folder) {
+    for (fs::path each = folder;; each = each.parent_path()) {
+        if (isFolder(each / "shaders") || isFolder(each / "textures")) return each;
+        if (each == each.parent_path()) return std::nullopt;
+    }
+}
+
+void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& sceneFolder) {
+    const auto add = [&](const fs::path& folder) {
+        if (std::find(folders.library.begin(), folders.library.end(), folder) == folders.library.end())
+            folders.library.push_back(folder);
+    };
+    std::error_code failure;
+    const fs::path inside = fs::absolute(root, failure).lexically_normal() / "glib";
+    const fs::path topic = sceneFolder.lexically_relative(inside);
+    if (!topic.empty() && topic != "." && *topic.begin() != "..") add(root / "shaders" / topic);
+    if (sceneFolder.has_filename()) add(root / "shaders" / sceneFolder.filename());
+    add(root / "shaders");
+    add(root / "textures");
+    add(root / "scenes" / "models");
+}
+
+std::string notFound(const CleanName& name, std::string_view written, const SearchFolders& folders,
+                     FolderListings& listings) {
+    std::vector<fs::path> searched;
+    if (name.isAbsolute && !name.isNetwork) searched.push_back(fs::path(name.path).parent_path());
+    for (const fs::path& folder : folders.beside) {
+        fs::path inside = folder;
+        for (std::size_t i = 0; i + 1 < name.parts.size(); ++i) inside /= name.parts[i];
+        if (name.parts.size() > 1 && !name.isAbsolute) searched.push_back(inside);
+        searched.push_back(folder);
+    }
+    searched.insert(searched.end(), folders.library.begin(), folders.library.end());
+    std::string text = fmt::format("cannot find '{}'", written);
+    const std::vector<std::string> near = nearestFiles(name.last, searched, listings);
+    for (std::size_t i = 0; i < near.size(); ++i) text += fmt::format("{} '{}'", i == 0 ? "; nearest:" : ",", near[i]);
+    return text;
+}
+
+}  // namespace
+
+bool isOrdinaryFile(const fs::path& path) {
+    std::error_code failure;
+    return fs::is_regular_file(path, failure);
+}
+
+const std::vector<std::string>& FolderListings::names(const fs::path& folder) {
+    const auto [entry, isNew] = names_.try_emplace(folder.string());
+    std::vector<std::string>& names = entry->second;
+    if (!isNew) return names;
+    std::error_code failure;
+    fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
+    for (; !failure && each != fs::directory_iterator() && names.size() < kLargestFolder; each.increment(failure))
+        names.push_back(each->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& options) {
+    SearchFolders folders;
+    folders.beside.push_back(scenePath.parent_path());
+    std::error_code failure;
+    const fs::path absolute = fs::absolute(scenePath, failure).lexically_normal();
+    const fs::path sceneFolder = absolute.parent_path();
+    for (const fs::path& root : options.libraryRoots)
+        if (!root.empty()) addRoot(folders, root, sceneFolder);
+    if (const auto root = libraryAbove(sceneFolder); !failure && root) addRoot(folders, *root, sceneFolder);
+    return folders;
+}
+
+FileReference findFile(std::string_view written, const Place& place, const SearchFolders& folders,
+                       FolderListings& listings) {
+    FileReference reference{std::string(written), {}, {}, place};
+    if (written.size() > kLongestName) {
+        reference.remarks.push_back(
+            error("file-E01", fmt::format("cannot find '{}...': the name is too long", written.substr(0, 64)), place));
+        return reference;
+    }
+    const CleanName name = clean(written);
+    FolderSearch search(reference, listings);
+    if (name.isAbsolute && !name.isNetwork && search.find({"/"}, name.parts)) return reference;
+    if (!name.isAbsolute && search.find(folders.beside, name.parts)) return reference;
+    if (name.hasFolders && !name.last.empty()) {
+        FileReference beside = reference;
+        if (FolderSearch(beside, listings).find(folders.beside, {name.last})) {
+            reference.path = beside.path;
+            reference.remarks.push_back(
+                warning("file-W02",
+                        fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
+                        place));
+            return reference;
+        }
+    }
+    if (!name.isAbsolute)
+        for (const fs::path& folder : folders.library)
+            if (search.find({folder}, name.parts)) return reference;
+    reference.remarks.push_back(error("file-E01", notFound(name, written, folders, listings), place));
+    return reference;
+}
+
+FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
+                          const InterpretOptions& options) {
+    SearchFolders folders = searchFolders(scenePath, options);
+    const fs::path including = fs::path(includingPath).parent_path();
+    if (including != folders.beside.front()) folders.beside.insert(folders.beside.begin(), including);
+    FolderListings listings;
+    return findFile(name, Place{std::string(includingPath), 1, 1}, folders, listings);
+}
+
+}  // namespace glibra::scene

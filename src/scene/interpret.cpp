@@ -1,0 +1,181 @@
+#include "scene/interpret.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "glib/number.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::CommandId;
+
+/// What a command is to a glBegin list that is open.
+enum class InList {
+    isPart,     ///< belongs to it
+    goesFirst,  ///< is executed before the list is drawn: glib-W32
+    isWrong,    ///< glib-E07
+};
+
+struct CommandAction {
+    CommandId id{};
+    Handler handler = nullptr;
+    InList inList = InList::goesFirst;
+};
+
+constexpr CommandAction kActions[] = {
+    {CommandId::windowSize, doWindowSize},
+    {CommandId::perspective, doPerspective},
+    {CommandId::ortho, doOrtho},
+    {CommandId::lookAt, doLookAt},
+    {CommandId::color, doColor, InList::isPart},
+    {CommandId::background, doBackground},
+    {CommandId::clear, doClear},
+    {CommandId::translate, doTranslate},
+    {CommandId::rotate, doRotate},
+    {CommandId::scale, doScale},
+    {CommandId::pushMatrix, doPushMatrix},
+    {CommandId::popMatrix, doPopMatrix},
+    {CommandId::box, doPrimitive},
+    {CommandId::sphere, doPrimitive},
+    {CommandId::cylinder, doPrimitive},
+    {CommandId::cone, doPrimitive},
+    {CommandId::torus, doPrimitive},
+    {CommandId::teapot, doPrimitive},
+    {CommandId::soccerball, doPrimitive},
+    {CommandId::diskXY, doPrimitive},
+    {CommandId::quadXY, doPrimitive},
+    {CommandId::quadXZ, doPrimitive},
+    {CommandId::quadYZ, doPrimitive},
+    {CommandId::quadBox, doPrimitive},
+    {CommandId::xarrow, doPrimitive},
+    {CommandId::pointCloud, doPrimitive},
+    {CommandId::jitterCloud, doPrimitive},
+    {CommandId::wireSphere, doPrimitive},
+    {CommandId::wireTorus, doPrimitive},
+    {CommandId::wireCylinder, doPrimitive},
+    {CommandId::wireCone, doPrimitive},
+    {CommandId::wireCube, doPrimitive},
+    {CommandId::wireBox, doPrimitive},
+    {CommandId::wireTeapot, doPrimitive},
+    {CommandId::obj, doModel},
+    {CommandId::wireObj, doModel},
+    {CommandId::objAdj, doModel},
+    {CommandId::objPatch, doModel},
+    {CommandId::shp, doModel},
+    {CommandId::linesAdjacency, doPointGroups},
+    {CommandId::triangles, doPointGroups},
+    {CommandId::glBegin, doGlBegin, InList::isWrong},
+    {CommandId::glVertex, doGlVertex, InList::isPart},
+    {CommandId::glNormal, doGlNormal, InList::isPart},
+    {CommandId::glColor, doGlColor, InList::isPart},
+    {CommandId::glTexCoord, doGlTexCoord, InList::isPart},
+    {CommandId::glEnd, doGlEnd, InList::isPart},
+    {CommandId::lineWidth, doLineWidth},
+    {CommandId::pointSize, doPointSize},
+    {CommandId::pointSizeMode, doPointSizeMode},
+    {CommandId::numPatchVertices, doNumPatchVertices},
+    {CommandId::flat, doFlat},
+    {CommandId::smooth, doSmooth},
+    {CommandId::texture1D, doTexture},
+    {CommandId::texture2D, doTexture},
+    {CommandId::texture3D, doTexture},
+    {CommandId::texture, doTexture},
+    {CommandId::cubeMap, doCubeMap},
+    {CommandId::renderToTexture, doRenderToTexture, InList::isWrong},
+    {CommandId::clamp, doClamp},
+    {CommandId::vertex, doStage},
+    {CommandId::tessControl, doStage},
+    {CommandId::tessEvaluation, doStage},
+    {CommandId::geometry, doStage},
+    {CommandId::fragment, doStage},
+    {CommandId::program, doProgram, InList::isWrong},
+    {CommandId::geometryInput, doGeometryInput},
+    {CommandId::geometryOutput, doGeometryOutput},
+    {CommandId::geometryVerticesOut, doGeometryVerticesOut},
+    {CommandId::gstap, doNothing},
+    {CommandId::noise2D, doNoise2D},
+    {CommandId::noise3D, doNoise3D},
+    {CommandId::timer, doTimer},
+    {CommandId::messageBox, doMessageBox},
+    {CommandId::verbose, doNothing},
+};
+
+constexpr bool rowsStandInOrder() {
+    for (std::size_t i = 0; i < std::size(kActions); ++i)
+        if (static_cast<std::size_t>(kActions[i].id) != i || kActions[i].handler == nullptr) return false;
+    return static_cast<std::size_t>(CommandId::verbose) + 1 == std::size(kActions);
+}
+static_assert(rowsStandInOrder(), "every CommandId has its row, in the order of the enumeration");
+
+/// True for commands whose own message tells more than a repetition of the statement.
+bool isGeometry(CommandId id) {
+    return (id >= CommandId::box && id <= CommandId::triangles) || id == CommandId::glEnd;
+}
+
+void execute(Interpreter& in, const glib::Command& command) {
+    const auto index = static_cast<std::size_t>(command.id);
+    if (index >= std::size(kActions)) return;
+    const CommandAction& action = kActions[index];
+    if (in.list && action.inList == InList::isWrong) {
+        in.reportError(command, "glib-E07", fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
+        return;
+    }
+    if (in.list && action.inList == InList::goesFirst)
+        in.reportWarning(command, "glib-W32",
+                         fmt::format("{} inside glBegin {} before the list", command.word,
+                                     isGeometry(command.id) ? "is drawn" : "is carried out"));
+    const bool isListPart = command.id >= CommandId::glVertex && command.id <= CommandId::glEnd;
+    if (!isListPart) in.isOrphan = false;
+    if (in.scene.verbose && !isGeometry(command.id)) in.report(note("glib-N02", textOf(command), in.place(command)));
+    action.handler(in, command);
+}
+
+}  // namespace
+
+std::string textOf(const glib::Command& command) {
+    std::string text = command.word;
+    const std::size_t shown = std::min(command.numbers.size(), std::size_t{16});
+    for (std::size_t i = 0; i < shown; ++i) text += " " + glib::numberText(command.numbers[i]);
+    if (!command.text.empty()) text += fmt::format(" '{}'", command.text);
+    for (const std::string& file : command.files) text += fmt::format(" '{}'", file);
+    return text;
+}
+
+Scene interpret(const glib::Script& script, const InterpretOptions& options) {
+    Interpreter in{.script = script,
+                   .scene = {},
+                   .state = {},
+                   .folders = searchFolders(script.path, options),
+                   .listings = {},
+                   .list = {},
+                   .shapes = {},
+                   .listShapes = {},
+                   .clearedTextures = {},
+                   .depthBuffers = {},
+                   .clearedDepths = {},
+                   .windowSize = {}};
+    in.scene.path = script.path;
+    in.scene.diagnostics = script.diagnostics;
+    in.scene.verbose = std::any_of(script.commands.begin(), script.commands.end(), [](const glib::Command& command) {
+        return command.id == CommandId::verbose;
+    });
+    addNoiseTextures(in);
+    for (const glib::Command& command : script.commands) execute(in, command);
+    checkList(in);
+    checkStack(in);
+    finishPasses(in);
+    finishNoise(in);
+    std::stable_sort(in.scene.diagnostics.begin(), in.scene.diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) {
+                         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+                     });
+    return std::move(in.scene);
+}
+
+}  // namespace glibra::scene

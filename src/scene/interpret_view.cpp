@@ -1,0 +1,145 @@
+// Window, projection, viewing transformation, colours and the matrix stack (language, 3.1 and 3.2).
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "glib/number.h"
+#include "scene/matrices.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+constexpr std::size_t kDeepestStack = 256;
+
+double at(const glib::Command& command, std::size_t index, double otherwise) {
+    return index < command.numbers.size() ? command.numbers[index] : otherwise;
+}
+
+glm::dvec3 vectorAt(const glib::Command& command, std::size_t first) {
+    return {at(command, first, 0), at(command, first + 1, 0), at(command, first + 2, 0)};
+}
+
+/// M := M * T; refused where the product leaves the range of the numbers that shaders get.
+void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& transform) {
+    const glm::dmat4 product = in.state.modelView * transform;
+    if (!isFinite(product)) {
+        in.reportError(command, "glib-E05",
+                       fmt::format("{}: the transformation is beyond the range of numbers", command.word));
+        return;
+    }
+    in.state.modelView = product;
+}
+
+}  // namespace
+
+void doWindowSize(Interpreter& in, const glib::Command& command) {
+    const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
+    if (in.windowSize && *in.windowSize != size)
+        in.reportWarning(command, "glib-W34",
+                         fmt::format("WindowSize given again, {} {} replaces {} {}", size.first, size.second,
+                                     in.windowSize->first, in.windowSize->second));
+    in.windowSize = size;
+    in.scene.width = size.first;
+    in.scene.height = size.second;
+}
+
+void doPerspective(Interpreter& in, const glib::Command& command) {
+    const Perspective given{at(command, 0, 50), at(command, 1, .1), at(command, 2, 1000)};
+    if (!(given.near < given.far)) {
+        in.reportError(command, "glib-E05",
+                       fmt::format("{}: near {} is not below far {}", command.word, glib::numberText(given.near),
+                                   glib::numberText(given.far)));
+        return;
+    }
+    in.state.projection = given;
+}
+
+void doOrtho(Interpreter& in, const glib::Command& command) {
+    const Orthographic given{at(command, 0, -3), at(command, 1, 3),     at(command, 2, -3),
+                             at(command, 3, 3),  at(command, 4, -1000), at(command, 5, 1000)};
+    if (given.near == given.far) {
+        in.reportError(command, "glib-E05",
+                       fmt::format("{}: near and far are both {}", command.word, glib::numberText(given.near)));
+        return;
+    }
+    in.state.projection = given;
+}
+
+void doLookAt(Interpreter& in, const glib::Command& command) {
+    const glm::dvec3 eye = vectorAt(command, 0);
+    const glm::dvec3 centre = vectorAt(command, 3);
+    if (eye == centre) {
+        in.reportError(command, "glib-E13", "LookAt: eye and centre are the same point");
+        return;
+    }
+    in.scene.usesLookAt = true;
+    auto matrix = viewingMatrix(eye, centre, vectorAt(command, 6));
+    constexpr std::array<std::pair<std::string_view, glm::dvec3>, 3> kOthers{
+        {{"+y", {0, 1, 0}}, {"+z", {0, 0, 1}}, {"+x", {1, 0, 0}}}};
+    for (const auto& [name, up] : kOthers) {
+        if (matrix) break;
+        matrix = viewingMatrix(eye, centre, up);
+        if (matrix)
+            in.reportWarning(command, "glib-W30",
+                             fmt::format("LookAt: up is parallel to the view direction, {} used", name));
+    }
+    if (matrix && isFinite(*matrix))
+        in.state.modelView = *matrix;
+    else
+        in.reportError(command, "glib-E05", "LookAt: the transformation is beyond the range of numbers");
+}
+
+void doColor(Interpreter& in, const glib::Command& command) {
+    in.state.color = glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
+    if (!in.list) return;
+    for (int i = 0; i < 4; ++i) in.list->current.color[static_cast<std::size_t>(i)] = in.state.color[i];
+}
+
+void doBackground(Interpreter& in, const glib::Command& command) {
+    if (command.givenNumbers == 0)
+        in.state.background = kInitialBackground;
+    else
+        in.state.background = glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
+}
+
+void doTranslate(Interpreter& in, const glib::Command& command) {
+    multiply(in, command, translation(vectorAt(command, 0)));
+}
+
+void doRotate(Interpreter& in, const glib::Command& command) {
+    multiply(in, command, rotation(at(command, 0, 0), vectorAt(command, 1)));
+}
+
+void doScale(Interpreter& in, const glib::Command& command) {
+    const bool isUniform = command.givenNumbers == 1;
+    multiply(in, command, scaling(isUniform ? glm::dvec3(at(command, 0, 1)) : vectorAt(command, 0)));
+}
+
+void doPushMatrix(Interpreter& in, const glib::Command& command) {
+    if (in.state.stack.size() == kDeepestStack) {
+        in.reportError(command, "glib-E15", fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
+        return;
+    }
+    in.state.stack.push_back({in.state.modelView, in.place(command)});
+}
+
+void doPopMatrix(Interpreter& in, const glib::Command& command) {
+    if (in.state.stack.empty()) {
+        in.reportError(command, "glib-E06", fmt::format("{} without PushMatrix", command.word));
+        return;
+    }
+    in.state.modelView = in.state.stack.back().modelView;
+    in.state.stack.pop_back();
+}
+
+void checkStack(Interpreter& in) {
+    const std::size_t open = in.state.stack.size();
+    if (open == 0) return;
+    in.report(warning("glib-W31", fmt::format("{} PushMatrix without PopMatrix at the end of the file", open),
+                      in.state.stack.back().place));
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,192 @@
+#include "scene/view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "scene/matrices.h"
+
+namespace glibra::scene {
+namespace {
+
+glm::dmat4 perspectiveMatrix(const Perspective& view, double aspect) {
+    const double half = view.fieldOfView / 2;
+    const double scale = cosineOfDegrees(half) / sineOfDegrees(half);
+    glm::dmat4 matrix(0.0);
+    matrix[0][0] = scale / aspect;
+    matrix[1][1] = scale;
+    matrix[2][2] = (view.near + view.far) / (view.near - view.far);
+    matrix[2][3] = -1;
+    matrix[3][2] = 2 * view.near * view.far / (view.near - view.far);
+    return matrix;
+}
+
+/// Limits of one axis; equal ones stand for -1 and 1.
+struct Range {
+    double low, high;
+    [[nodiscard]] double size() const { return high - low; }
+    /// The same centre and direction, `factor` times as long.
+    [[nodiscard]] Range grown(double factor) const {
+        const double centre = (low + high) / 2;
+        const double half = size() / 2 * factor;
+        return {centre - half, centre + half};
+    }
+};
+Range rangeOf(double low, double high) {
+    if (low == high) return {-1, 1};
+    return {low, high};
+}
+
+glm::dmat4 orthographicMatrix(const Orthographic& view, double aspect) {
+    Range x = rangeOf(view.left, view.right);
+    Range y = rangeOf(view.bottom, view.top);
+    const double boxAspect = std::abs(x.size()) / std::abs(y.size());
+    if (boxAspect > aspect)
+        y = y.grown(boxAspect / aspect);
+    else if (boxAspect < aspect)
+        x = x.grown(aspect / boxAspect);
+    const double depth = view.far - view.near;
+    glm::dmat4 matrix(0.0);
+    matrix[0][0] = 2 / x.size();
+    matrix[1][1] = 2 / y.size();
+    matrix[2][2] = -2 / depth;
+    matrix[3] = glm::dvec4(-(x.low + x.high) / x.size(), -(y.low + y.high) / y.size(),
+                           -(view.near + view.far) / depth, 1);
+    return matrix;
+}
+
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    [[nodiscard]] bool isEmpty() const { return !(low.x <= high.x); }
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    void add(const Box& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
+};
+
+/// Calls `use(eye space position, w)` for every finite vertex. A fourth coordinate is no part of the place.
+template <class Use>
+void eachVertex(const geometry::Mesh& mesh, const glm::dmat4& modelView, const Use& use) {
+    const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
+    if (position == nullptr || position->components < 3) return;
+    const auto stride = static_cast<std::size_t>(position->components);
+    const std::vector<float>& values = position->values;
+    for (std::size_t i = 0; i + stride <= values.size(); i += stride) {
+        const double x = static_cast<double>(values[i]);
+        const double y = static_cast<double>(values[i + 1]);
+        const double z = static_cast<double>(values[i + 2]);
+        const double w = stride > 3 ? static_cast<double>(values[i + 3]) : 1;
+        if (!std::isfinite(x + y + z + w)) continue;
+        use(glm::dvec3(modelView * glm::dvec4(x, y, z, 1)), w);
+    }
+}
+
+struct SeenDraw {
+    const Draw* draw;
+    double aspect;
+};
+
+std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) {
+    std::vector<SeenDraw> draws;
+    for (const Pass& pass : scene.passes)
+        for (const auto& step : pass.steps)
+            if (const Draw* draw = std::get_if<Draw>(&step); draw && std::holds_alternative<Perspective>(draw->projection))
+                draws.push_back({draw, aspectOf(scene, pass, windowAspect)});
+    return draws;
+}
+
+/// Half of the smallest field of view of the draw, vertical or horizontal, in radians.
+double halfAngle(const SeenDraw& seen) {
+    const double half = std::get<Perspective>(seen.draw->projection).fieldOfView / 2;
+    const double tangent = sineOfDegrees(half) / cosineOfDegrees(half);
+    return std::atan(std::min(tangent, seen.aspect * tangent));
+}
+
+/// The sphere about all vertices, around the centre of their box.
+struct Sphere {
+    glm::dvec3 centre{0.0};
+    double radius = 0;
+};
+
+std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const MeshOf& meshOf, double& nearest) {
+    Box all;
+    for (const SeenDraw& seen : draws) {
+        const geometry::Mesh* mesh = meshOf(seen.draw->shape);
+        if (mesh == nullptr) continue;
+        Box box;
+        eachVertex(*mesh, seen.draw->modelView, [&](const glm::dvec3& point, double) { box.add(point); });
+        if (box.isEmpty()) continue;
+        const double near = std::get<Perspective>(seen.draw->projection).near;
+        if (box.high.z <= -near) return std::nullopt;  // placed for the eye at the origin
+        nearest = std::max(nearest, near);
+        all.add(box);
+    }
+    if (all.isEmpty()) return std::nullopt;
+    // A second walk over the vertices costs less than storing them in eye space would.
+    Sphere sphere{(all.low + all.high) * .5, 0};
+    for (const SeenDraw& seen : draws) {
+        const geometry::Mesh* mesh = meshOf(seen.draw->shape);
+        if (mesh == nullptr) continue;
+        eachVertex(*mesh, seen.draw->modelView, [&](const glm::dvec3& point, double w) {
+            const glm::dvec3 offset = point - sphere.centre;
+            const double extra = w == 0 || w == 1 ? 0 : std::abs(w);
+            sphere.radius = std::max(sphere.radius, std::sqrt(offset.x * offset.x + offset.y * offset.y +
+                                                              offset.z * offset.z) + extra);
+        });
+    }
+    return sphere;
+}
+
+}  // namespace
+
+glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
+    if (const auto* perspective = std::get_if<Perspective>(&projection)) return perspectiveMatrix(*perspective, aspect);
+    return orthographicMatrix(std::get<Orthographic>(projection), aspect);
+}
+
+double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
+    if (pass.targets.empty()) return windowAspect;
+    const Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+    const auto* size = std::get_if<EmptySource>(&target.source);
+    return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
+}
+
+glm::dmat4 ViewMove::modelViewOf(const Draw& draw) const {
+    return appliesTo(draw) ? translation({0, 0, -distance}) * draw.modelView : draw.modelView;
+}
+
+ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect) {
+    ViewMove move;
+    if (scene.usesLookAt) return move;
+    const std::vector<SeenDraw> draws = perspectiveDraws(scene, windowAspect);
+    if (draws.empty()) return move;
+    double near = 0;
+    const auto sphere = sphereAround(draws, meshOf, near);
+    if (!sphere || sphere->centre.z + sphere->radius <= -near) return move;
+
+    double angle = halfAngle(draws.front());
+    for (const SeenDraw& seen : draws) angle = std::min(angle, halfAngle(seen));
+    const glm::dvec3 c = sphere->centre;
+    const double distance = (sphere->radius + std::hypot(c.x, c.y) * std::cos(angle)) / std::sin(angle);
+    const double moved = std::ceil(16 * (distance + c.z)) / 16;
+    if (!(moved > 0) || !std::isfinite(moved)) return move;
+    move.distance = moved;
+    move.diagnostics.push_back(
+        note("draw-N01",
+             fmt::format("no LookAt: eye moved back by {} along z (use --view glman to switch this off)", moved),
+             draws.front().draw->place));
+    return move;
+}
+
+}  // namespace glibra::scene

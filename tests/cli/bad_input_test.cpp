@@ -1,0 +1,219 @@
+// Bad input, one test each: one clear message with file, line and column, the right exit status, no half-written file.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+constexpr const char* kVertex =
+    "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
+constexpr const char* kFragment = "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
+
+class BadInput : public testing::Test {
+  protected:
+    /// Renders scene.glib and expects status 3, no picture, and all of `parts` in the messages.
+    void expectRefused(std::string_view scene, std::initializer_list<const char*> parts,
+                       const std::string& arguments = {}) {
+        folder.write("scene.glib", scene);
+        const std::string before = folder.listing();
+        const Run run = glibra(folder.path(), "render scene.glib " + arguments);
+        EXPECT_EQ(run.status, 3) << run.err;
+        for (const char* part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part << "\nin\n" << run.err;
+        EXPECT_EQ(run.out, "");
+        EXPECT_EQ(folder.listing(), before) << "something was left behind";
+    }
+
+    void writeShaders() const {
+        folder.write("a.vert", kVertex);
+        folder.write("a.frag", kFragment);
+    }
+
+    Folder folder;
+};
+
+TEST_F(BadInput, UnknownCommand) {
+    expectRefused("Perspective 50\nSpere 1\n", {"scene.glib:2:1: error:", "'Spere'", "'Sphere'", "[glib-E01]"});
+}
+
+TEST_F(BadInput, WrongArgument) { expectRefused("Perspective 190\n", {"scene.glib:1:", "190", "[glib-E05]"}); }
+
+TEST_F(BadInput, MissingScene) {
+    const Run run = glibra(folder.path(), "render nowhere.glib");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("nowhere.glib"), std::string::npos);
+    EXPECT_NE(run.err.find("[glib-E14]"), std::string::npos) << run.err;
+}
+
+TEST_F(BadInput, SceneIsAFolder) {
+    std::filesystem::create_directory(folder / "scene.glib");
+    const Run run = glibra(folder.path(), "render scene.glib");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("[glib-E14]"), std::string::npos) << run.err;
+}
+
+TEST_F(BadInput, BinaryScene) {
+    expectRefused(std::string_view("Sphere\n\0\0\1", 10), {"scene.glib:2:1: error:", "[glib-E03]"});
+}
+
+TEST_F(BadInput, MissingShader) {
+    expectRefused("Vertex none.vert\nFragment none.frag\nProgram P\nSphere\n",
+                  {"scene.glib:1:", "none.vert", "[file-E01]", "scene.glib:2:"});
+}
+
+TEST_F(BadInput, EmptyShader) {
+    writeShaders();
+    folder.write("a.frag", "");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"a.frag", "[file-E02]"});
+}
+
+TEST_F(BadInput, ShaderIsAFolder) {
+    writeShaders();
+    std::filesystem::create_directory(folder / "b.frag");
+    expectRefused("Vertex a.vert\nFragment b.frag\nProgram P\nSphere\n", {"scene.glib:2:", "b.frag"});
+}
+
+TEST_F(BadInput, ShaderErrorNamesItsOwnLine) {
+    writeShaders();
+    folder.write("a.frag", "#version 330 core\nout vec4 fColor;\n\nvoid main() {\n    fColor = nonsense;\n}\n");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n",
+                  {"a.frag:5:", "error:", "nonsense", "[glsl-E01]"});
+}
+
+TEST_F(BadInput, ShaderErrorInAnIncludedFileNamesThatFile) {
+    writeShaders();
+    folder.write("common.glsl", "float one() {\n    return missing;\n}\n");
+    folder.write("a.frag", "#version 330 core\n#include \"common.glsl\"\nout vec4 f;\nvoid main() { f = vec4(one()); }\n");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"common.glsl:2:", "missing", "[glsl-E01]"});
+}
+
+TEST_F(BadInput, LinkError) {
+    folder.write("a.vert",
+                 "#version 330 core\nout vec3 vN;\nvoid main() { vN = aNormal; gl_Position = "
+                 "uModelViewProjectionMatrix * aVertex; }\n");
+    folder.write("a.frag", "#version 330 core\nin vec4 vN;\nout vec4 f;\nvoid main() { f = vN; }\n");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"vN", "a.vert", "a.frag", "[glsl-E02]"});
+}
+
+TEST_F(BadInput, IncludeRecursion) {
+    writeShaders();
+    folder.write("x.glsl", "#include \"y.glsl\"\n");
+    folder.write("y.glsl", "#include \"x.glsl\"\n");
+    folder.write("a.frag", "#version 330 core\n#include \"x.glsl\"\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"[glsl-E04]", "x.glsl", "y.glsl"});
+}
+
+TEST_F(BadInput, TruncatedBmp) {
+    writeShaders();
+    folder.write("a.frag",
+                 "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, vec2(.5)); }\n");
+    std::string bmp = "BM";
+    const auto add32 = [&](unsigned value) {
+        for (int i = 0; i < 4; ++i) bmp += static_cast<char>(value >> (8 * i));
+    };
+    const unsigned header[] = {54 + 64 * 64 * 3, 0, 54, 40, 64, 64, 1 + (24 << 16), 0, 64 * 64 * 3, 0, 0, 0, 0};
+    for (const unsigned each : header) add32(each);
+    bmp.append(64 * 10 * 3, 'x');
+    folder.write("wood.bmp", bmp);
+    expectRefused("Texture2D 5 wood.bmp\nVertex a.vert\nFragment a.frag\nProgram P uUnit 5\nSphere\n",
+                  {"scene.glib:1:", "wood.bmp", "[file-E04]"});
+}
+
+TEST_F(BadInput, RawTextureWithALyingHeader) {
+    writeShaders();
+    folder.write("a.frag",
+                 "#version 330 core\nuniform sampler3D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, vec3(.5)); }\n");
+    folder.write("lie.tex", std::string_view("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f texels", 19));
+    expectRefused("Texture3D 5 lie.tex\nVertex a.vert\nFragment a.frag\nProgram P uUnit 5\nSphere\n",
+                  {"scene.glib:1:", "lie.tex", "[file-E05]"});
+}
+
+TEST_F(BadInput, ObjIndexOutOfRangeDropsTheFaceOrRefusesTheModel) {
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 1000000000\n");
+    expectRefused("Obj a.obj\n", {"a.obj", "[file-E07]"});
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n");
+    folder.write("scene.glib", "Obj a.obj\n");
+    const Run run = glibra(folder.path(), "render scene.glib");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("[file-W05]"), std::string::npos) << run.err;
+}
+
+TEST_F(BadInput, AbsurdSizes) {
+    expectRefused("Sphere 1 1000000 1000000\n", {"scene.glib:1:", "Sphere", "[glib-E"});
+    expectRefused("Sphere 1 65000 65000\n", {"scene.glib:1:", "8,388,608", "[glib-E15]"});
+    expectRefused("Noise3D 100000\n", {"scene.glib:1:", "Noise3D", "[glib-E"});
+    expectRefused("WindowSize 0 0\n", {"scene.glib:1:", "WindowSize", "[glib-E05]"});
+    expectRefused("Translate 1e999 0 0\n", {"scene.glib:1:", "[glib-E05]"});
+}
+
+TEST_F(BadInput, AShaderThatNeverEndsEndsTheSceneAlone) {
+    writeShaders();
+    folder.write("a.frag",
+                 "#version 330 core\nuniform float uStep;\nout vec4 f;\nvoid main() { float x = 0.; while (x < 1.) x += "
+                 "uStep; f = vec4(x); }\n");
+    folder.write("endless.glib", "Vertex a.vert\nFragment a.frag\nProgram P uStep 0.\nSphere\n");
+    folder.write("good.glib", "Sphere\n");
+    const Run run = glibra(folder.path(), "render endless.glib good.glib --timeout 2");
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_NE(run.err.find("endless.glib:1:1: error: not drawn within 2 seconds"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("1 of 2 scenes rendered, failed: endless.glib"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing(), "a.frag\na.vert\nendless.glib\ngood.glib\ngood.png\n");
+}
+
+TEST_F(BadInput, UnwritableOutput) {
+    folder.write("scene.glib", "Sphere\n");
+    const Run run = glibra(folder.path(), "render scene.glib -o /proc/none/a.png");
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_NE(run.err.find("/proc/none/a.png"), std::string::npos) << run.err;
+    folder.write("taken.png/inside", "a folder where the picture should go");
+    const Run taken = glibra(folder.path(), "render scene.glib -o taken.png/../taken.png/");
+    EXPECT_EQ(taken.status, 0) << "a folder is a place for pictures: " << taken.err;
+}
+
+TEST_F(BadInput, UnknownOutputFormat) {
+    folder.write("scene.glib", "Sphere\n");
+    const Run run = glibra(folder.path(), "render scene.glib -o a.xyz");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("a.xyz"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing(), "scene.glib\n");
+}
+
+TEST_F(BadInput, WrongUsageIsStatusTwo) {
+    folder.write("scene.glib", "Sphere\n");
+    for (const char* arguments :
+         {"", "paint scene.glib", "render", "render scene.glib --size 0x10", "render scene.glib --size 600",
+          "render scene.glib --size 99999999999x1", "render scene.glib --driver vulkan", "render scene.glib --frames 0",
+          "render scene.glib --nonsense", "render scene.glib --time later", "render scene.glib --set uKd"}) {
+        const Run run = glibra(folder.path(), arguments);
+        EXPECT_EQ(run.status, 2) << arguments << "\n" << run.err;
+        EXPECT_FALSE(run.err.empty()) << arguments;
+    }
+    EXPECT_EQ(folder.listing(), "scene.glib\n");
+}
+
+TEST_F(BadInput, NoDriverIsStatusFour) {
+    folder.write("scene.glib", "Sphere\n");
+    const Run run = glibra(folder.path(), "render scene.glib --driver egl-device",
+                           "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json");
+    EXPECT_EQ(run.status, 4) << run.err;
+    EXPECT_NE(run.err.find("error:"), std::string::npos);
+}
+
+TEST_F(BadInput, StrictTurnsWarningsIntoErrors) {
+    folder.write("scene.glib", "Sphere 1 2\n");
+    EXPECT_EQ(glibra(folder.path(), "render scene.glib").status, 0);
+    const Run run = glibra(folder.path(), "render scene.glib --strict -o strict.png");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("error: Sphere: 2 slices raised to 3 [glib-W28]"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "strict.png"));
+}
+
+TEST_F(BadInput, AllMistakesOfAFileComeAtOnce) {
+    expectRefused("Spere\nLookAt 1 2\nPopMatrix\n", {"[glib-E01]", "[glib-E04]", "[glib-E06]"});
+}
+
+}  // namespace
+}  // namespace glibra::test

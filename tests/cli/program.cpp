@@ -1,0 +1,62 @@
+#include "program.h"
+
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+namespace glibra::test {
+
+namespace fs = std::filesystem;
+
+Run glibra(const fs::path& folder, const std::string& arguments, const std::string& environment) {
+    char name[] = "/tmp/glibra-run-XXXXXX";
+    if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
+    const fs::path captured = name;
+    const std::string command = "cd '" + folder.string() + "' && " + environment + " '" GLIBRA_PROGRAM "' " + arguments +
+                                " >" + (captured / "out").string() + " 2>" + (captured / "err").string() + " </dev/null";
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what a user has
+    Run run;
+    run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    run.out = readFile(captured / "out");
+    run.err = readFile(captured / "err");
+    fs::remove_all(captured);
+    return run;
+}
+
+Folder::Folder() {
+    char name[] = "/tmp/glibra-test-XXXXXX";
+    if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
+    path_ = name;
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+void Folder::write(std::string_view name, std::string_view content) const {
+    const fs::path file = path_ / name;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << content;
+}
+
+std::string Folder::listing() const {
+    std::vector<std::string> names;
+    for (const auto& each : fs::directory_iterator(path_)) names.push_back(each.path().filename().string());
+    std::sort(names.begin(), names.end());
+    std::string lines;
+    for (const std::string& each : names) lines += each + "\n";
+    return lines;
+}
+
+std::string readFile(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace glibra::test

@@ -1,0 +1,40 @@
+#pragma once
+// Runs the glibra program as a user does, and keeps what it printed. Each test gets a folder of its own.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace glibra::test {
+
+struct Run {
+    int status = -1;  ///< exit status; 128 + n if signal n ended it
+    std::string out;
+    std::string err;
+};
+
+/// Runs `glibra ARGUMENTS` through the shell in `folder`; `environment` is put before it ("A=1 B=2").
+Run glibra(const std::filesystem::path& folder, const std::string& arguments, const std::string& environment = {});
+
+/// A new folder that goes with the object.
+class Folder {
+  public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+    /// Writes a file, making folders as needed.
+    void write(std::string_view name, std::string_view content) const;
+    /// Everything in the folder, sorted, one name a line.
+    [[nodiscard]] std::string listing() const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string readFile(const std::filesystem::path& file);
+
+}  // namespace glibra::test

@@ -1,0 +1,164 @@
+// The cache of large noise textures: what is stored comes back, and nothing damaged ever does.
+
+#include "noise/cache.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "noise/checksum.h"
+#include "noise/noise.h"
+
+namespace glibra::noise {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NoiseCache : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "glibra-cache-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder = name;
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    [[nodiscard]] fs::path onlyFile() const {
+        fs::path found;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            EXPECT_TRUE(found.empty()) << "more than one file";
+            found = entry.path();
+        }
+        return found;
+    }
+
+    fs::path folder;
+};
+
+void overwriteByte(const fs::path& path, std::streamoff at, char by) {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(at, at < 0 ? std::ios::end : std::ios::beg);
+    file.put(by);
+}
+
+TEST_F(NoiseCache, GivesBackWhatWasStored) {
+    const auto texels = noise3Texels(20);
+    EXPECT_FALSE(loadTexels(folder, 3, 20));
+    ASSERT_TRUE(storeTexels(folder, 3, 20, texels));
+    EXPECT_EQ(loadTexels(folder, 3, 20), texels);
+    EXPECT_FALSE(loadTexels(folder, 3, 21));
+    EXPECT_FALSE(loadTexels(folder, 2, 20));
+}
+
+TEST_F(NoiseCache, LeavesOneFileAndNoTemporaryName) {
+    ASSERT_TRUE(storeTexels(folder, 2, 30, noise2Texels(30)));
+    ASSERT_TRUE(storeTexels(folder, 2, 30, noise2Texels(30)));
+    EXPECT_EQ(onlyFile().extension(), ".texels");
+}
+
+TEST_F(NoiseCache, MakesItsFolder) {
+    const auto texels = noise2Texels(8);
+    ASSERT_TRUE(storeTexels(folder / "a" / "b", 2, 8, texels));
+    EXPECT_EQ(loadTexels(folder / "a" / "b", 2, 8), texels);
+}
+
+TEST_F(NoiseCache, RefusesAFileWithOneChangedByteAnywhere) {
+    const auto texels = noise2Texels(16);
+    for (const std::streamoff at : {0, 9, 16, 21, 26, 40, 500, -1}) {
+        ASSERT_TRUE(storeTexels(folder, 2, 16, texels));
+        overwriteByte(onlyFile(), at, '\x01');
+        EXPECT_FALSE(loadTexels(folder, 2, 16)) << at;
+    }
+}
+
+TEST_F(NoiseCache, RefusesAFileOfAnotherLength) {
+    ASSERT_TRUE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    const fs::path file = onlyFile();
+    const auto length = fs::file_size(file);
+    fs::resize_file(file, length - 1);
+    EXPECT_FALSE(loadTexels(folder, 2, 16));
+    fs::resize_file(file, length + 1);
+    EXPECT_FALSE(loadTexels(folder, 2, 16));
+    fs::resize_file(file, 0);
+    EXPECT_FALSE(loadTexels(folder, 2, 16));
+}
+
+TEST_F(NoiseCache, RefusesToStoreTexelsOfAnotherSize) {
+    EXPECT_FALSE(storeTexels(folder, 3, 16, noise2Texels(16)));
+    EXPECT_FALSE(storeTexels(folder, 4, 16, noise2Texels(16)));
+    EXPECT_FALSE(storeTexels(folder, 2, 0, {}));
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(NoiseCache, AnUnusableFolderChangesNothing) {
+    std::ofstream(folder / "file") << "not a folder";
+    EXPECT_FALSE(storeTexels(folder / "file", 2, 8, noise2Texels(8)));
+    EXPECT_FALSE(loadTexels(folder / "file", 2, 8));
+    EXPECT_EQ(cachedTexels(2, 2048, folder / "file"), noise2Texels(2048));
+    EXPECT_EQ(cachedTexels(2, 2048, fs::path()), noise2Texels(2048));
+}
+
+TEST_F(NoiseCache, SomethingElseUnderTheNameIsNotRead) {
+    ASSERT_TRUE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    const fs::path name = onlyFile();
+    fs::remove(name);
+    fs::create_directory(name);
+    EXPECT_FALSE(loadTexels(folder, 2, 16));
+    EXPECT_FALSE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    EXPECT_EQ(onlyFile(), name);
+}
+
+TEST_F(NoiseCache, ReplacesADamagedFile) {
+    const auto texels = cachedTexels(2, 2048, folder);
+    const fs::path file = onlyFile();
+    overwriteByte(file, 5000, '\x01');
+    EXPECT_FALSE(loadTexels(folder, 2, 2048));
+    EXPECT_EQ(cachedTexels(2, 2048, folder), texels);
+    EXPECT_EQ(loadTexels(folder, 2, 2048), texels);
+}
+
+TEST_F(NoiseCache, IsUsedWhenWhole) {
+    // A file that is consistent but holds other texels shows where they came from.
+    std::vector<std::uint8_t> marked = noise2Texels(2048);
+    marked[0] = 3;
+    ASSERT_TRUE(storeTexels(folder, 2, 2048, marked));
+    EXPECT_EQ(cachedTexels(2, 2048, folder), marked);
+}
+
+TEST_F(NoiseCache, SmallTexturesAreNotStored) {
+    EXPECT_EQ(cachedTexels(3, 64, folder), noise3Texels(64));
+    EXPECT_TRUE(fs::is_empty(folder));
+    EXPECT_TRUE(cachedTexels(3, 401, folder).empty());
+    EXPECT_TRUE(cachedTexels(5, 64, folder).empty());
+}
+
+TEST_F(NoiseCache, FolderFollowsTheEnvironment) {
+    ::setenv("XDG_CACHE_HOME", "/some/where", 1);
+    EXPECT_EQ(cacheFolder(), "/some/where/glibra");
+    ::setenv("XDG_CACHE_HOME", "relative", 1);
+    ::setenv("HOME", "/home/reader", 1);
+    EXPECT_EQ(cacheFolder(), "/home/reader/.cache/glibra");
+    ::unsetenv("XDG_CACHE_HOME");
+    ::unsetenv("HOME");
+    EXPECT_TRUE(cacheFolder().empty());
+}
+
+TEST(NoiseChecksum, SeesEverySingleChangedBit) {
+    std::vector<std::uint8_t> bytes(77);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 37);
+    const auto whole = checksum(bytes);
+    EXPECT_NE(whole, checksum(bytes, 1));
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+        bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ (1 << bit % 8));
+        EXPECT_NE(checksum(bytes), whole) << bit;
+        bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ (1 << bit % 8));
+    }
+    bytes.push_back(0);
+    EXPECT_NE(checksum(bytes), whole);
+}
+
+}  // namespace
+}  // namespace glibra::noise

@@ -1,0 +1,162 @@
+// The texels of the noise textures: table 9.1, the byte rule, sizes, threads.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "noise/noise.h"
+
+namespace glibra::noise {
+namespace {
+
+struct Statistics {
+    double mean = 0, deviation = 0, smallest = 1, largest = 0;
+};
+
+/// Of one component (0..3), or of the sum of all four (4).
+Statistics statisticsOf(const std::vector<std::uint8_t>& texels, std::size_t component) {
+    Statistics result{0, 0, 4, 0};
+    double squares = 0;
+    const double count = static_cast<double>(texels.size()) / 4;
+    for (std::size_t at = 0; at < texels.size(); at += 4) {
+        double value = 0;
+        for (std::size_t c = 0; c < 4; ++c)
+            if (component == 4 || component == c) value += texels[at + c] / 255.;
+        result.mean += value;
+        squares += value * value;
+        result.smallest = std::min(result.smallest, value);
+        result.largest = std::max(result.largest, value);
+    }
+    result.mean /= count;
+    result.deviation = std::sqrt(squares / count - result.mean * result.mean);
+    return result;
+}
+
+struct Expected {
+    double smallest, largest, deviation;
+};
+
+// Table 9.1 gives glman's own bytes to three digits; one byte is 1/255 = .004, by which a single texel may
+// differ (9.3).
+constexpr double kByte = 1.05 / 255;
+
+TEST(NoiseTexels, HaveGlmansStatisticsIn3D) {
+    const auto texels = noise3Texels(64);
+    const Expected expected[] = {
+        {.290, .671, .0656}, {.400, .604, .0318}, {.443, .553, .0167}, {.467, .525, .0075}};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const Statistics found = statisticsOf(texels, c);
+        EXPECT_NEAR(found.mean, .498, .0006) << c;
+        EXPECT_NEAR(found.smallest, expected[c].smallest, kByte) << c;
+        EXPECT_NEAR(found.largest, expected[c].largest, kByte) << c;
+        EXPECT_NEAR(found.deviation, expected[c].deviation, 6e-5) << c;
+    }
+    const Statistics sum = statisticsOf(texels, 4);
+    EXPECT_NEAR(sum.mean, 1.992, .001);
+    EXPECT_NEAR(sum.smallest, 1.70, .01);
+    EXPECT_NEAR(sum.largest, 2.27, .01);
+}
+
+TEST(NoiseTexels, HaveGlmansStatisticsIn2D) {
+    const auto texels = noise2Texels(64);
+    const Expected expected[] = {
+        {.333, .647, .0743}, {.424, .569, .0238}, {.463, .537, .0137}, {.475, .522, .0070}};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const Statistics found = statisticsOf(texels, c);
+        EXPECT_NEAR(found.mean, .498, .0011) << c;
+        EXPECT_NEAR(found.smallest, expected[c].smallest, kByte) << c;
+        EXPECT_NEAR(found.largest, expected[c].largest, kByte) << c;
+        EXPECT_NEAR(found.deviation, expected[c].deviation, 1e-4) << c;
+    }
+    const Statistics sum = statisticsOf(texels, 4);
+    EXPECT_NEAR(sum.mean, 1.992, .002);
+    EXPECT_NEAR(sum.smallest, 1.76, .01);
+    EXPECT_NEAR(sum.largest, 2.20, .01);
+}
+
+/// True if `byte` is floor(255 * value), where a value within rounding of the next byte may fall on either
+/// side.
+bool isByteOf(std::uint8_t byte, double value) {
+    return byte == std::floor(255 * value - 1e-11) || byte == std::floor(255 * value + 1e-11);
+}
+
+TEST(NoiseTexels, AreTheFunctionAtTexelIndicesForAnySize) {
+    for (const int n : {1, 5, 7, 32, 33, 50}) {
+        const auto texels = noise3Texels(n);
+        ASSERT_EQ(texels.size(), static_cast<std::size_t>(4 * n * n * n));
+        std::size_t at = 0, wrong = 0;
+        for (int k = 0; k < n; ++k)
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i)
+                    for (int octave = 0; octave < kOctaves; ++octave) {
+                        const double step = static_cast<double>(cellsOf(octave)) / n;
+                        wrong += !isByteOf(texels[at++], noise3(i * step, j * step, k * step, octave));
+                    }
+        EXPECT_EQ(wrong, 0U) << n;
+    }
+}
+
+TEST(NoiseTexels, AreTheFunctionAtTexelIndicesIn2D) {
+    for (const int n : {1, 4, 9, 64, 100}) {
+        const auto texels = noise2Texels(n);
+        ASSERT_EQ(texels.size(), static_cast<std::size_t>(4 * n * n));
+        std::size_t at = 0, wrong = 0;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                for (int octave = 0; octave < kOctaves; ++octave) {
+                    const double step = static_cast<double>(cellsOf(octave)) / n;
+                    wrong += !isByteOf(texels[at++], noise2(i * step, j * step, octave));
+                }
+        EXPECT_EQ(wrong, 0U) << n;
+    }
+}
+
+TEST(NoiseTexels, Are127AtLatticePoints) {
+    const auto texels = noise3Texels(64);
+    for (std::size_t octave = 0; octave < 4; ++octave) {
+        const std::size_t step = std::size_t{16} >> octave;
+        for (std::size_t k = 0; k < 64; k += step)
+            for (std::size_t j = 0; j < 64; j += step)
+                for (std::size_t i = 0; i < 64; i += step)
+                    ASSERT_EQ(texels[4 * (i + 64 * (j + 64 * k)) + octave], 127);
+    }
+}
+
+TEST(NoiseTexels, OfDoubleSizeKeepEverySecondOne) {
+    for (const int n : {20, 48}) {
+        const auto small = noise3Texels(n), large = noise3Texels(2 * n);
+        const auto size = static_cast<std::size_t>(n);
+        for (std::size_t k = 0; k < size; ++k)
+            for (std::size_t j = 0; j < size; ++j)
+                for (std::size_t i = 0; i < 4 * size; ++i) {
+                    const std::size_t twice = 8 * (i / 4) + i % 4;
+                    ASSERT_EQ(small[i + 4 * size * (j + size * k)],
+                              large[twice + 8 * size * (2 * j + 4 * size * k)]);
+                }
+    }
+    const auto small = noise2Texels(75), large = noise2Texels(150);
+    for (std::size_t j = 0; j < 75; ++j)
+        for (std::size_t i = 0; i < 300; ++i)
+            ASSERT_EQ(small[i + 300 * j], large[8 * (i / 4) + i % 4 + 1200 * j]);
+}
+
+TEST(NoiseTexels, DoNotDependOnTheNumberOfThreads) {
+    const auto alone = noise3Texels(37, 1);
+    for (const int threads : {0, 2, 3, 8, 100}) EXPECT_EQ(noise3Texels(37, threads), alone) << threads;
+    const auto flat = noise2Texels(130, 1);
+    for (const int threads : {0, 2, 5, 200}) EXPECT_EQ(noise2Texels(130, threads), flat) << threads;
+}
+
+TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
+    EXPECT_TRUE(noise3Texels(0).empty());
+    EXPECT_TRUE(noise3Texels(-5).empty());
+    EXPECT_TRUE(noise3Texels(kLargestSize3 + 1).empty());
+    EXPECT_TRUE(noise2Texels(0).empty());
+    EXPECT_TRUE(noise2Texels(kLargestSize2 + 1).empty());
+}
+
+}  // namespace
+}  // namespace glibra::noise

@@ -1,0 +1,262 @@
+#pragma once
+// Scenes and program interfaces made by hand, for the tests of plan.
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plan/frame_plan.h"
+
+namespace glibra::plan::test {
+
+/// The messages with this id.
+inline Diagnostics withId(const Diagnostics& all, std::string_view id) {
+    Diagnostics found;
+    for (const Diagnostic& each : all)
+        if (each.id == id) found.push_back(each);
+    return found;
+}
+/// The text of the only message with this id; "" if there is none, "several" if there are more.
+inline std::string textOf(const Diagnostics& all, std::string_view id) {
+    const Diagnostics found = withId(all, id);
+    if (found.empty()) return "";
+    return found.size() == 1 ? found.front().text : "several";
+}
+/// "glib-W20 glib-W27": the ids in order.
+inline std::string ids(const Diagnostics& all) {
+    std::string text;
+    for (const Diagnostic& each : all) text += (text.empty() ? "" : " ") + each.id;
+    return text;
+}
+
+inline ValueType valueType(std::string word) {
+    static const std::map<std::string, ValueType> kTypes{
+        {"float", {BaseType::floating, 1, 1, {}, ""}},
+        {"double", {BaseType::doublePrecision, 1, 1, {}, ""}},
+        {"int", {BaseType::integer, 1, 1, {}, ""}},
+        {"uint", {BaseType::unsignedInteger, 1, 1, {}, ""}},
+        {"bool", {BaseType::boolean, 1, 1, {}, ""}},
+        {"vec2", {BaseType::floating, 1, 2, {}, ""}},
+        {"vec3", {BaseType::floating, 1, 3, {}, ""}},
+        {"vec4", {BaseType::floating, 1, 4, {}, ""}},
+        {"dvec3", {BaseType::doublePrecision, 1, 3, {}, ""}},
+        {"ivec3", {BaseType::integer, 1, 3, {}, ""}},
+        {"uvec2", {BaseType::unsignedInteger, 1, 2, {}, ""}},
+        {"bvec2", {BaseType::boolean, 1, 2, {}, ""}},
+        {"mat2", {BaseType::floating, 2, 2, {}, ""}},
+        {"mat2x3", {BaseType::floating, 2, 3, {}, ""}},
+        {"mat3", {BaseType::floating, 3, 3, {}, ""}},
+        {"mat4", {BaseType::floating, 4, 4, {}, ""}},
+        {"sampler1D", {BaseType::sampler, 1, 1, scene::TextureTarget::texture1D, ""}},
+        {"sampler2D", {BaseType::sampler, 1, 1, scene::TextureTarget::texture2D, ""}},
+        {"isampler2D", {BaseType::sampler, 1, 1, scene::TextureTarget::texture2D, ""}},
+        {"sampler3D", {BaseType::sampler, 1, 1, scene::TextureTarget::texture3D, ""}},
+        {"samplerCube", {BaseType::sampler, 1, 1, scene::TextureTarget::cube, ""}},
+        {"sampler2DArray", {BaseType::sampler, 1, 1, {}, ""}},
+        {"image2D", {BaseType::image, 1, 1, scene::TextureTarget::texture2D, ""}},
+        {"atomic_uint", {BaseType::other, 1, 1, {}, ""}},
+    };
+    ValueType type = kTypes.at(word);
+    type.word = std::move(word);
+    return type;
+}
+
+/// "vec3", or "vec3[4]" for an array.
+inline ActiveUniform uniform(std::string name, std::string word) {
+    ActiveUniform result;
+    result.name = std::move(name);
+    result.location = 0;
+    if (const std::size_t bracket = word.find('['); bracket != std::string::npos) {
+        result.isArray = true;
+        result.arraySize = std::stoi(word.substr(bracket + 1));
+        word.resize(bracket);
+    }
+    result.type = valueType(word);
+    return result;
+}
+
+inline ProgramInterface interfaceWith(std::initializer_list<std::pair<std::string, std::string>> uniforms) {
+    ProgramInterface result;
+    result.usable = true;
+    for (const auto& [name, word] : uniforms) {
+        result.uniforms.push_back(uniform(name, word));
+        result.facts.uniforms[name.substr(0, name.find_first_of(".["))] = {};
+    }
+    result.inputs.push_back({"aVertex", 0, false});
+    return result;
+}
+
+inline glib::UniformSpec spec(std::string tag, glib::UniformForm form, std::vector<double> values) {
+    return {std::move(tag), form, std::move(values), {7, 3}, {7, 9}};
+}
+inline glib::UniformSpec number(std::string tag, double value) {
+    return spec(std::move(tag), glib::UniformForm::number, {value});
+}
+
+inline constexpr const char* kScenePath = "scene.glib";
+inline Place at(int line) {
+    return {kScenePath, line, 1};
+}
+
+/// Builds a Scene statement by statement; each takes the next line of the file, from 1 on.
+class SceneByHand {
+  public:
+    scene::Scene scene;
+
+    SceneByHand() {
+        scene.path = kScenePath;
+        scene.slotTables.emplace_back();
+        window();
+    }
+
+    int file(std::string name) {
+        scene.files.push_back({name, name, {}, at(nextLine())});
+        return static_cast<int>(scene.files.size()) - 1;
+    }
+    /// A program with these stages; each stage's file is NAME.vert, NAME.frag and so on. It becomes current.
+    int program(const std::string& name,
+                std::initializer_list<glsl::Stage> stages = {glsl::Stage::vertex, glsl::Stage::fragment}) {
+        static const char* const kSuffixes[] = {".vert", ".tcs", ".tes", ".geom", ".frag"};
+        scene::Program result;
+        result.name = name;
+        for (const glsl::Stage stage : stages)
+            result.stages.push_back({stage, file("shaders/" + name + kSuffixes[static_cast<int>(stage)])});
+        result.place = at(nextLine());
+        scene.programs.push_back(result);
+        return currentProgram = static_cast<int>(scene.programs.size()) - 1;
+    }
+    int texture(int unit, scene::TextureTarget target = scene::TextureTarget::texture2D) {
+        return addTexture({target,
+                           scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}, false},
+                           at(nextLine()), unit});
+    }
+    int noise(int dimensions) {
+        const auto target =
+            dimensions == 2 ? scene::TextureTarget::texture2D : scene::TextureTarget::texture3D;
+        return addTexture({target, scene::NoiseSource{dimensions, 64}, at(nextLine()), dimensions});
+    }
+    int emptyTexture(int unit) {
+        return addTexture(
+            {scene::TextureTarget::texture2D, scene::EmptySource{64, 64, 1, {}}, at(nextLine()), unit});
+    }
+    /// RenderToTexture into these textures; none: the window.
+    scene::Pass& target(std::vector<int> textures) {
+        scene::Pass pass;
+        pass.depthBuffer = textures.empty() ? 0 : textures.front() + 1;
+        pass.targets = std::move(textures);
+        pass.place = at(nextLine());
+        pass.clearDepth = true;
+        scene.passes.push_back(std::move(pass));
+        return scene.passes.back();
+    }
+    scene::Pass& window() { return target({}); }
+
+    int shape(glib::CommandId command, std::vector<double> numbers = {}) {
+        for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+            if (scene.shapes[i].command == command && scene.shapes[i].numbers == numbers)
+                return static_cast<int>(i);
+        scene.shapes.push_back({command, std::move(numbers), scene::kNone, nullptr});
+        return static_cast<int>(scene.shapes.size()) - 1;
+    }
+    /// The mesh of a glBegin list with as many vertices as make one primitive.
+    int list(geometry::Topology topology, int patchVertices = 0) {
+        auto mesh = std::make_shared<geometry::Mesh>();
+        mesh->topology = topology;
+        mesh->patchVertices = patchVertices;
+        mesh->attributes.push_back({std::string(geometry::kPosition), 3, std::vector<float>(18)});
+        for (int i = 0; i < geometry::verticesPerPrimitive(topology, patchVertices); ++i)
+            mesh->indices.push_back(static_cast<std::uint32_t>(i));
+        scene.shapes.push_back({glib::CommandId::glBegin, {}, scene::kNone, mesh});
+        return static_cast<int>(scene.shapes.size()) - 1;
+    }
+    scene::Draw& draw(std::string word, int shapeIndex) {
+        scene::Draw result;
+        result.place = at(nextLine());
+        result.word = std::move(word);
+        result.shape = shapeIndex;
+        result.program = currentProgram;
+        result.slots = static_cast<int>(scene.slotTables.size()) - 1;
+        scene.passes.back().steps.emplace_back(result);
+        return std::get<scene::Draw>(scene.passes.back().steps.back());
+    }
+    scene::Draw& sphere() { return draw("Sphere", shape(glib::CommandId::sphere, {1, 60, 60})); }
+    scene::Draw& teapot() { return draw("Teapot", shape(glib::CommandId::teapot)); }
+    void clear() { scene.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
+
+    int currentProgram = scene::kNone;
+    int line = 0;
+
+  private:
+    int nextLine() { return ++line; }
+    int addTexture(scene::Texture texture) {
+        const int index = static_cast<int>(scene.textures.size());
+        scene::SlotTable slots = scene.slotTables.back();
+        std::erase_if(slots, [&](const scene::Slot& slot) {
+            return slot.unit == texture.unit && slot.target == texture.target;
+        });
+        slots.push_back({texture.unit, texture.target, index});
+        scene.slotTables.push_back(std::move(slots));
+        scene.textures.push_back(std::move(texture));
+        return index;
+    }
+};
+
+/// Answers for programs by index; counts and orders the questions.
+struct Programs {
+    std::map<int, ProgramInterface> byIndex;
+    ProgramInterface builtin;
+    std::vector<int> imageWriters;
+    std::vector<ProgramVariant> asked;
+    std::vector<int> askedForImages;
+
+    Programs() {
+        builtin.usable = true;
+        builtin.isBuiltin = true;
+        builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
+        builtin.inputs = {{"aVertex", 0, false}, {"aColor", 1, false}};
+    }
+    FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {}) {
+        return planFrame(
+            scene,
+            [this](const ProgramVariant& variant) -> const ProgramInterface& {
+                asked.push_back(variant);
+                return variant.program < 0 ? builtin : byIndex.at(variant.program);
+            },
+            [this](int program) {
+                askedForImages.push_back(program);
+                return std::find(imageWriters.begin(), imageWriters.end(), program) != imageWriters.end();
+            },
+            options);
+    }
+    [[nodiscard]] std::vector<int> askedPrograms() const {
+        std::vector<int> programs;
+        for (const ProgramVariant& each : asked) programs.push_back(each.program);
+        return programs;
+    }
+};
+
+/// Words of the planned draws, pass by pass: "Sphere Teapot | Sphere"; a Clear is "Clear".
+inline std::string drawn(const FramePlan& plan) {
+    std::string text;
+    for (const PlannedPass& pass : plan.passes) {
+        if (&pass != plan.passes.data()) text += " |";
+        for (const auto& step : pass.steps) {
+            const auto* draw = std::get_if<PlannedDraw>(&step);
+            if (!text.empty()) text += ' ';
+            text += draw != nullptr ? draw->draw->word : "Clear";
+        }
+    }
+    return text;
+}
+
+/// "why" of everything skipped of this kind.
+inline std::vector<std::string> skipped(const FramePlan& plan, std::string_view what) {
+    std::vector<std::string> found;
+    for (const Skipped& each : plan.skipped)
+        if (each.what == what) found.push_back(each.why);
+    return found;
+}
+
+}  // namespace glibra::plan::test

@@ -1,0 +1,121 @@
+// The rows "Counts and ranges" of the language's section 5.3.
+#include <gtest/gtest.h>
+
+#include "by_hand.h"
+#include "plan/type_table.h"
+
+namespace glibra::plan {
+namespace {
+
+using glib::UniformForm;
+using test::ids;
+using test::textOf;
+using Values = std::vector<double>;
+
+Reading read(const std::string& word, UniformForm form, const Values& values) {
+    return readValue({"uA", form, values, {"scene.glib", 7, 3}, {"scene.glib", 7, 9}},
+                     test::uniform("uA", word));
+}
+Reading slider(const Values& values) {
+    return read("float", UniformForm::range, values);
+}
+void expectControl(const Reading& reading, double minimum, double current, double maximum) {
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->minimum, minimum);
+    EXPECT_EQ(reading.control->current, current);
+    EXPECT_EQ(reading.control->maximum, maximum);
+    EXPECT_EQ(reading.values, Values{current});
+}
+
+TEST(ColourCount, OfThreeForFourComponentsHasAlphaOne) {
+    const Reading reading = read("vec4", UniformForm::color, {.1, .2, .3});
+    EXPECT_EQ(reading.values, (Values{.1, .2, .3, 1}));
+    EXPECT_TRUE(reading.diagnostics.empty());
+}
+TEST(ColourCount, OfFourForThreeComponentsDropsAlpha) {
+    const Reading reading = read("vec3", UniformForm::color, {.1, .2, .3, .4});
+    EXPECT_EQ(reading.values, (Values{.1, .2, .3}));
+    EXPECT_TRUE(reading.diagnostics.empty());
+}
+TEST(ColourCount, OfOneOrTwoIsFilledWithZerosAndAlphaOne) {
+    EXPECT_EQ(read("vec3", UniformForm::color, {.1}).values, (Values{.1, 0, 0}));
+    EXPECT_EQ(read("vec4", UniformForm::color, {.1, .2}).values, (Values{.1, .2, 0, 1}));
+    EXPECT_EQ(ids(read("vec4", UniformForm::color, {.1, .2}).diagnostics), "glib-W15");
+}
+TEST(ColourCount, BeyondFourIsSurplus) {
+    const Reading reading = read("vec4", UniformForm::color, {.1, .2, .3, .4, .5});
+    EXPECT_EQ(reading.values, (Values{.1, .2, .3, .4}));
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
+}
+
+TEST(RangeCount, OfOneReachesToZeroAndOne) {
+    expectControl(slider({.5}), 0, .5, 1);
+    expectControl(slider({-2}), -2, -2, 1);
+    expectControl(slider({3}), 0, 3, 3);
+    EXPECT_EQ(textOf(slider({.5}).diagnostics, "glib-W15"),
+              "uA: 1 value in < >, read as min 0, cur .5, max 1");
+}
+TEST(RangeCount, OfOneOnABoolIsWhetherItIsNotZero) {
+    const Reading reading = read("bool", UniformForm::range, {2});
+    EXPECT_EQ(reading.values, Values{1});
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >, read as true");
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
+}
+TEST(RangeCount, OfTwoIsMinimumAndCurrent) {
+    expectControl(slider({.1, 1.5}), .1, 1.5, 1.5);
+    EXPECT_EQ(textOf(slider({.1, 1.5}).diagnostics, "glib-W15"),
+              "uA: 2 values in < >, read as min .1, cur 1.5, max 1.5");
+}
+TEST(RangeCount, OfTwoFallingEndsAtTheLarger) {
+    const Reading reading = slider({2, 1});  // min 2, cur 1, max 2
+    expectControl(reading, 2, 1, 3);
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W15 glib-W22 glib-W21");
+}
+TEST(RangeCount, BeyondThreeIsSurplus) {
+    expectControl(slider({0, 1, 2, 3}), 0, 1, 2);
+    EXPECT_EQ(ids(slider({0, 1, 2, 3}).diagnostics), "glib-W15");
+}
+TEST(ListCount, BeyondTheTypeIsSurplus) {
+    const Reading reading = read("vec2", UniformForm::list, {1, 2, 3});
+    EXPECT_EQ(reading.values, (Values{1, 2}));
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
+    EXPECT_EQ(read("float[2]", UniformForm::list, {1, 2, 3}).values, (Values{1, 2}));
+}
+TEST(ListCount, BelowTheTypeLeavesTheRestZero) {
+    const Reading reading = read("vec3", UniformForm::list, {1, 2});
+    EXPECT_EQ(reading.values, (Values{1, 2, 0}));
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 2 values in [ ], vec3 takes 3, the rest stay 0");
+    EXPECT_EQ(read("float[4]", UniformForm::list, {1}).values, (Values{1, 0, 0, 0}));
+    EXPECT_EQ(read("mat2", UniformForm::list, {1, 2, 3}).values, (Values{1, 2, 3, 0}));
+}
+TEST(EmptyBrackets, SkipTheTag) {
+    for (const UniformForm form : {UniformForm::list, UniformForm::range, UniformForm::color}) {
+        const Reading reading = read("vec3", form, {});
+        EXPECT_TRUE(reading.ignored);
+        EXPECT_EQ(textOf(reading.diagnostics, "glib-W17"), "tag 'uA' has no value, skipped");
+        EXPECT_EQ(reading.diagnostics.front().place.column, 3);
+    }
+}
+TEST(RangeOrder, IsExchangedForTheSliderIfFalling) {
+    const Reading reading = slider({.1, .05, .01});
+    expectControl(reading, .01, .05, .1);
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W22"), "uA: minimum .1 is above maximum .01, exchanged");
+    EXPECT_EQ(reading.diagnostics.front().place.column, 9);
+}
+TEST(RangeOrder, OfEqualEndsIsWidenedByOne) {
+    const Reading reading = slider({5, 5, 5});
+    expectControl(reading, 5, 5, 6);
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W22");
+}
+TEST(RangeOrder, KeepsACurrentValueOutside) {
+    const Reading reading = slider({.01, 1, .5});
+    expectControl(reading, .01, 1, .5);
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W21"), "uA: current value 1 lies outside .01 ... .5, kept");
+}
+TEST(RangeOrder, DoesNotMatterWithoutASlider) {
+    EXPECT_EQ(ids(read("vec2", UniformForm::range, {5, 9, 1}).diagnostics), "glib-W20");
+    EXPECT_EQ(ids(read("bool", UniformForm::range, {1, 1, 1}).diagnostics), "glib-W20");
+}
+
+}  // namespace
+}  // namespace glibra::plan

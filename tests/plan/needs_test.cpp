@@ -1,0 +1,357 @@
+// The skip rules: what a picture does not need is not asked for, made or drawn, and the plan says why.
+#include "plan/needs.h"
+
+#include <gtest/gtest.h>
+
+#include "by_hand.h"
+
+namespace glibra::plan {
+namespace {
+
+using glsl::Stage;
+using test::drawn;
+using test::interfaceWith;
+using test::number;
+using test::Programs;
+using test::SceneByHand;
+using test::skipped;
+using Words = std::vector<std::string>;
+
+/// A program of two stages that samples one unit; it becomes current.
+int sampling(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
+    const int program = hand.program(name);
+    hand.scene.programs.back().uniforms.push_back(number("uTexUnit", unit));
+    programs.byIndex[program] = interfaceWith({{"uTexUnit", "sampler2D"}});
+    return program;
+}
+int plain(SceneByHand& hand, Programs& programs, const std::string& name) {
+    const int program = hand.program(name);
+    programs.byIndex[program] = interfaceWith({});
+    return program;
+}
+
+TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Unused");
+    const int used = plain(hand, programs, "Used");
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{used});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'Unused': nothing is drawn with it"});
+    EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing that is seen needs it",
+                                            "'shaders/Unused.frag': nothing that is seen needs it"}));
+}
+
+TEST(Needs, AProgramIsAskedForOnceAVariant) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Dots");
+    hand.sphere();
+    hand.sphere();
+    hand.sphere().flatColors = true;
+    hand.teapot();
+    const FramePlan plan = programs.plan(hand.scene);
+    ASSERT_EQ(programs.asked.size(), 2U);
+    EXPECT_EQ(programs.asked[1], (ProgramVariant{0, true, 1}));
+    EXPECT_EQ(plan.meshes.size(), 2U);
+}
+
+TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
+    SceneByHand hand;
+    Programs programs;
+    const int hidden = plain(hand, programs, "Hidden");
+    hand.teapot();
+    hand.clear();
+    hand.teapot();
+    hand.clear();
+    const int clearLine = hand.line;
+    plain(hand, programs, "Seen");
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(drawn(plan), "Clear Sphere");
+    const std::string why = "the window is cleared again on line " + std::to_string(clearLine);
+    EXPECT_EQ(skipped(plan, "draw"), (Words{"Teapot: " + why, "Teapot: " + why}));
+    EXPECT_EQ(skipped(plan, "statement"), Words{"Clear: " + why});
+    EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing that is seen draws it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing that is seen is drawn with it"});
+    EXPECT_EQ(programs.askedForImages, std::vector<int>{hidden});
+}
+
+TEST(Needs, DrawsBeforeAClearAreKeptForImageWrites) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Depth");
+    hand.teapot();
+    programs.imageWriters.push_back(plain(hand, programs, "Writer"));
+    hand.sphere();
+    plain(hand, programs, "Hidden");
+    hand.teapot();
+    hand.clear();
+    hand.sphere();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), "Teapot Sphere Clear Sphere");
+}
+
+TEST(Needs, APassOfTheWindowBeforeTheLastClearIsNotSeen) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Dots");
+    hand.sphere();
+    const int target = hand.emptyTexture(6);
+    hand.target({target});
+    hand.teapot();
+    hand.window();
+    hand.clear();
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(drawn(plan), "Clear Sphere");
+    EXPECT_EQ(skipped(plan, "pass").size(), 2U);
+}
+
+TEST(Needs, AWindowWithoutDrawsIsStillCleared) {
+    SceneByHand hand;
+    Programs programs;
+    const FramePlan plan = programs.plan(hand.scene);
+    ASSERT_EQ(plan.passes.size(), 1U);
+    EXPECT_TRUE(plan.passes[0].steps.empty());
+}
+
+// A feeds B, B feeds the window, C feeds nobody.
+TEST(Needs, PassesFollowAChainOfSampledTargets) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    const int b = hand.emptyTexture(11);
+    const int c = hand.emptyTexture(12);
+    const int first = plain(hand, programs, "A");
+    hand.target({a});
+    hand.sphere();
+    const int second = sampling(hand, programs, "B", 10);
+    hand.target({b});
+    hand.teapot();
+    plain(hand, programs, "C");
+    hand.target({c});
+    hand.draw("Torus", hand.shape(glib::CommandId::torus));
+    const int last = sampling(hand, programs, "Final", 11);
+    hand.window();
+    hand.draw("QuadXY", hand.shape(glib::CommandId::quadXY));
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
+    EXPECT_EQ(programs.askedPrograms(), (std::vector<int>{last, second, first}));
+    EXPECT_EQ(plan.textures, (std::vector<int>{a, b}));
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(skipped(plan, "texture"), Words{"unit 12 / 2D: no active sampler reads it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing that is seen is drawn with it"});
+    EXPECT_TRUE(plan.diagnostics.empty());
+}
+
+// The target is sampled before this frame draws into it: its content is that of the frame before.
+TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    sampling(hand, programs, "Reader", 10);
+    hand.sphere();
+    plain(hand, programs, "Writer");
+    hand.target({a});
+    hand.teapot();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), "Sphere | Teapot");
+}
+
+TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    const int b = hand.emptyTexture(11);
+    sampling(hand, programs, "ReadsB", 11);
+    hand.target({a});
+    hand.sphere();
+    sampling(hand, programs, "ReadsA", 10);
+    hand.target({b});
+    hand.teapot();
+    hand.window();
+    hand.sphere();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
+}
+
+TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    const int b = hand.emptyTexture(11);
+    plain(hand, programs, "Both");
+    hand.target({a, b});
+    hand.sphere();
+    plain(hand, programs, "OnlyB");
+    hand.target({b});
+    hand.teapot();
+    sampling(hand, programs, "Final", 10);
+    hand.window();
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(drawn(plan), " | Sphere | Sphere");
+    EXPECT_EQ(plan.textures, (std::vector<int>{a, b}));
+    EXPECT_EQ(plan.programs.at(1).variant.colorTargets, 2);
+}
+
+TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    plain(hand, programs, "Dots");
+    hand.target({a});
+    hand.sphere();
+    const int again = hand.emptyTexture(10);  // the same unit, so the same depth buffer
+    scene::Pass& second = hand.target({again});
+    second.depthBuffer = a + 1;
+    second.clearDepth = false;
+    hand.teapot();
+    sampling(hand, programs, "Final", 10);
+    hand.window();
+    hand.sphere();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
+}
+
+TEST(Needs, APassThatClearsItsSharedDepthNeedsNoneBeforeIt) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    plain(hand, programs, "Dots");
+    hand.target({a});
+    hand.sphere();
+    const int again = hand.emptyTexture(10);
+    scene::Pass& second = hand.target({again});
+    second.depthBuffer = a + 1;
+    second.clearDepth = false;
+    hand.clear();
+    hand.teapot();
+    sampling(hand, programs, "Final", 10);
+    hand.window();
+    hand.sphere();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Clear Teapot | Sphere");
+}
+
+TEST(Needs, APassThatMayWriteImagesIsNeededAndSoIsWhatItSamples) {
+    SceneByHand hand;
+    Programs programs;
+    const int a = hand.emptyTexture(10);
+    const int b = hand.emptyTexture(11);
+    plain(hand, programs, "Source");
+    hand.target({a});
+    hand.sphere();
+    programs.imageWriters.push_back(sampling(hand, programs, "Writer", 10));
+    hand.target({b});
+    hand.teapot();
+    plain(hand, programs, "Final");
+    hand.window();
+    hand.sphere();
+    EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
+}
+
+TEST(Needs, NobodyAsksForImageWritesWhereEverythingIsSeen) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Dots");
+    hand.sphere();
+    programs.plan(hand.scene);
+    EXPECT_TRUE(programs.askedForImages.empty());
+}
+
+TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Dots");
+    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(drawn(plan), "");
+    EXPECT_TRUE(programs.asked.empty());
+    EXPECT_EQ(skipped(plan, "draw"), Words{"Sphere: it has no size and draws nothing"});
+}
+
+TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
+    SceneByHand hand;
+    Programs programs;
+    const int used = hand.texture(5);
+    hand.texture(6);
+    sampling(hand, programs, "Dots", 5);
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(plan.textures, std::vector<int>{used});
+    EXPECT_EQ(skipped(plan, "texture"), Words{"unit 6 / 2D: no active sampler reads it"});
+    EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing that is seen needs it"});
+}
+
+TEST(Needs, NoiseIsMadeOnlyIfAnActiveSamplerReadsIt) {
+    SceneByHand hand;
+    Programs programs;
+    hand.noise(2);
+    const int noise3 = hand.noise(3);
+    const int program = hand.program("Dots");
+    programs.byIndex[program] = interfaceWith({{"Noise3", "sampler3D"}});
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(plan.textures, std::vector<int>{noise3});
+    EXPECT_EQ(skipped(plan, "noise texture"), Words{"unit 2 / 2D: no active sampler reads it"});
+}
+
+TEST(Needs, NoiseIsMadeForAnySamplerThatReadsItsSlot) {
+    SceneByHand hand;
+    Programs programs;
+    const int noise2 = hand.noise(2);
+    sampling(hand, programs, "Dots", 2);
+    hand.sphere();
+    EXPECT_EQ(programs.plan(hand.scene).textures, std::vector<int>{noise2});
+}
+
+TEST(Needs, AttributesThatNoProgramReadsAreNotMade) {
+    SceneByHand hand;
+    Programs programs;
+    const int program = hand.program("Dots");
+    programs.byIndex[program] = interfaceWith({});
+    programs.byIndex[program].inputs = {
+        {"aVertex", 0, false}, {"glibra_Normal", 1, false}, {"gl_VertexID", -1, true}};
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    ASSERT_EQ(plan.meshes.size(), 1U);
+    EXPECT_EQ(plan.meshes[0].attributes, (Words{"position", "normal"}));
+    EXPECT_EQ(skipped(plan, "attribute"),
+              (Words{"texCoord of Sphere: no program reads it", "tangent of Sphere: no program reads it"}));
+}
+
+TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
+    SceneByHand hand;
+    Programs programs;
+    plain(hand, programs, "Position");
+    hand.sphere();
+    const int program = plain(hand, programs, "Tangents");
+    programs.byIndex[program].inputs.push_back({"Tangent", 1, false});
+    hand.sphere();
+    const FramePlan plan = programs.plan(hand.scene);
+    ASSERT_EQ(plan.meshes.size(), 1U);
+    EXPECT_EQ(plan.meshes[0].attributes, (Words{"position", "tangent"}));
+}
+
+TEST(Needs, CheckSkipsNothing) {
+    SceneByHand hand;
+    Programs programs;
+    hand.noise(2);
+    const int c = hand.emptyTexture(12);
+    plain(hand, programs, "Unused");
+    plain(hand, programs, "Dots");
+    hand.teapot();
+    hand.clear();
+    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    hand.target({c});
+    hand.sphere();
+    PlanOptions options;
+    options.everything = true;
+    const FramePlan plan = programs.plan(hand.scene, options);
+    EXPECT_EQ(drawn(plan), "Teapot Clear Sphere | Sphere");
+    EXPECT_EQ(plan.textures.size(), 2U);
+    EXPECT_TRUE(plan.skipped.empty());
+    const std::vector<int> asked = programs.askedPrograms();
+    EXPECT_NE(std::find(asked.begin(), asked.end(), 0), asked.end());
+}
+
+}  // namespace
+}  // namespace glibra::plan

@@ -1,0 +1,133 @@
+#include "plan/overrides.h"
+
+#include <gtest/gtest.h>
+
+#include "by_hand.h"
+
+namespace glibra::plan {
+namespace {
+
+using glib::UniformForm;
+using test::ids;
+using test::textOf;
+using Values = std::vector<double>;
+
+void expectOverride(const char* text, const char* name, UniformForm form, const Values& values) {
+    const Result<Override> read = parseOverride(text);
+    ASSERT_TRUE(read) << text;
+    EXPECT_EQ(read->name, name) << text;
+    EXPECT_EQ(read->form, form) << text;
+    EXPECT_EQ(read->values, values) << text;
+}
+
+TEST(OverrideText, HoldsANumber) {
+    expectOverride("uKd=.5", "uKd", UniformForm::number, {.5});
+    expectOverride("uKd=-1e-3", "uKd", UniformForm::number, {-1e-3});
+    expectOverride("uKd=+5.", "uKd", UniformForm::number, {5});
+    expectOverride(" uKd = 2 ", "uKd", UniformForm::number, {2});
+}
+TEST(OverrideText, HoldsNumbersBetweenCommasOrBlanks) {
+    expectOverride("uColor=1,.5,0", "uColor", UniformForm::list, {1, .5, 0});
+    expectOverride("uColor=1 .5\t0", "uColor", UniformForm::list, {1, .5, 0});
+    expectOverride("uColor=1, .5, 0", "uColor", UniformForm::list, {1, .5, 0});
+}
+TEST(OverrideText, HoldsBrackets) {
+    expectOverride("uM=[1 0 0 1]", "uM", UniformForm::list, {1, 0, 0, 1});
+    expectOverride("uA=[4]", "uA", UniformForm::list, {4});
+    expectOverride("uC={1 .5 0}", "uC", UniformForm::color, {1, .5, 0});
+    expectOverride("uR=<0 1 2>", "uR", UniformForm::range, {0, 1, 2});
+}
+TEST(OverrideText, HoldsASwitch) {
+    expectOverride("uOn=true", "uOn", UniformForm::truth, {1});
+    expectOverride("uOn=<false>", "uOn", UniformForm::truth, {0});
+}
+TEST(OverrideText, IsRefusedIfItIsNone) {
+    for (const char* text : {"uKd", "=5", "uKd=", "uKd=five", "uKd=1,x", "uKd=[1", "uKd=[]", "uKd=inf",
+                             "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
+        EXPECT_FALSE(parseOverride(text)) << text;
+    EXPECT_FALSE(parseOverride("uKd=" + std::string(20000, '1')));
+    std::string many = "uKd=";
+    for (int i = 0; i < 5000; ++i) many += "1,";
+    EXPECT_FALSE(parseOverride(many));
+}
+
+scene::Program dots(std::vector<glib::UniformSpec> pairs) {
+    scene::Program program;
+    program.name = "Dots";
+    program.uniforms = std::move(pairs);
+    return program;
+}
+struct Outcome {
+    UniformResolution resolution;
+    std::vector<bool> used;
+};
+Outcome resolve(const ProgramInterface& interface, std::vector<glib::UniformSpec> pairs,
+                const std::vector<Override>& overrides) {
+    Outcome outcome;
+    outcome.resolution =
+        resolveUniforms(dots(std::move(pairs)), test::kScenePath, interface, overrides, outcome.used);
+    return outcome;
+}
+
+TEST(Overriding, ReplacesTheScenesValue) {
+    const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {test::number("uKd", .1)},
+                                    {{"uKd", UniformForm::number, {.9}}});
+    ASSERT_EQ(outcome.resolution.values.size(), 1U);
+    EXPECT_EQ(std::get<Literal>(outcome.resolution.values[0].value).values, Values{.9});
+    EXPECT_TRUE(outcome.used.at(0));
+}
+TEST(Overriding, SetsWhatTheSceneDoesNot) {
+    const Outcome outcome =
+        resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKd", UniformForm::number, {.9}}});
+    EXPECT_EQ(outcome.resolution.values.size(), 1U);
+    EXPECT_EQ(ids(outcome.resolution.diagnostics), "");
+}
+TEST(Overriding, KeepsTheSliderAndMovesIt) {
+    const Outcome outcome =
+        resolve(test::interfaceWith({{"uKd", "float"}}), {test::spec("uKd", UniformForm::range, {0, .5, 2})},
+                {{"uKd", UniformForm::number, {1.5}}});
+    ASSERT_EQ(outcome.resolution.controls.size(), 1U);
+    EXPECT_EQ(outcome.resolution.controls[0].maximum, 2);
+    EXPECT_EQ(outcome.resolution.controls[0].current, 1.5);
+}
+TEST(Overriding, ThatMeansNothingLeavesTheScenesValue) {
+    const Outcome outcome =
+        resolve(test::interfaceWith({{"uM", "mat2"}}), {test::spec("uM", UniformForm::list, {1, 2, 3, 4})},
+                {{"uM", UniformForm::truth, {1}}});
+    ASSERT_EQ(outcome.resolution.values.size(), 1U);
+    EXPECT_EQ(std::get<Literal>(outcome.resolution.values[0].value).values, (Values{1, 2, 3, 4}));
+    EXPECT_EQ(ids(outcome.resolution.diagnostics), "glib-W20");
+}
+TEST(Overriding, SelectsTheUnitOfASampler) {
+    const Outcome outcome = resolve(test::interfaceWith({{"uTex", "sampler2D"}}), {test::number("uTex", 5)},
+                                    {{"uTex", UniformForm::number, {8}}});
+    EXPECT_EQ(outcome.resolution.samplers.at(0).unit, 8);
+}
+TEST(Overriding, OfASuppliedNameHasNoEffect) {
+    const Outcome outcome =
+        resolve(test::interfaceWith({{"Timer", "float"}}), {}, {{"Timer", UniformForm::number, {.5}}});
+    EXPECT_EQ(ids(outcome.resolution.diagnostics), "glib-W25");
+    EXPECT_TRUE(outcome.used.at(0));
+}
+TEST(Overriding, TheLastOfTheSameNameCounts) {
+    const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {},
+                                    {{"uKd", UniformForm::number, {.1}}, {"uKd", UniformForm::number, {.2}}});
+    EXPECT_EQ(std::get<Literal>(outcome.resolution.values.back().value).values, Values{.2});
+}
+TEST(Overriding, OfNothingIsLeftUnused) {
+    const Outcome outcome =
+        resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKe", UniformForm::number, {.1}}});
+    EXPECT_FALSE(outcome.used.at(0));
+}
+TEST(UnusedOverride, IsReportedWithANearName) {
+    const std::vector<Override> overrides{{"ushrink", UniformForm::number, {1}},
+                                          {"uKd", UniformForm::number, {1}}};
+    const std::vector<std::string> names{"uShrink", "uKd"};
+    const Diagnostics diagnostics = unusedOverrides(overrides, {false, true}, names);
+    EXPECT_EQ(textOf(diagnostics, "glib-W23"),
+              "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
+    EXPECT_TRUE(diagnostics.front().place.file.empty());
+}
+
+}  // namespace
+}  // namespace glibra::plan

@@ -1,0 +1,192 @@
+// Primitives and shader stages: the table of the language's section 4.8.
+#include "plan/submission.h"
+
+#include <gtest/gtest.h>
+
+#include "by_hand.h"
+
+namespace glibra::plan {
+namespace {
+
+using geometry::Topology;
+using glib::CommandId;
+using glsl::Stage;
+using test::SceneByHand;
+
+constexpr std::initializer_list<Stage> kPlain{Stage::vertex, Stage::fragment};
+constexpr std::initializer_list<Stage> kTessellated{Stage::vertex, Stage::tessControl, Stage::tessEvaluation,
+                                                    Stage::fragment};
+constexpr std::initializer_list<Stage> kGeometry{Stage::vertex, Stage::geometry, Stage::fragment};
+constexpr std::initializer_list<Stage> kEverything{Stage::vertex, Stage::tessControl, Stage::tessEvaluation,
+                                                   Stage::geometry, Stage::fragment};
+
+struct Case {
+    SceneByHand hand;
+    ProgramInterface interface;
+
+    explicit Case(std::initializer_list<Stage> stages) { hand.program("silh", stages); }
+    Result<Submission> submit(const char* word, int shape, int patchVertices = 3) {
+        scene::Draw& draw = hand.draw(word, shape);
+        draw.patchVertices = patchVertices;
+        return submissionOf(hand.scene, draw, &hand.scene.programs[0], interface);
+    }
+    Result<Submission> submit(const char* word, CommandId command, int patchVertices = 3) {
+        return submit(word, hand.shape(command), patchVertices);
+    }
+};
+
+void expectSubmission(const Result<Submission>& result, Topology topology, int patchVertices) {
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->topology, topology);
+    EXPECT_EQ(result->patchVertices, patchVertices);
+}
+void expectError(const Result<Submission>& result, const char* id, const char* text) {
+    EXPECT_FALSE(result);
+    ASSERT_EQ(result.diagnostics.size(), 1U);
+    EXPECT_EQ(result.diagnostics[0].id, id);
+    EXPECT_EQ(result.diagnostics[0].text, text);
+    EXPECT_EQ(result.diagnostics[0].severity, Severity::error);
+    EXPECT_GT(result.diagnostics[0].place.line, 1);
+}
+
+TEST(TopologyOfShape, IsKnownFromTheCommand) {
+    EXPECT_EQ(topologyOf({CommandId::sphere, {}, -1, nullptr}), Topology::triangles);
+    EXPECT_EQ(topologyOf({CommandId::wireTorus, {}, -1, nullptr}), Topology::lines);
+    EXPECT_EQ(topologyOf({CommandId::jitterCloud, {}, -1, nullptr}), Topology::points);
+    EXPECT_EQ(topologyOf({CommandId::objAdj, {}, -1, nullptr}), Topology::trianglesAdjacency);
+    EXPECT_EQ(topologyOf({CommandId::objPatch, {}, -1, nullptr}), Topology::patches);
+    EXPECT_EQ(topologyOf({CommandId::shp, {}, -1, nullptr}), Topology::lines);
+}
+TEST(TopologyOfShape, OfAListIsTheLists) {
+    SceneByHand hand;
+    EXPECT_EQ(topologyOf(hand.scene.shapes[static_cast<std::size_t>(hand.list(Topology::linesAdjacency))]),
+              Topology::linesAdjacency);
+}
+
+TEST(EmptyShape, HasASizeOfZero) {
+    EXPECT_TRUE(drawsNothing({CommandId::sphere, {0, 60, 60}, -1, nullptr}));
+    EXPECT_TRUE(drawsNothing({CommandId::box, {1, 0, 1}, -1, nullptr}));
+    EXPECT_TRUE(drawsNothing({CommandId::quadXY, {.5, 0, 4, 4}, -1, nullptr}));
+    EXPECT_TRUE(drawsNothing({CommandId::cylinder, {1, -0.0, 6, 2}, -1, nullptr}));
+    EXPECT_FALSE(drawsNothing({CommandId::quadXY, {0, 1, 4, 4}, -1, nullptr}));
+    EXPECT_FALSE(drawsNothing({CommandId::teapot, {}, -1, nullptr}));
+    EXPECT_FALSE(drawsNothing({CommandId::sphere, {}, -1, nullptr}));
+}
+TEST(EmptyShape, IsAListWithoutAPrimitive) {
+    EXPECT_TRUE(drawsNothing({CommandId::glBegin, {}, -1, std::make_shared<geometry::Mesh>()}));
+}
+
+TEST(Submitting, WithoutTessellationIsTheShapesOwnKind) {
+    expectSubmission(Case(kPlain).submit("Sphere", CommandId::sphere), Topology::triangles, 0);
+    expectSubmission(Case(kPlain).submit("ObjAdj", CommandId::objAdj), Topology::trianglesAdjacency, 0);
+    expectSubmission(Case(kPlain).submit("PointCloud", CommandId::pointCloud), Topology::points, 0);
+}
+TEST(Submitting, PatchesWithoutAnEvaluationStageFails) {
+    Case one(kPlain);
+    expectError(one.submit("glBegin", one.hand.list(Topology::patches, 4)), "draw-E04",
+                "gl_patches needs a TessEvaluation stage");
+    expectError(one.submit("ObjPatch", CommandId::objPatch), "draw-E04",
+                "ObjPatch needs a TessEvaluation stage");
+}
+TEST(Submitting, PatchesWithTheBuiltinProgramFails) {
+    SceneByHand hand;
+    const scene::Draw draw = hand.draw("ObjPatch", hand.shape(CommandId::objPatch));
+    expectError(submissionOf(hand.scene, draw, nullptr, {}), "draw-E04",
+                "ObjPatch needs a TessEvaluation stage");
+}
+
+TEST(Tessellating, TrianglesNeedsAPatchSizeOfThree) {
+    expectSubmission(Case(kTessellated).submit("Teapot", CommandId::teapot, 3), Topology::patches, 3);
+    expectError(Case(kTessellated).submit("Teapot", CommandId::teapot, 16), "draw-E03",
+                "Teapot delivers triangles, but the patch size is 16; write 'NumPatchVertices 3'");
+}
+TEST(Tessellating, TrianglesIsAllowedByAControlStageOfThreeVertices) {
+    Case one(kTessellated);
+    one.interface.facts.patchVertices = 3;
+    expectSubmission(one.submit("Teapot", CommandId::teapot, 16), Topology::patches, 3);
+}
+TEST(Tessellating, OtherKindsNeedTheirOwnPatchSize) {
+    const std::vector<std::pair<CommandId, int>> kinds{{CommandId::wireSphere, 2},
+                                                       {CommandId::pointCloud, 1},
+                                                       {CommandId::objAdj, 6},
+                                                       {CommandId::linesAdjacency, 4}};
+    for (const auto& [command, vertices] : kinds) {
+        expectSubmission(Case(kTessellated).submit("X", command, vertices), Topology::patches, vertices);
+        EXPECT_EQ(Case(kTessellated).submit("X", command, 3).diagnostics.at(0).id, "draw-E03");
+    }
+    expectError(Case(kTessellated).submit("WireSphere", CommandId::wireSphere, 3), "draw-E03",
+                "WireSphere delivers lines, but the patch size is 3; write 'NumPatchVertices 2'");
+}
+TEST(Tessellating, PatchesStayAsTheyAre) {
+    Case one(kTessellated);
+    expectSubmission(one.submit("glBegin", one.hand.list(Topology::patches, 16), 3), Topology::patches, 16);
+    expectSubmission(one.submit("ObjPatch", CommandId::objPatch, 16), Topology::patches, 3);
+}
+
+TEST(GeometryStage, TakesItsOwnKind) {
+    Case one(kGeometry);
+    one.interface.facts.geometryInput = "triangles";
+    expectSubmission(one.submit("Sphere", CommandId::sphere), Topology::triangles, 0);
+    expectSubmission(one.submit("glBegin", one.hand.list(Topology::triangles)), Topology::triangles, 0);
+}
+TEST(GeometryStage, ThatWantsAdjacencyRecommendsObjAdj) {
+    Case one(kGeometry);
+    one.interface.facts.geometryInput = "triangles_adjacency";
+    expectError(one.submit("Obj", CommandId::obj), "draw-E02",
+                "Obj delivers triangles, but silh.geom wants triangles_adjacency; use ObjAdj");
+    expectSubmission(one.submit("ObjAdj", CommandId::objAdj), Topology::trianglesAdjacency, 0);
+}
+TEST(GeometryStage, ThatWantsLinesRecommendsTheWireForm) {
+    Case one(kGeometry);
+    one.interface.facts.geometryInput = "lines";
+    expectError(one.submit("Sphere", CommandId::sphere), "draw-E02",
+                "Sphere delivers triangles, but silh.geom wants lines; use WireSphere");
+    expectError(one.submit("Soccerball", CommandId::soccerball), "draw-E02",
+                "Soccerball delivers triangles, but silh.geom wants lines");
+}
+TEST(GeometryStage, ThatWantsTrianglesRefusesAdjacency) {
+    Case one(kGeometry);
+    one.interface.facts.geometryInput = "triangles";
+    expectError(one.submit("ObjAdj", CommandId::objAdj), "draw-E02",
+                "ObjAdj delivers triangles_adjacency, but silh.geom wants triangles; use Obj");
+}
+TEST(GeometryStage, AfterTessellationTakesWhatThatDelivers) {
+    Case one(kEverything);
+    one.interface.facts.geometryInput = "triangles";
+    one.interface.facts.tessellationOutput = "triangles";
+    expectSubmission(one.submit("Teapot", CommandId::teapot), Topology::patches, 3);
+    one.interface.facts.tessellationOutput = "lines";
+    expectError(one.submit("Teapot", CommandId::teapot), "draw-E02",
+                "Teapot delivers lines after tessellation, but silh.geom wants triangles");
+}
+
+struct PointSizeCase : Case {
+    using Case::Case;
+    bool ignores(CommandId command, bool mode = false) {
+        interface.facts.writesPointSize = true;
+        scene::Draw& draw = hand.draw("X", hand.shape(command));
+        draw.raster.pointSizeFromShader = mode;
+        return ignoresPointSize(draw, &hand.scene.programs[0], interface,
+                                {topologyOf(hand.scene.shapes.back()), 0});
+    }
+};
+TEST(PointSize, OfPointsIsIgnoredInModeZeroOnly) {
+    EXPECT_TRUE(PointSizeCase(kPlain).ignores(CommandId::pointCloud));
+    EXPECT_FALSE(PointSizeCase(kPlain).ignores(CommandId::pointCloud, true));
+}
+TEST(PointSize, DoesNotMatterForTriangles) {
+    EXPECT_FALSE(PointSizeCase(kPlain).ignores(CommandId::sphere));
+}
+TEST(PointSize, MattersAfterAStageThatDeliversPoints) {
+    PointSizeCase tessellated(kTessellated);
+    tessellated.interface.facts.tessellationOutput = "points";
+    EXPECT_TRUE(tessellated.ignores(CommandId::sphere));
+    PointSizeCase geometry(kGeometry);
+    geometry.hand.scene.programs[0].geometryOutput = "triangle_strip";
+    EXPECT_FALSE(geometry.ignores(CommandId::pointCloud));
+    geometry.hand.scene.programs[0].geometryOutput = "points";
+    EXPECT_TRUE(geometry.ignores(CommandId::sphere));
+}
+
+}  // namespace
+}  // namespace glibra::plan

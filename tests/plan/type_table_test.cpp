@@ -1,0 +1,241 @@
+// The first table of the language's section 5.3, a test a row and form.
+#include "plan/type_table.h"
+
+#include <gtest/gtest.h>
+
+#include "by_hand.h"
+
+namespace glibra::plan {
+namespace {
+
+using glib::UniformForm;
+using test::ids;
+using test::textOf;
+using Values = std::vector<double>;
+
+Reading read(const std::string& word, UniformForm form, const Values& values) {
+    return readValue({"uA", form, values, {"scene.glib", 7, 3}, {"scene.glib", 7, 9}},
+                     test::uniform("uA", word));
+}
+Reading number(const std::string& word, double value) {
+    return read(word, UniformForm::number, {value});
+}
+Reading list(const std::string& word, const Values& values) {
+    return read(word, UniformForm::list, values);
+}
+Reading range(const std::string& word, const Values& values) {
+    return read(word, UniformForm::range, values);
+}
+Reading color(const std::string& word, const Values& values) {
+    return read(word, UniformForm::color, values);
+}
+Reading truth(const std::string& word, bool value) {
+    return read(word, UniformForm::truth, {value ? 1.0 : 0.0});
+}
+
+void expectReading(const Reading& reading, const Values& values, const std::string& messages) {
+    EXPECT_FALSE(reading.ignored);
+    EXPECT_EQ(reading.values, values);
+    EXPECT_EQ(ids(reading.diagnostics), messages);
+}
+void expectIgnored(const Reading& reading) {
+    EXPECT_TRUE(reading.ignored);
+    EXPECT_TRUE(reading.values.empty());
+    EXPECT_EQ(ids(reading.diagnostics), "glib-W20");
+}
+
+TEST(FloatUniform, TakesANumber) {
+    expectReading(number("float", .25), {.25}, "");
+}
+TEST(FloatUniform, TakesTheFirstOfAList) {
+    expectReading(list("float", {2, 3}), {2}, "glib-W20");
+}
+TEST(FloatUniform, TakesTheCurrentOfARangeAndHasASlider) {
+    const Reading reading = range("float", {.5, 1, 2});
+    expectReading(reading, {1}, "");
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->form, UniformForm::range);
+    EXPECT_EQ(reading.control->minimum, .5);
+    EXPECT_EQ(reading.control->current, 1);
+    EXPECT_EQ(reading.control->maximum, 2);
+}
+TEST(FloatUniform, TakesASwitchAsOneOrZero) {
+    expectReading(truth("float", true), {1}, "glib-W20");
+    expectReading(truth("double", false), {0}, "glib-W20");
+}
+TEST(FloatUniform, TakesTheFirstOfAColour) {
+    expectReading(color("double", {.5, 1, 0}), {.5}, "glib-W20");
+}
+
+TEST(IntUniform, CutsANumberTowardZero) {
+    expectReading(number("int", 10.5), {10}, "glib-W27");
+    expectReading(number("int", -2.75), {-2}, "glib-W27");
+    EXPECT_EQ(textOf(number("int", 10.5).diagnostics, "glib-W27"), "10.5 cut to 10");
+    expectReading(number("int", 4), {4}, "");
+}
+TEST(IntUniform, TakesTheFirstOfAListCut) {
+    expectReading(list("int", {2.5, 3}), {2}, "glib-W20 glib-W27");
+}
+TEST(IntUniform, HasASliderOfIntegers) {
+    const Reading reading = range("int", {0, 2.5, 9.5});
+    expectReading(reading, {2}, "glib-W27");
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->current, 2);
+    EXPECT_EQ(reading.control->maximum, 9);
+}
+TEST(IntUniform, TakesASwitchWithoutWarning) {
+    expectReading(truth("int", true), {1}, "");
+    expectReading(truth("uint", false), {0}, "");
+}
+TEST(IntUniform, TakesTheFirstOfAColour) {
+    expectReading(color("int", {1, 0, 0}), {1}, "glib-W20");
+}
+TEST(IntUniform, IsLimitedToThirtyTwoBits) {
+    expectReading(number("int", 1e30), {2147483647}, "glib-W20");
+    expectReading(number("uint", 1e30), {4294967295}, "glib-W20");
+}
+TEST(UintUniform, TakesANegativeNumberAsZero) {
+    expectReading(number("uint", -3), {0}, "glib-W20");
+    EXPECT_EQ(textOf(number("uint", -3).diagnostics, "glib-W20"), "uA is uint, -3 read as 0");
+}
+
+TEST(BoolUniform, IsWhetherANumberIsNotZero) {
+    expectReading(number("bool", .5), {1}, "");
+    expectReading(number("bool", 0), {0}, "");
+}
+TEST(BoolUniform, TakesTheFirstOfAList) {
+    expectReading(list("bool", {2, 0}), {1}, "glib-W20");
+}
+TEST(BoolUniform, TakesTheCurrentOfARangeAndHasACheckBox) {
+    const Reading reading = range("bool", {0, 0, 1});
+    expectReading(reading, {0}, "glib-W20");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W20"), "uA is bool, range < 0 0 1 > read as false");
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->form, UniformForm::truth);
+}
+TEST(BoolUniform, TakesASwitchAndHasACheckBox) {
+    const Reading reading = truth("bool", true);
+    expectReading(reading, {1}, "");
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->form, UniformForm::truth);
+    EXPECT_EQ(reading.control->current, 1);
+}
+TEST(BoolUniform, TakesTheFirstOfAColourWithAWarning) {
+    expectReading(color("bool", {0, 1, 1}), {0}, "glib-W20");
+}
+
+TEST(VectorUniform, SpreadsANumberOverAllComponents) {
+    expectReading(number("vec3", .5), {.5, .5, .5}, "glib-W20");
+    expectReading(number("bvec2", 7), {1, 1}, "glib-W20");
+    expectReading(number("ivec3", 2), {2, 2, 2}, "glib-W20");
+}
+TEST(VectorUniform, TakesTheComponentsOfAList) {
+    expectReading(list("vec3", {1, 2, 3}), {1, 2, 3}, "");
+    expectReading(list("bvec2", {0, 3}), {0, 1}, "");
+    expectReading(list("ivec3", {1, 2.5, 3.5}), {1, 2, 3}, "glib-W27");
+    expectReading(list("uvec2", {1, -1}), {1, 0}, "glib-W20");
+}
+TEST(VectorUniform, SpreadsTheCurrentOfARange) {
+    expectReading(range("vec2", {0, .5, 1}), {.5, .5}, "glib-W20");
+}
+TEST(VectorUniform, SpreadsASwitch) {
+    expectReading(truth("vec4", true), {1, 1, 1, 1}, "glib-W20");
+}
+TEST(VectorUniform, OfThreeOrFourFloatsTakesAColour) {
+    const Reading reading = color("vec3", {1, .5, 0});
+    expectReading(reading, {1, .5, 0}, "");
+    ASSERT_TRUE(reading.control);
+    EXPECT_EQ(reading.control->form, UniformForm::color);
+    expectReading(color("vec4", {1, .5, 0, .25}), {1, .5, 0, .25}, "");
+}
+TEST(VectorUniform, OfAnotherKindTakesAColourWithAWarning) {
+    expectReading(color("vec2", {1, .5, 0}), {1, .5}, "glib-W20");
+    expectReading(color("dvec3", {1, .5, 0}), {1, .5, 0}, "glib-W20");
+    expectReading(color("bvec2", {1, 0, 0}), {1, 0}, "glib-W20");
+}
+
+TEST(MatrixUniform, PutsANumberOnTheDiagonal) {
+    expectReading(number("mat2", 3), {3, 0, 0, 3}, "glib-W20");
+    expectReading(number("mat2x3", 3), {3, 0, 0, 0, 3, 0}, "glib-W20");
+}
+TEST(MatrixUniform, TakesColumns) {
+    expectReading(list("mat2x3", {1, 2, 3, 4, 5, 6}), {1, 2, 3, 4, 5, 6}, "");
+}
+TEST(MatrixUniform, PutsTheCurrentOfARangeOnTheDiagonal) {
+    expectReading(range("mat2", {0, 2, 4}), {2, 0, 0, 2}, "glib-W20");
+}
+TEST(MatrixUniform, IgnoresASwitch) {
+    expectIgnored(truth("mat3", true));
+}
+TEST(MatrixUniform, IgnoresAColour) {
+    expectIgnored(color("mat4", {1, 0, 0}));
+}
+
+TEST(ArrayUniform, TakesANumberAsItsFirstElement) {
+    expectReading(number("float[4]", 2), {2}, "glib-W20");
+}
+TEST(ArrayUniform, TakesAListAsAllItsElements) {
+    expectReading(list("float[3]", {1, 2, 3}), {1, 2, 3}, "");
+    expectReading(list("vec2[2]", {1, 2, 3, 4}), {1, 2, 3, 4}, "");
+}
+TEST(ArrayUniform, TakesTheOtherFormsAsItsFirstElement) {
+    expectReading(range("float[4]", {0, 2, 4}), {2}, "glib-W20");
+    expectReading(truth("int[4]", true), {1}, "glib-W20");
+    expectReading(color("vec3[2]", {1, .5, 0}), {1, .5, 0}, "glib-W20");
+    EXPECT_FALSE(range("float[4]", {0, 2, 4}).control);
+}
+TEST(ArrayUniform, IgnoresWhatItsElementsIgnore) {
+    expectIgnored(truth("mat2[2]", true));
+    expectIgnored(color("sampler2D[2]", {1, 0, 0}));
+}
+TEST(ArrayUniform, TakesAValueForTheElementThatTheTagNames) {
+    const Values values{5};
+    const Reading reading =
+        readValue({"uA[2]", UniformForm::number, values, {}, {}}, test::uniform("uA", "float[4]"), true);
+    expectReading(reading, {5}, "");
+}
+
+TEST(SamplerUniform, TakesItsUnit) {
+    expectReading(number("sampler2D", 5), {5}, "");
+    expectReading(number("image2D", 127), {127}, "");
+}
+TEST(SamplerUniform, TakesTheFirstOfAList) {
+    expectReading(list("sampler2D", {5, 6}), {5}, "glib-W20");
+}
+TEST(SamplerUniform, TakesTheCurrentOfARange) {
+    expectReading(range("sampler3D", {0, 6, 9}), {6}, "glib-W20");
+}
+TEST(SamplerUniform, IgnoresASwitch) {
+    expectIgnored(truth("samplerCube", true));
+}
+TEST(SamplerUniform, IgnoresAColour) {
+    expectIgnored(color("sampler2D", {1, 0, 0}));
+}
+TEST(SamplerUniform, HasUnitsOfAListInAnArray) {
+    expectReading(list("sampler2D[2]", {5, 6}), {5, 6}, "");
+}
+TEST(SamplerUniform, RefusesWhatIsNoUnit) {
+    for (const double unit : {128.0, -1.0, 1e30}) {
+        const Reading reading = number("sampler2D", unit);
+        EXPECT_TRUE(reading.ignored);
+        EXPECT_EQ(ids(reading.diagnostics), "glib-E12");
+    }
+    EXPECT_EQ(textOf(number("sampler2D", 200).diagnostics, "glib-E12"),
+              "texture unit 200 is not between 0 and 127");
+}
+
+TEST(OpaqueUniform, OfAnotherKindIgnoresEverything) {
+    expectIgnored(number("atomic_uint", 1));
+    expectIgnored(list("atomic_uint[2]", {1, 2}));
+}
+
+TEST(NumberText, LeavesOutTheZeroBeforeThePoint) {
+    EXPECT_EQ(numberText(.1), ".1");
+    EXPECT_EQ(numberText(-.25), "-.25");
+    EXPECT_EQ(numberText(0), "0");
+    EXPECT_EQ(numberText(10), "10");
+    EXPECT_EQ(numberText(1.5), "1.5");
+}
+
+}  // namespace
+}  // namespace glibra::plan

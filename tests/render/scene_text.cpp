@@ -1,0 +1,71 @@
+#include "scene_text.h"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+namespace glibra::test {
+namespace {
+
+Renderer& renderer() {
+    static const std::unique_ptr<Renderer> shared = [] {
+        Result<Renderer> opened = Renderer::open();
+        if (!opened) throw std::runtime_error(text(opened.diagnostics));
+        return std::make_unique<Renderer>(std::move(*opened));
+    }();
+    return *shared;
+}
+
+}  // namespace
+
+Result<Picture> tryPicture(const std::string& scene, const std::map<std::string, std::string>& files,
+                           const RenderOptions& options) {
+    char name[] = "/tmp/glibra-scene-XXXXXX";
+    if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
+    const std::filesystem::path folder = name;
+    const auto write = [&](const std::string& file, const std::string& content) {
+        std::ofstream(folder / file, std::ios::binary) << content;
+    };
+    write("scene.glib", scene);
+    for (const auto& [file, content] : files) write(file, content);
+    Result<Picture> result = renderer().render(folder / "scene.glib", options);
+    std::filesystem::remove_all(folder);
+    return result;
+}
+
+Picture picture(const std::string& scene, const std::map<std::string, std::string>& files,
+                const RenderOptions& options) {
+    Result<Picture> result = tryPicture(scene, files, options);
+    if (!result) {
+        ADD_FAILURE() << text(result.diagnostics);
+        Picture none;
+        none.width = none.height = 1;
+        none.data.resize(4);
+        return none;
+    }
+    return std::move(*result);
+}
+
+int countPixels(const Picture& picture, std::array<int, 3> color) {
+    int count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) count += pixel(picture, x, y) == color ? 1 : 0;
+    return count;
+}
+
+bool has(const Diagnostics& diagnostics, const std::string& id) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == id) return true;
+    return false;
+}
+
+std::string text(const Diagnostics& diagnostics) {
+    std::string all;
+    for (const Diagnostic& each : diagnostics) all += toString(each) + "\n";
+    return all;
+}
+
+}  // namespace glibra::test
