@@ -15,7 +15,8 @@ glm::dvec2 unitTurn(std::int64_t i, std::int64_t n) {
     // Odd octants are measured back from their end, so that the angle stays within 0 .. pi/4.
     const std::int64_t part = octant % 2 == 0 ? rest : n - rest;
     const double angle = std::numbers::pi / 4 * static_cast<double>(part) / static_cast<double>(n);
-    const double c = std::cos(angle), s = std::sin(angle);
+    // At pi/4 itself the two differ in their last bit, which would show at the octants' borders.
+    const double c = part == n ? std::sqrt(.5) : std::cos(angle), s = part == n ? c : std::sin(angle);
     glm::dvec2 point;
     switch (octant) {
         case 0:

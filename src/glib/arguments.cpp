@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glib/bracket_group.h"
 #include "glib/number.h"
 #include "glib/text.h"
 
@@ -46,13 +47,15 @@ void refuseLimit(const Candidate& c, MessageLog& log) {
 double absolute(const Candidate& c, MessageLog& log) {
     if (c.value >= 0) return c.value;
     log.warning("glib-W28",
-                fmt::format("{}: {} {} read as {}", c.command, c.argument.name, c.text, numberText(-c.value)), c.position);
+                fmt::format("{}: {} {} read as {}", c.command, c.argument.name, c.text, numberText(-c.value)),
+                c.position);
     return -c.value;
 }
 
 double applySize(const Candidate& c, MessageLog& log) {
     if (c.value == 0)
-        log.warning("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
+        log.warning("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name),
+                    c.position);
     return absolute(c, log);
 }
 
@@ -68,7 +71,8 @@ double applyCount(const Candidate& c, MessageLog& log) {
 
 double applyPositive(const Candidate& c, MessageLog& log) {
     if (c.value <= 0)
-        log.error("glib-E05", fmt::format("{}: {} {} is not above 0", c.command, c.argument.name, c.text), c.position);
+        log.error("glib-E05", fmt::format("{}: {} {} is not above 0", c.command, c.argument.name, c.text),
+                  c.position);
     else if (c.value < c.argument.least || c.value > c.argument.most)
         log.error("glib-E15",
                   fmt::format("{}: {} {}; the limits are {} and {}", c.command, c.argument.name, c.text,
@@ -88,11 +92,16 @@ double applyRule(const Candidate& c, MessageLog& log) {
     const double least = c.argument.least;
     const double most = c.argument.most;
     switch (c.argument.rule) {
-        case ArgumentRule::any: break;
-        case ArgumentRule::size: return applySize(c, log);
-        case ArgumentRule::count: return applyCount(c, log);
-        case ArgumentRule::positive: return applyPositive(c, log);
-        case ArgumentRule::texels: return applyTexels(c, log);
+        case ArgumentRule::any:
+            break;
+        case ArgumentRule::size:
+            return applySize(c, log);
+        case ArgumentRule::count:
+            return applyCount(c, log);
+        case ArgumentRule::positive:
+            return applyPositive(c, log);
+        case ArgumentRule::texels:
+            return applyTexels(c, log);
         case ArgumentRule::within:
             if (c.value < least || c.value > most) refuseOutside(c, "glib-E05", log);
             break;
@@ -101,11 +110,14 @@ double applyRule(const Candidate& c, MessageLog& log) {
             break;
         case ArgumentRule::component:
             if (c.value < 0 || c.value > 1)
-                log.warning("glib-W26", fmt::format("{}: component {} outside 0..1, kept", c.command, c.index), c.position);
+                log.warning("glib-W26",
+                            fmt::format("{}: component {} outside 0..1, kept", c.command, c.index),
+                            c.position);
             break;
         case ArgumentRule::unit:
             if (c.value < least || c.value > most)
-                log.error("glib-E12", fmt::format("texture unit {} is not between 0 and {}", c.text, numberText(most)),
+                log.error("glib-E12",
+                          fmt::format("texture unit {} is not between 0 and {}", c.text, numberText(most)),
                           c.position);
             break;
     }
@@ -132,9 +144,8 @@ void reportFiller(const CommandRow& row, const Command& command, MessageLog& log
     if (given >= row.arguments.size()) return;
     const Argument& missing = row.arguments[given];
     if (!missing.filler || (given == 0 && missing.byDefault)) return;
-    const bool several = given + 1 < row.arguments.size() && row.arguments[given + 1].filler;
     log.warning("glib-W06",
-                fmt::format("{}: {}, missing {} {}", row.name(), counted(given, "number"), several ? "ones are" : "one is",
+                fmt::format("{}: {}, missing ones are {}", row.name(), counted(given, "number"),
                             numberText(*missing.filler)),
                 command.position);
 }
@@ -142,12 +153,14 @@ void reportFiller(const CommandRow& row, const Command& command, MessageLog& log
 void reportMissing(const CommandRow& row, const Command& command, MessageLog& log) {
     std::size_t needed = 0;
     for (std::size_t i = 0; i < row.arguments.size(); ++i)
-        if (const Argument& argument = row.arguments[i]; !argument.byDefault && !argument.filler && !argument.optional)
+        if (const Argument& argument = row.arguments[i];
+            !argument.byDefault && !argument.filler && !argument.optional)
             needed = i + 1;
-    log.error("glib-E04",
-              fmt::format("{} needs {}{}, found {}", row.name(), needed < row.arguments.size() ? "at least " : "",
-                          counted(needed, "number"), command.givenNumbers),
-              command.position);
+    log.error(
+        "glib-E04",
+        fmt::format("{} needs {}{}, found {}", row.name(), needed < row.arguments.size() ? "at least " : "",
+                    counted(needed, "number"), command.givenNumbers),
+        command.position);
 }
 
 }  // namespace
@@ -156,7 +169,8 @@ ReadNumber readNumber(const Token& token, MessageLog& log) {
     const std::optional<NumberPrefix> number =
         token.kind == TokenKind::number ? numberPrefix(token.text) : std::optional<NumberPrefix>();
     if (!number) {
-        log.warning("glib-W05", fmt::format("{} is not a number, 0 used", quoted(token.text)), token.position);
+        log.warning("glib-W05", fmt::format("{} is not a number, 0 used", quoted(token.text)),
+                    token.position);
         return {0, "0"};
     }
     const std::string_view text = token.text.substr(0, number->length);
@@ -166,7 +180,8 @@ ReadNumber readNumber(const Token& token, MessageLog& log) {
                                 quoted(token.text.substr(number->length))),
                     token.position);
     if (!number->finite)
-        log.error("glib-E05", fmt::format("{} is too large for a 32-bit float", quoted(text)), token.position);
+        log.error("glib-E05", fmt::format("{} is too large for a 32-bit float", quoted(text)),
+                  token.position);
     return {number->value, text};
 }
 
@@ -181,19 +196,22 @@ std::vector<Token> plainArguments(const Statement& statement, MessageLog& log) {
             continue;
         }
         if (!reported)
-            log.warning("glib-W10", fmt::format("brackets around the arguments of {} ignored", statement.row->name()),
+            log.warning("glib-W10",
+                        fmt::format("brackets around the arguments of {} ignored", statement.row->name()),
                         token.position);
         reported = true;
         if (opens) {
             open.push_back(&token);
         } else if (!open.empty()) {
             if (!bracketsMatch(open.back()->text, token.text))
-                log.warning("glib-W08", fmt::format("'{}' closed by '{}'", open.back()->text, token.text), token.position);
+                log.warning("glib-W08", fmt::format("'{}' closed by '{}'", open.back()->text, token.text),
+                            token.position);
             open.pop_back();
         }
     }
     for (const Token* token : open)
-        log.warning("glib-W09", fmt::format("'{}' not closed; closed at the end of the statement", token->text),
+        log.warning("glib-W09",
+                    fmt::format("'{}' not closed; closed at the end of the statement", token->text),
                     token->position);
     return plain;
 }
@@ -207,15 +225,18 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
     if (argument.type == ArgumentType::integer) {
         value = std::trunc(number.value) + 0.0;  // + 0: -0 becomes 0
         if (value != number.value)
-            log.warning("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)), token.position);
+            log.warning("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)),
+                        token.position);
     }
     return applyRule({argument, index, command, value, number.text, token.position}, log);
 }
 
-void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used, MessageLog& log) {
+void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
+                   MessageLog& log) {
     if (tokens.size() <= used) return;
     log.warning("glib-W07",
-                fmt::format("{}: {} ignored", statement.row->name(), counted(tokens.size() - used, "surplus argument")),
+                fmt::format("{}: {} ignored", statement.row->name(),
+                            counted(tokens.size() - used, "surplus argument")),
                 tokens[used].position);
 }
 

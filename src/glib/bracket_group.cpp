@@ -25,7 +25,8 @@ BracketGroup groupAt(std::span<const Token> tokens, std::size_t open) {
     group.end = GroupEnd::notClosed;
     if (at < tokens.size() && tokens[at].kind == TokenKind::close) {
         group.next = at + 1;
-        group.end = bracketsMatch(tokens[open].text, tokens[at].text) ? GroupEnd::closed : GroupEnd::wrongBracket;
+        group.end =
+            bracketsMatch(tokens[open].text, tokens[at].text) ? GroupEnd::closed : GroupEnd::wrongBracket;
     }
     return group;
 }
@@ -50,9 +51,11 @@ bool bracketsMatch(std::string_view open, std::string_view close) {
     return kOpening.find(open) == kClosing.find(close);
 }
 
-void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group, MessageLog& log) {
+void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group,
+                    MessageLog& log) {
     if (group.end == GroupEnd::wrongBracket)
-        log.warning("glib-W08", fmt::format("'{}' closed by '{}'", tokens[open].text, tokens[group.last].text),
+        log.warning("glib-W08",
+                    fmt::format("'{}' closed by '{}'", tokens[open].text, tokens[group.last].text),
                     tokens[group.last].position);
     if (group.end == GroupEnd::notClosed)
         log.warning("glib-W09",

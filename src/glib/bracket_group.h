@@ -9,9 +9,9 @@
 namespace glibra::glib {
 
 enum class GroupEnd {
-    closed,       ///< by its own bracket
-    wrongBracket, ///< by another closing bracket (glib-W08)
-    notClosed,    ///< before a word, an opening bracket or the end of the statement (glib-W09)
+    closed,        ///< by its own bracket
+    wrongBracket,  ///< by another closing bracket (glib-W08)
+    notClosed,     ///< before a word, an opening bracket or the end of the statement (glib-W09)
 };
 
 /// tokens[first .. last) are the content, tokens[next] is the first one after the group.
@@ -22,8 +22,8 @@ struct BracketGroup {
     GroupEnd end = GroupEnd::closed;
 };
 
-/// The group that tokens[open], an opening bracket, begins. Words that begin with a letter or '_' end it, except `true`
-/// and `false`; all other tokens are values.
+/// The group that tokens[open], an opening bracket, begins. Words that begin with a letter or '_' end it,
+/// except `true` and `false`; all other tokens are values.
 BracketGroup groupAt(std::span<const Token> tokens, std::size_t open);
 
 /// Index after the value that tokens[at], a number or an opening bracket, begins.
@@ -36,6 +36,7 @@ bool readsAsPairs(std::span<const Token> tokens);
 bool bracketsMatch(std::string_view open, std::string_view close);
 
 /// Reports glib-W08 and W09 for a group.
-void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group, MessageLog& log);
+void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group,
+                    MessageLog& log);
 
 }  // namespace glibra::glib

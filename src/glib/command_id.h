@@ -3,6 +3,7 @@
 namespace glibra::glib {
 
 /// The commands of the language, aliases folded; each has one row in the command table.
+// clang-format off
 enum class CommandId {
     // window, view, colour
     windowSize, perspective, ortho, lookAt, color, background, clear,
@@ -22,5 +23,6 @@ enum class CommandId {
     // noise, time, messages
     noise2D, noise3D, timer, messageBox, verbose,
 };
+// clang-format on
 
 }  // namespace glibra::glib

@@ -19,7 +19,8 @@ void checkPerspective(const Command& command, std::span<const Position> places, 
     const double near = command.numbers[1];
     const double far = command.numbers[2];
     if (near <= 0)
-        log.error("glib-E05", fmt::format("Perspective: near {} is not above 0", numberText(near)), placeOf(command, places, 1));
+        log.error("glib-E05", fmt::format("Perspective: near {} is not above 0", numberText(near)),
+                  placeOf(command, places, 1));
     else if (far <= near)
         log.error("glib-E05",
                   fmt::format("Perspective: near {} is not below far {}", numberText(near), numberText(far)),
@@ -65,11 +66,16 @@ void checkScale(const Command& command, std::span<const Position> places, Messag
 
 void applyCommandRules(Command& command, std::span<const Position> places, MessageLog& log) {
     switch (command.id) {
-        case CommandId::perspective: return checkPerspective(command, places, log);
-        case CommandId::ortho: return checkOrtho(command, places, log);
-        case CommandId::rotate: return checkRotate(command, places, log);
-        case CommandId::scale: return checkScale(command, places, log);
-        default: break;
+        case CommandId::perspective:
+            return checkPerspective(command, places, log);
+        case CommandId::ortho:
+            return checkOrtho(command, places, log);
+        case CommandId::rotate:
+            return checkRotate(command, places, log);
+        case CommandId::scale:
+            return checkScale(command, places, log);
+        default:
+            break;
     }
 }
 

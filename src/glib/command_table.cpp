@@ -20,12 +20,17 @@ using Default = std::optional<double>;
 constexpr Argument number(std::string_view name, Default byDefault = {}) {
     return {.name = name, .byDefault = byDefault};
 }
-constexpr Argument filled(std::string_view name, double filler) { return {.name = name, .filler = filler}; }
-constexpr Argument optional(std::string_view name) { return {.name = name, .optional = true}; }
+constexpr Argument filled(std::string_view name, double filler) {
+    return {.name = name, .filler = filler};
+}
+constexpr Argument optional(std::string_view name) {
+    return {.name = name, .optional = true};
+}
 constexpr Argument size(std::string_view name, double byDefault) {
     return {.name = name, .byDefault = byDefault, .rule = ArgumentRule::size};
 }
-constexpr Argument count(std::string_view name, double byDefault, double least, double most = kMostSubdivisions) {
+constexpr Argument count(std::string_view name, double byDefault, double least,
+                         double most = kMostSubdivisions) {
     return {.name = name,
             .type = ArgumentType::integer,
             .byDefault = byDefault,
@@ -68,24 +73,32 @@ constexpr Argument textual(std::string_view name, ArgumentType type, bool option
     return {.name = name, .type = type, .optional = optional};
 }
 
-constexpr Argument kUnit{.name = "unit", .type = ArgumentType::integer, .rule = ArgumentRule::unit, .most = kHighestUnit};
+constexpr Argument kUnit{
+    .name = "unit", .type = ArgumentType::integer, .rule = ArgumentRule::unit, .most = kHighestUnit};
 constexpr Argument kRadius = size("radius", 1);
 constexpr Argument kHeight = size("height", 1);
 constexpr double kInt = std::numeric_limits<int>::max();
 constexpr double kUnsigned = std::numeric_limits<unsigned>::max();
 
-constexpr Argument kWindowSize[] = {integer("width", 600, 1, 16384, "pixels"), integer("height", 600, 1, 16384, "pixels")};
-constexpr Argument kPerspective[] = {
-    {.name = "angle", .byDefault = 50, .rule = ArgumentRule::between, .least = 0, .most = 180, .unit = "degrees"},
-    number("near", .1), number("far", 1000)};
-constexpr Argument kOrtho[] = {number("left", -3), number("right", 3),     number("bottom", -3),
+constexpr Argument kWindowSize[] = {integer("width", 600, 1, 16384, "pixels"),
+                                    integer("height", 600, 1, 16384, "pixels")};
+constexpr Argument kPerspective[] = {{.name = "angle",
+                                      .byDefault = 50,
+                                      .rule = ArgumentRule::between,
+                                      .least = 0,
+                                      .most = 180,
+                                      .unit = "degrees"},
+                                     number("near", .1),
+                                     number("far", 1000)};
+constexpr Argument kOrtho[] = {number("left", -3), number("right", 3),    number("bottom", -3),
                                number("top", 3),   number("near", -1000), number("far", 1000)};
 constexpr Argument kLookAt[] = {number("ex"), number("ey"), number("ez"), number("lx"), number("ly"),
                                 number("lz"), number("ux"), number("uy"), number("uz")};
-constexpr Argument kColor[] = {component("r", {}), component("g", {}, 0), component("b", {}, 0), component("a", 1)};
+constexpr Argument kColor[] = {component("r", {}), component("g", {}, 0), component("b", {}, 0),
+                               component("a", 1)};
 /// Without any number the initial value of the language's section 2.1.
-constexpr Argument kBackground[] = {component("r", 18 / 255.), component("g", 27 / 255., 0), component("b", 33 / 255., 0),
-                                    component("a", 1)};
+constexpr Argument kBackground[] = {component("r", 18 / 255.), component("g", 27 / 255., 0),
+                                    component("b", 33 / 255., 0), component("a", 1)};
 constexpr Argument kTranslate[] = {filled("tx", 0), filled("ty", 0), filled("tz", 0)};
 constexpr Argument kRotate[] = {
     {.name = "angle", .unit = "degrees"}, filled("ax", 0), filled("ay", 0), filled("az", 0)};
@@ -96,7 +109,8 @@ constexpr Argument kSphere[] = {kRadius, count("slices", 60, 3), count("stacks",
 constexpr Argument kWireSphere[] = {kRadius, count("slices", 20, 3), count("stacks", 20, 2)};
 constexpr Argument kCylinder[] = {kRadius, kHeight, count("slices", 60, 3), count("stacks", 20, 1)};
 constexpr Argument kWireCylinder[] = {kRadius, kHeight, count("slices", 20, 3), count("stacks", 5, 1)};
-constexpr Argument kTorus[] = {size("radius", 1), size("radius", .5), count("sides", 20, 3), count("rings", 40, 3)};
+constexpr Argument kTorus[] = {size("radius", 1), size("radius", .5), count("sides", 20, 3),
+                               count("rings", 40, 3)};
 constexpr Argument kSoccerball[] = {kRadius};
 constexpr Argument kDisk[] = {number("z", 0), kRadius, count("slices", 60, 3), count("rings", 10, 1)};
 constexpr Argument kQuadXY[] = {number("z", 0), size("size", 1), count("nx", 4, 1), count("ny", 4, 1)};
@@ -118,11 +132,12 @@ constexpr Argument kPatchVertices[] = {integer("vertices", {}, 1, 32)};
 
 constexpr Argument kTexture1D[] = {kUnit, texels("width")};
 constexpr Argument kTexture2D[] = {kUnit, texels("width"), texels("height")};
-constexpr Argument kTexture3D[] = {kUnit, texels("width", kLargestVolumeSide), texels("height", kLargestVolumeSide),
-                                   texels("depth", kLargestVolumeSide)};
+constexpr Argument kTexture3D[] = {kUnit, texels("width", kLargestVolumeSide),
+                                   texels("height", kLargestVolumeSide), texels("depth", kLargestVolumeSide)};
 constexpr Argument kCubeMap[] = {kUnit, textual("six files", ArgumentType::file)};
 constexpr Argument kFile[] = {textual("file", ArgumentType::file, true)};
-constexpr Argument kProgram[] = {textual("name", ArgumentType::name, true), textual("tags", ArgumentType::uniforms, true)};
+constexpr Argument kProgram[] = {textual("name", ArgumentType::name, true),
+                                 textual("tags", ArgumentType::uniforms, true)};
 constexpr Argument kTopology[] = {textual("topology", ArgumentType::word)};
 constexpr Argument kSwitch[] = {textual("on", ArgumentType::word, true)};
 constexpr Argument kVerticesOut[] = {{.name = "vertices",
@@ -139,10 +154,21 @@ constexpr Argument kMessage[] = {textual("text", ArgumentType::text, true)};
 
 // ---- Words.
 
-constexpr std::string_view kListTopologies[] = {
-    "points", "lines", "line_strip", "line_loop", "triangles", "triangle_strip", "triangle_fan", "polygon", "quads",
-    "quad_strip", "lines_adjacency", "line_strip_adjacency", "triangles_adjacency", "triangle_strip_adjacency",
-    "patches"};
+constexpr std::string_view kListTopologies[] = {"points",
+                                                "lines",
+                                                "line_strip",
+                                                "line_loop",
+                                                "triangles",
+                                                "triangle_strip",
+                                                "triangle_fan",
+                                                "polygon",
+                                                "quads",
+                                                "quad_strip",
+                                                "lines_adjacency",
+                                                "line_strip_adjacency",
+                                                "triangles_adjacency",
+                                                "triangle_strip_adjacency",
+                                                "patches"};
 constexpr std::string_view kInputTopologies[] = {"points", "lines", "lines_adjacency", "triangles",
                                                  "triangles_adjacency"};
 constexpr std::string_view kOutputTopologies[] = {"points", "line_strip", "triangle_strip"};
@@ -157,16 +183,29 @@ using Form = ArgumentForm;
 constexpr CommandRow kRows[] = {
     // Window, view, colour (3.1)
     {Id::windowSize, {"WindowSize"}, Form::numbers, kWindowSize, "size of the window or image"},
-    {Id::perspective, {"Perspective", "Persp"}, Form::numbers, kPerspective, "symmetric perspective, vertical full angle"},
+    {Id::perspective,
+     {"Perspective", "Persp"},
+     Form::numbers,
+     kPerspective,
+     "symmetric perspective, vertical full angle"},
     {Id::ortho, {"Ortho"}, Form::numbers, kOrtho, "orthographic box, shown whole and undistorted"},
-    {Id::lookAt, {"LookAt"}, Form::numbers, kLookAt, "replaces ModelView by the view from eye to centre with up"},
+    {Id::lookAt,
+     {"LookAt"},
+     Form::numbers,
+     kLookAt,
+     "replaces ModelView by the view from eye to centre with up"},
     {Id::color, {"Color", "Colour"}, Form::numbers, kColor, "current colour", LoneNumber::grey},
     {Id::background, {"Background"}, Form::numbers, kBackground, "clear colour", LoneNumber::firstThree},
     {Id::clear, {"Clear"}, Form::numbers, {}, "clears colour and depth of the current target"},
     // Transforms (3.2)
     {Id::translate, {"Translate"}, Form::numbers, kTranslate, "moves what follows"},
     {Id::rotate, {"Rotate"}, Form::numbers, kRotate, "turns what follows about an axis through the origin"},
-    {Id::scale, {"Scale"}, Form::numbers, kScale, "scales what follows, by one factor or one an axis", LoneNumber::firstThree},
+    {Id::scale,
+     {"Scale"},
+     Form::numbers,
+     kScale,
+     "scales what follows, by one factor or one an axis",
+     LoneNumber::firstThree},
     {Id::pushMatrix, {"PushMatrix", "TransformBegin"}, Form::numbers, {}, "saves ModelView"},
     {Id::popMatrix, {"PopMatrix", "TransformEnd"}, Form::numbers, {}, "restores ModelView"},
     // Geometry (3.3)
@@ -197,20 +236,40 @@ constexpr CommandRow kRows[] = {
     {Id::objAdj, {"ObjAdj"}, Form::file, kFile, "OBJ model as triangles with adjacency"},
     {Id::objPatch, {"ObjPatch"}, Form::file, kFile, "OBJ model as patches of three vertices"},
     {Id::shp, {"Shp"}, Form::file, kFile, "lines of an ESRI shapefile"},
-    {.id = Id::linesAdjacency, .names = {"LinesAdjacency"}, .form = Form::pointGroups, .arguments = kGroups,
-     .summary = "lines with adjacency, four points each", .groupMultiple = 4},
-    {.id = Id::triangles, .names = {"Triangles"}, .form = Form::pointGroups, .arguments = kGroups,
-     .summary = "triangles, three points each", .groupMultiple = 3},
-    {.id = Id::glBegin, .names = {"glBegin"}, .form = Form::topology, .arguments = kTopology,
-     .summary = "starts a list of vertices", .words = kListTopologies},
+    {.id = Id::linesAdjacency,
+     .names = {"LinesAdjacency"},
+     .form = Form::pointGroups,
+     .arguments = kGroups,
+     .summary = "lines with adjacency, four points each",
+     .groupMultiple = 4},
+    {.id = Id::triangles,
+     .names = {"Triangles"},
+     .form = Form::pointGroups,
+     .arguments = kGroups,
+     .summary = "triangles, three points each",
+     .groupMultiple = 3},
+    {.id = Id::glBegin,
+     .names = {"glBegin"},
+     .form = Form::topology,
+     .arguments = kTopology,
+     .summary = "starts a list of vertices",
+     .words = kListTopologies},
     {Id::glVertex, {"glVertex"}, Form::numbers, kGlVertex, "a vertex of the list"},
     {Id::glNormal, {"glNormal"}, Form::numbers, kGlNormal, "normal of the following vertices"},
     {Id::glColor, {"glColor"}, Form::numbers, kGlColor, "colour of the following vertices"},
-    {Id::glTexCoord, {"glTexCoord"}, Form::numbers, kGlTexCoord, "texture coordinates of the following vertices"},
+    {Id::glTexCoord,
+     {"glTexCoord"},
+     Form::numbers,
+     kGlTexCoord,
+     "texture coordinates of the following vertices"},
     {Id::glEnd, {"glEnd"}, Form::numbers, {}, "draws the list"},
     {Id::lineWidth, {"LineWidth"}, Form::numbers, kPixels, "width of lines"},
     {Id::pointSize, {"PointSize"}, Form::numbers, kPixels, "size of points"},
-    {Id::pointSizeMode, {"PointSizeMode"}, Form::numbers, kPointSizeMode, "not 0: the program sets the size of points"},
+    {Id::pointSizeMode,
+     {"PointSizeMode"},
+     Form::numbers,
+     kPointSizeMode,
+     "not 0: the program sets the size of points"},
     {Id::numPatchVertices, {"NumPatchVertices"}, Form::numbers, kPatchVertices, "vertices of a patch"},
     {Id::flat, {"Flat"}, Form::numbers, {}, "colours are not interpolated"},
     {Id::smooth, {"Smooth"}, Form::numbers, {}, "colours are interpolated"},
@@ -219,8 +278,16 @@ constexpr CommandRow kRows[] = {
     {Id::texture2D, {"Texture2D"}, Form::texture, kTexture2D, "2D texture from a file, or an empty one"},
     {Id::texture3D, {"Texture3D"}, Form::texture, kTexture3D, "3D texture from a file, or an empty one"},
     {Id::texture, {"Texture"}, Form::texture, kTexture3D, "texture whose file or sizes tell the dimension"},
-    {Id::cubeMap, {"CubeMap"}, Form::cubeMap, kCubeMap, "cube map from six square pictures: +x -x +y -y +z -z"},
-    {Id::renderToTexture, {"RenderToTexture"}, Form::units, {&kUnit, 1}, "draws into textures; alone: into the window"},
+    {Id::cubeMap,
+     {"CubeMap"},
+     Form::cubeMap,
+     kCubeMap,
+     "cube map from six square pictures: +x -x +y -y +z -z"},
+    {Id::renderToTexture,
+     {"RenderToTexture"},
+     Form::units,
+     {&kUnit, 1},
+     "draws into textures; alone: into the window"},
     {Id::clamp, {"Clamp"}, Form::switchWord, kSwitch, "textures are clamped to their edge, or repeat"},
     // Shaders and programs (3.5)
     {Id::vertex, {"Vertex"}, Form::file, kFile, "current vertex shader"},
@@ -228,12 +295,27 @@ constexpr CommandRow kRows[] = {
     {Id::tessEvaluation, {"TessEvaluation"}, Form::file, kFile, "current tessellation evaluation shader"},
     {Id::geometry, {"Geometry"}, Form::file, kFile, "current geometry shader"},
     {Id::fragment, {"Fragment"}, Form::file, kFile, "current fragment shader"},
-    {Id::program, {"Program"}, Form::program, kProgram, "links the current shaders and sets uniform variables"},
-    {.id = Id::geometryInput, .names = {"GeometryInput", "GeometryInputType"}, .form = Form::topology,
-     .arguments = kTopology, .summary = "input of a geometry shader without layout", .words = kInputTopologies},
-    {.id = Id::geometryOutput, .names = {"GeometryOutput", "GeometryOutputType"}, .form = Form::topology,
-     .arguments = kTopology, .summary = "output of a geometry shader without layout", .words = kOutputTopologies},
-    {Id::geometryVerticesOut, {"GeometryVerticesOut"}, Form::numbers, kVerticesOut,
+    {Id::program,
+     {"Program"},
+     Form::program,
+     kProgram,
+     "links the current shaders and sets uniform variables"},
+    {.id = Id::geometryInput,
+     .names = {"GeometryInput", "GeometryInputType"},
+     .form = Form::topology,
+     .arguments = kTopology,
+     .summary = "input of a geometry shader without layout",
+     .words = kInputTopologies},
+    {.id = Id::geometryOutput,
+     .names = {"GeometryOutput", "GeometryOutputType"},
+     .form = Form::topology,
+     .arguments = kTopology,
+     .summary = "output of a geometry shader without layout",
+     .words = kOutputTopologies},
+    {Id::geometryVerticesOut,
+     {"GeometryVerticesOut"},
+     Form::numbers,
+     kVerticesOut,
      "most vertices that a geometry shader without layout emits"},
     {Id::gstap, {"GSTAP", "gstap.h"}, Form::numbers, {}, "no effect: its names are always there"},
     // Noise, time, messages (3.6)
@@ -246,7 +328,9 @@ constexpr CommandRow kRows[] = {
 
 }  // namespace
 
-std::span<const CommandRow> commandTable() { return kRows; }
+std::span<const CommandRow> commandTable() {
+    return kRows;
+}
 
 const CommandRow* findCommand(std::string_view word) {
     if (word.empty()) return nullptr;
@@ -267,6 +351,8 @@ std::string_view nearestCommand(std::string_view word) {
     return {};
 }
 
-std::span<const TextureFormat> textureFormats() { return kFormats; }
+std::span<const TextureFormat> textureFormats() {
+    return kFormats;
+}
 
 }  // namespace glibra::glib

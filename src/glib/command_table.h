@@ -1,5 +1,6 @@
 #pragma once
-// The words of the language: one row a command, which feeds the parser, --help, the reference and the editor grammar.
+// The words of the language: one row a command, which feeds the parser, --help, the reference and the editor
+// grammar.
 
 #include <array>
 #include <optional>
@@ -25,8 +26,8 @@ enum class ArgumentRule {
     unit,       ///< of a texture; outside 0..127: glib-E12
 };
 
-/// One argument. Numbers that are left out become `byDefault` in silence, or `filler` with glib-W06; without either
-/// they are glib-E04, unless `optional` says that Command::numbers simply ends before them.
+/// One argument. Numbers that are left out become `byDefault` in silence, or `filler` with glib-W06; without
+/// either they are glib-E04, unless `optional` says that Command::numbers simply ends before them.
 struct Argument {
     std::string_view name{};
     ArgumentType type = ArgumentType::number;
@@ -41,12 +42,13 @@ struct Argument {
 
 /// How the text after the command word is read, and which members of Command it fills.
 enum class ArgumentForm {
-    numbers,      ///< `numbers`
-    file,         ///< one file name or none: `text`
-    cubeMap,      ///< unit and six files: `numbers`, `files`
-    units,        ///< up to eight texture units: `numbers`
-    texture,      ///< unit and file or sizes and format: `numbers` (unit, sizes), `text` (file; format if there are sizes)
-    topology,     ///< one of `words`, with or without gl_: `text`, without gl_, in lower case
+    numbers,   ///< `numbers`
+    file,      ///< one file name or none: `text`
+    cubeMap,   ///< unit and six files: `numbers`, `files`
+    units,     ///< up to eight texture units: `numbers`
+    texture,   ///< unit and file or sizes and format: `numbers` (unit, sizes), `text` (file; format if there
+               ///< are sizes)
+    topology,  ///< one of `words`, with or without gl_: `text`, without gl_, in lower case
     switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `text`
     message,      ///< raw text to the end of the line: `text`
     pointGroups,  ///< `points`, a multiple of `groupMultiple`
@@ -68,7 +70,7 @@ struct CommandRow {
     std::string_view summary{};  ///< one line
     LoneNumber loneNumber = LoneNumber::first;
     std::span<const std::string_view> words{};  ///< of ArgumentForm::topology
-    int groupMultiple = 0;                    ///< of ArgumentForm::pointGroups
+    int groupMultiple = 0;                      ///< of ArgumentForm::pointGroups
 
     [[nodiscard]] std::string_view name() const { return names[0]; }
 };

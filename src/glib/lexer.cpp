@@ -15,7 +15,9 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kOpening = "<[{(";
 constexpr std::string_view kClosing = ">]})";
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 bool isControl(char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && !isBlank(c)) || byte == 0x7f;
@@ -62,8 +64,8 @@ class LineReader {
         }
     }
 
-    /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be the rest
-    /// of a UTF-8 character.
+    /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be
+    /// the rest of a UTF-8 character.
     std::size_t noBreakSpaceAt(std::size_t offset) const {
         if (text_.substr(offset, 2) == "\xc2\xa0") return 2;
         if (text_[offset] != '\xa0') return 0;
@@ -91,7 +93,8 @@ class LineReader {
         const bool comment = atComment(at_);
         if (comment || text_[at_] == '/') {
             if (!comment)
-                log_.warning("glib-W01", "a single '/' starts a comment here; use '//' or '#', or quote the path",
+                log_.warning("glib-W01",
+                             "a single '/' starts a comment here; use '//' or '#', or quote the path",
                              position(at_));
             line_.isComment = true;
             return false;
@@ -140,7 +143,8 @@ class LineReader {
         while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
         if (word.size() < written.size()) {
             log_.warning("glib-W03",
-                         fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())), quoted(written)),
+                         fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
+                                     quoted(written)),
                          position(begin));
         }
         if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {

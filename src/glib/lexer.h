@@ -1,5 +1,6 @@
 #pragma once
-// From bytes to lines of tokens (language, 1.1, 1.2, 1.4). Tokens point into the text, which must outlive them.
+// From bytes to lines of tokens (language, 1.1, 1.2, 1.4). Tokens point into the text, which must outlive
+// them.
 
 #include <cstddef>
 #include <optional>
@@ -46,11 +47,11 @@ struct Line {
     std::vector<Token> tokens;
     bool continues = false;  ///< ends with a backslash, at `backslash`
     Position backslash;
-    bool isComment = false;     ///< there is a comment on it
-    bool faulty = false;        ///< an error was reported: its statement must not be run
-    bool tooLong = false;       ///< refused (glib-E15): it has no tokens
-    bool isMessage = false;     ///< a MessageBox: one token, the rest of the line is `message`
-    std::string_view message;   ///< without blanks at its ends
+    bool isComment = false;    ///< there is a comment on it
+    bool faulty = false;       ///< an error was reported: its statement must not be run
+    bool tooLong = false;      ///< refused (glib-E15): it has no tokens
+    bool isMessage = false;    ///< a MessageBox: one token, the rest of the line is `message`
+    std::string_view message;  ///< without blanks at its ends
     std::size_t messageEnd = 0;
 };
 

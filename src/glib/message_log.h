@@ -1,5 +1,6 @@
 #pragma once
-// Where the parser's stages put their messages: in memory bounded by the catalogue's rule of 100 messages a file.
+// Where the parser's stages put their messages: in memory bounded by the catalogue's rule of 100 messages a
+// file.
 
 #include <glibra/diagnostic.h>
 
@@ -25,11 +26,15 @@ class MessageLog {
         add(Severity::warning, id, std::move(text), position);
     }
 
+    /// True if a further error would only be counted, so that its text need not be made.
+    [[nodiscard]] bool isFull() const { return kept_.size() >= kMostMessages && firstCutError_; }
+
     /// Errors reported so far, kept or not.
     [[nodiscard]] std::size_t errorCount() const { return errors_; }
 
-    /// The messages in the order of their places. If some were not kept, the first error among them takes the place of
-    /// the last warning where no other error is left, and a note without id tells how many are missing.
+    /// The messages in the order of their places. If some were not kept, the first error among them takes the
+    /// place of the last warning where no other error is left, and a note without id tells how many are
+    /// missing.
     Diagnostics take();
 
   private:

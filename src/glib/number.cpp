@@ -8,8 +8,12 @@
 namespace glibra::glib {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isHexDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isHexDigit(char c) {
+    return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
 
 /// Bytes of `text` from `at` on that are digits.
 std::size_t digitsAt(std::string_view text, std::size_t at) {
@@ -18,7 +22,8 @@ std::size_t digitsAt(std::string_view text, std::size_t at) {
     return end - at;
 }
 
-/// The first double above which a round to 32 bits gives infinity: the largest float and half of its last place.
+/// The first double above which a round to 32 bits gives infinity: the largest float and half of its last
+/// place.
 constexpr double kFloatOverflow = 0x1.ffffffp127;
 
 /// For a decimal text that no double can hold: true if it is too large, false if it is too small.

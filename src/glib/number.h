@@ -1,5 +1,6 @@
 #pragma once
-// Numbers as scenes write them (language, 1.5): `5`, `5.`, `.2`, `-.25`, `1e-3`, and whatever follows such a beginning.
+// Numbers as scenes write them (language, 1.5): `5`, `5.`, `.2`, `-.25`, `1e-3`, and whatever follows such a
+// beginning.
 
 #include <cstddef>
 #include <optional>
@@ -10,13 +11,14 @@ namespace glibra::glib {
 
 /// The number at the beginning of a token.
 struct NumberPrefix {
-    double value = 0;        ///< correctly rounded; 0 where it underflows, and where it is not finite
-    std::size_t length = 0;  ///< bytes of the token that belong to it; the rest is ignored by the language (glib-W04)
-    bool finite = true;      ///< false: too large for a 32-bit float (glib-E05)
+    double value = 0;  ///< correctly rounded; 0 where it underflows, and where it is not finite
+    std::size_t length =
+        0;  ///< bytes of the token that belong to it; the rest is ignored by the language (glib-W04)
+    bool finite = true;  ///< false: too large for a 32-bit float (glib-E05)
 };
 
-/// The longest numeric prefix: [+-] digits [. digits] [exponent] or [+-] . digits [exponent]. Nothing for a word;
-/// hexadecimal, `inf` and `nan` are words. Independent of the locale.
+/// The longest numeric prefix: [+-] digits [. digits] [exponent] or [+-] . digits [exponent]. Nothing for a
+/// word; hexadecimal, `inf` and `nan` are words. Independent of the locale.
 std::optional<NumberPrefix> numberPrefix(std::string_view token);
 
 /// True if the token is a number from its first byte to its last.

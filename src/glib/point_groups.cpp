@@ -1,4 +1,5 @@
-// Groups of points: LinesAdjacency [x y z] [x y z] ... and the same numbers without brackets (language, 1.6 and 4.6).
+// Groups of points: LinesAdjacency [x y z] [x y z] ... and the same numbers without brackets (language, 1.6
+// and 4.6).
 
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ class GroupReader {
             }
             ++at;
             if (token.kind == TokenKind::close)
-                log_.warning("glib-W10", fmt::format("bracket around the arguments of {} ignored", command_.word),
+                log_.warning("glib-W10",
+                             fmt::format("bracket around the arguments of {} ignored", command_.word),
                              token.position);
             else
                 addBare(token);
@@ -49,8 +51,10 @@ class GroupReader {
             points.values.push_back(readNumber(tokens_[i], log_).value);
         const std::size_t count = group.last - group.first;
         if (count > kMost)
-            log_.warning("glib-W07", fmt::format("{}: {} ignored", command_.word, counted(count - kMost, "surplus argument")),
-                         tokens_[group.first + kMost].position);
+            log_.warning(
+                "glib-W07",
+                fmt::format("{}: {} ignored", command_.word, counted(count - kMost, "surplus argument")),
+                tokens_[group.first + kMost].position);
         add(std::move(points));
     }
 
@@ -67,9 +71,10 @@ class GroupReader {
 
     void add(PointGroup points) {
         if (points.values.size() < kLeast)
-            log_.error("glib-E04",
-                       fmt::format("{}: a point needs 3 numbers, found {}", command_.word, points.values.size()),
-                       points.position);
+            log_.error(
+                "glib-E04",
+                fmt::format("{}: a point needs 3 numbers, found {}", command_.word, points.values.size()),
+                points.position);
         command_.points.push_back(std::move(points));
     }
 
@@ -86,9 +91,10 @@ void readPointGroups(const Statement& statement, Command& command, MessageLog& l
     const auto multiple = static_cast<std::size_t>(statement.row->groupMultiple);
     const std::size_t count = command.points.size();
     if (count == 0 || count % multiple != 0)
-        log.error("glib-E04",
-                  fmt::format("{} needs a multiple of {} points, found {}", statement.row->name(), multiple, count),
-                  command.position);
+        log.error(
+            "glib-E04",
+            fmt::format("{} needs a multiple of {} points, found {}", statement.row->name(), multiple, count),
+            command.position);
 }
 
 }  // namespace glibra::glib

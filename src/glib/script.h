@@ -38,11 +38,12 @@ struct UniformSpec {
 };
 
 /// One statement. Which of the members are filled is said by the command's row in the table:
-/// numbers     all numbers of the command, defaults filled in, in the table's order, checked against their ranges;
-/// text        file name (empty: none given), program name, topology or switch word, MessageBox text;
-/// files       the six files of CubeMap;
-/// points      groups of LinesAdjacency and Triangles, each of 3 or 4 numbers;
-/// uniforms    the pairs of Program.
+/// - numbers: all numbers of the command, defaults filled in, in the table's order, in their ranges;
+/// - text: file name (empty: none given), program name, topology or switch word, format of an empty texture,
+///   MessageBox text;
+/// - files: the six files of CubeMap;
+/// - points: groups of LinesAdjacency and Triangles, each of 3 or 4 numbers;
+/// - uniforms: the pairs of Program.
 struct Command {
     CommandId id{};
     std::string word;  ///< as written
@@ -66,8 +67,8 @@ struct Script {
     [[nodiscard]] Place place(Position position) const { return {path, position.line, position.column}; }
 };
 
-/// Reads a whole scene (language, sections 1, 3 and 5.1). Never throws on any bytes; goes on to the end of the text,
-/// so that all messages come at once. Faulty statements are left out of `commands`.
+/// Reads a whole scene (language, sections 1, 3 and 5.1). Never throws on any bytes; goes on to the end of
+/// the text, so that all messages come at once. Faulty statements are left out of `commands`.
 Script parse(std::string_view text, std::string path);
 
 }  // namespace glibra::glib

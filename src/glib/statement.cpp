@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "glib/bracket_group.h"
 #include "glib/text.h"
@@ -16,14 +17,25 @@ const CommandRow* commandOf(const Token& token) {
     return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
 }
 
-bool isCommand(const Statement& statement, CommandId id) { return statement.row && statement.row->id == id; }
+bool isCommand(const Statement& statement, CommandId id) {
+    return statement.row && statement.row->id == id;
+}
 
 /// How a message names the statement: "Program 'Magic'", "CubeMap".
 std::string described(const Statement& statement) {
     std::string text(statement.row->name());
     if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
-        text += " " + quoted(statement.arguments.front().text);
+        text.append(" ").append(quoted(statement.arguments.front().text));
     return text;
+}
+
+void addArguments(Statement& statement, std::span<const Token> tokens) {
+    statement.arguments.insert(statement.arguments.end(), tokens.begin(), tokens.end());
+    const auto isPlain = [](const Token& t) {
+        return t.kind != TokenKind::open && t.kind != TokenKind::close;
+    };
+    statement.plainArguments +=
+        static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), isPlain));
 }
 
 /// True if what follows the command word that begins the line can be its value as a tag.
@@ -56,11 +68,11 @@ Statement StatementReader::begin() {
     Statement statement;
     statement.word = line.tokens.front();
     statement.row = commandOf(statement.word);
-    statement.arguments.assign(line.tokens.begin() + 1, line.tokens.end());
+    addArguments(statement, std::span(line.tokens).subspan(1));
     statement.message = line.message;
     statement.end = line.isMessage ? line.messageEnd : line.tokens.back().end;
-    statement.messagePosition = {line.range.number,
-                                 static_cast<int>(statement.end - line.message.size() - line.range.begin) + 1};
+    statement.messagePosition = {
+        line.range.number, static_cast<int>(statement.end - line.message.size() - line.range.begin) + 1};
     statement.faulty = line.faulty;
     drop();
     return statement;
@@ -68,7 +80,7 @@ Statement StatementReader::begin() {
 
 void StatementReader::joinLine(Statement& statement) {
     const Line& line = *ahead_;
-    statement.arguments.insert(statement.arguments.end(), line.tokens.begin(), line.tokens.end());
+    addArguments(statement, line.tokens);
     if (!line.tokens.empty()) statement.end = line.tokens.back().end;
     statement.faulty = statement.faulty || line.faulty;
     drop();
@@ -86,9 +98,13 @@ std::optional<Statement> StatementReader::next() {
         line = pending ? peek() : peekCode();
         const bool blank = !line || (line->tokens.empty() && !line->continues);
         if (pending && blank) {
-            const char* what = !line ? "the file ends here" : line->isComment ? "the next line is a comment" : "the next line is blank";
+            const char* what = !line             ? "the file ends here"
+                               : line->isComment ? "the next line is a comment"
+                                                 : "the next line is blank";
             if (!line || !line->tooLong)
-                log_.warning("glib-W12", fmt::format("backslash, but {}: statement ends unless tags follow", what), backslash);
+                log_.warning("glib-W12",
+                             fmt::format("backslash, but {}: statement ends unless tags follow", what),
+                             backslash);
             pending = false;
             continue;
         }
@@ -116,7 +132,8 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
             }
         }
     }
-    log_.warning("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)), first.position);
+    log_.warning("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
+                 first.position);
     return false;
 }
 
@@ -125,10 +142,7 @@ bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
     if (isCommand(statement, CommandId::program)) {
         if (!readsAsPairs(ahead_->tokens)) return false;
     } else if (isCommand(statement, CommandId::cubeMap)) {
-        const auto plain = std::count_if(statement.arguments.begin(), statement.arguments.end(), [](const Token& token) {
-            return token.kind != TokenKind::open && token.kind != TokenKind::close;
-        });
-        if (static_cast<std::size_t>(plain) >= kCubeMapArguments) return false;
+        if (statement.plainArguments >= kCubeMapArguments) return false;
     } else {
         return false;
     }
@@ -142,16 +156,19 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
     const std::vector<Token>& tokens = statement.arguments;
     if (!isCommand(statement, CommandId::program) || tokens.empty() || tokens.size() > 2) return false;
     if (tokens.back().kind != TokenKind::open || tokens.back().text != "{") return false;
-    if (tokens.size() == 2 && !tokens.front().isWord() && tokens.front().kind != TokenKind::number) return false;
+    if (tokens.size() == 2 && !tokens.front().isWord() && tokens.front().kind != TokenKind::number)
+        return false;
     const std::string name = tokens.size() == 2 ? std::string(tokens.front().text) + " " : std::string();
     log_.error("glib-E10",
-               fmt::format("{}: brace blocks belong to another program's scene language", quoted("Program " + name + "{")),
+               fmt::format("{}: brace blocks belong to another program's scene language",
+                           quoted("Program " + name + "{")),
                statement.word.position);
     statement.faulty = true;
     return skipBraceBlock();
 }
 
-/// Passes over the lines of a brace block, so that they are not all reported; does nothing if it is never closed.
+/// Passes over the lines of a brace block, so that they are not all reported; does nothing if it is never
+/// closed.
 bool StatementReader::skipBraceBlock() {
     if (braceNeverCloses_) return false;
     const LineSplitter start = lines_;

@@ -32,8 +32,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
             here[j] = std::min({one[j] + 1, here[j - 1] + 1, one[j - 1] + (same ? 0 : 1)});
-            const bool exchanged = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
-                                   lower(a[i - 2]) == lower(b[j - 1]);
+            const bool exchanged =
+                i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
             if (exchanged) here[j] = std::min(here[j], two[j - 2] + 1);
         }
     }

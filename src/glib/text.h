@@ -6,9 +6,13 @@
 
 namespace glibra::glib {
 
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
-constexpr bool isLetter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+constexpr bool isLetter(char c) {
+    return lower(c) >= 'a' && lower(c) <= 'z';
+}
 
 /// Equal without regard to the case of ASCII letters.
 constexpr bool sameWord(std::string_view a, std::string_view b) {
@@ -24,13 +28,18 @@ inline std::string lower(std::string_view word) {
     return text;
 }
 
-/// `text` between single quotes for a message; of a long one only the beginning, cut between characters of UTF-8.
+/// `text` between single quotes for a message; of a long one only the beginning, cut between characters of
+/// UTF-8.
 inline std::string quoted(std::string_view text) {
     constexpr std::size_t kShown = 60;
-    if (text.size() <= kShown) return "'" + std::string(text) + "'";
-    std::size_t end = kShown;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
-    return "'" + std::string(text.substr(0, end)) + "...'";
+    std::size_t end = text.size();
+    if (end > kShown) {
+        end = kShown;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+    }
+    std::string result = "'";
+    result.append(text.substr(0, end)).append(end < text.size() ? "...'" : "'");
+    return result;
 }
 
 /// "1 number", "2 numbers".

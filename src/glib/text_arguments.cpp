@@ -1,4 +1,5 @@
-// Commands whose arguments are not only numbers: files, units, textures, topologies, switches (language, 3.3 to 3.5).
+// Commands whose arguments are not only numbers: files, units, textures, topologies, switches (language, 3.3
+// to 3.5).
 
 #include <fmt/format.h>
 
@@ -45,8 +46,8 @@ void checkTextureBytes(const Command& command, const TextureFormat& format, Mess
 }
 
 /// The empty form: sizes and perhaps a format.
-void readSizes(const Statement& statement, std::span<const Token> tokens, std::size_t sizes, const TextureFormat* format,
-               Command& command, MessageLog& log) {
+void readSizes(const Statement& statement, std::span<const Token> tokens, std::size_t sizes,
+               const TextureFormat* format, Command& command, MessageLog& log) {
     const CommandRow& row = *statement.row;
     const std::size_t most = row.arguments.size() - 1;
     const std::size_t least = row.id == CommandId::texture ? 1 : most;
@@ -68,9 +69,11 @@ void readSizes(const Statement& statement, std::span<const Token> tokens, std::s
     command.textPosition = format ? tokens[sizes + 1].position : command.position;
     const std::size_t surplus = sizes - used;
     if (surplus > 0)
-        log.warning("glib-W07", fmt::format("{}: {} ignored", row.name(), counted(surplus, "surplus argument")),
+        log.warning("glib-W07",
+                    fmt::format("{}: {} ignored", row.name(), counted(surplus, "surplus argument")),
                     tokens[used + 1].position);
-    if (log.errorCount() == errors) checkTextureBytes(command, format ? *format : textureFormats().front(), log);
+    if (log.errorCount() == errors)
+        checkTextureBytes(command, format ? *format : textureFormats().front(), log);
 }
 
 }  // namespace
@@ -86,8 +89,10 @@ void readCubeMap(const Statement& statement, Command& command, MessageLog& log) 
     const std::vector<Token> tokens = plainArguments(statement, log);
     const std::size_t files = tokens.empty() ? 0 : tokens.size() - 1;
     if (files < kCubeFaces) {
-        log.error("glib-E04", fmt::format("CubeMap needs a unit and {} files, found {}", kCubeFaces, counted(files, "file")),
-                  command.position);
+        log.error(
+            "glib-E04",
+            fmt::format("CubeMap needs a unit and {} files, found {}", kCubeFaces, counted(files, "file")),
+            command.position);
         return;
     }
     command.numbers.push_back(readArgument(row.arguments.front(), 0, tokens.front(), row.name(), log));
@@ -101,7 +106,8 @@ void readUnits(const Statement& statement, Command& command, MessageLog& log) {
     const CommandRow& row = *statement.row;
     const std::vector<Token> tokens = plainArguments(statement, log);
     if (tokens.size() > kMostTargets) {
-        log.error("glib-E15", fmt::format("{}: {} targets; the limit is {}", row.name(), tokens.size(), kMostTargets),
+        log.error("glib-E15",
+                  fmt::format("{}: {} targets; the limit is {}", row.name(), tokens.size(), kMostTargets),
                   tokens[kMostTargets].position);
         return;
     }
@@ -114,7 +120,8 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
     const CommandRow& row = *statement.row;
     const std::vector<Token> tokens = plainArguments(statement, log);
     if (tokens.empty()) {
-        log.error("glib-E04", fmt::format("{} needs a unit and a file name or sizes", row.name()), command.position);
+        log.error("glib-E04", fmt::format("{} needs a unit and a file name or sizes", row.name()),
+                  command.position);
         return;
     }
     command.numbers.push_back(readArgument(row.arguments.front(), 0, tokens.front(), row.name(), log));
@@ -127,8 +134,9 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
         readSizes(statement, tokens, sizes, format, command, log);
     } else if (rest == 1 && sizes >= 2 && tokens.back().kind == TokenKind::word) {
         // As a file name the first size would make no sense: the word was meant as a format.
-        log.error("glib-E05", fmt::format("{}: {} is none of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
-                                          quoted(tokens.back().text)),
+        log.error("glib-E05",
+                  fmt::format("{}: {} is none of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
+                              quoted(tokens.back().text)),
                   tokens.back().position);
     } else {
         setText(command, tokens[1]);
@@ -148,8 +156,8 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
     std::string_view word = tokens.front().text;
     if (sameWord(word.substr(0, kPrefix.size()), kPrefix)) word.remove_prefix(kPrefix.size());
     if (row.id == CommandId::geometryOutput && sameWord(word, "triangles_strip")) word = "triangle_strip";
-    const auto found =
-        std::find_if(row.words.begin(), row.words.end(), [&](std::string_view each) { return sameWord(each, word); });
+    const auto found = std::find_if(row.words.begin(), row.words.end(),
+                                    [&](std::string_view each) { return sameWord(each, word); });
     if (found == row.words.end()) {
         const std::string nearest = nearestName(word, row.words);
         log.error("glib-E08",
@@ -183,7 +191,8 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log) {
         return;
     }
     log.error("glib-E05",
-              fmt::format("{}: {} is none of on, off, 1, 0, true, false", statement.row->name(), quoted(token.text)),
+              fmt::format("{}: {} is none of on, off, 1, 0, true, false", statement.row->name(),
+                          quoted(token.text)),
               token.position);
 }
 

@@ -12,7 +12,7 @@ class BodyWalker {
   public:
     BodyWalker(std::span<const ViewToken> view, const Syntax& syntax, Bodies& bodies)
         : view_(view),
-          matches_(matchBrackets(view)),
+          matches_(bodies.matches = matchBrackets(view)),
           bodies_(bodies),
           names_(view, bodies),
           expressions_(view, matches_, names_, bodies),
@@ -68,7 +68,8 @@ class BodyWalker {
             markSizes(member.type.dimensions);
             for (const Declarator& each : member.declarators) {
                 markSizes(each.dimensions);
-                bodies_.localNames.emplace(view_[each.name].text);
+                bodies_.memberNames.emplace(view_[each.name].text, each.name);
+                bodies_.memberDeclarations.push_back(each.name);
             }
         }
     }
@@ -82,7 +83,7 @@ class BodyWalker {
             if (parameter.name == kNone) continue;
             Type type = names_.typeOf(parameter.type);
             type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + parameter.dimensions.size());
-            bodies_.locals.push_back({parameter.name, type, true, kNone, {}});
+            bodies_.locals.push_back({parameter.name, type, parameter.type.name, true, kNone, {}});
             names_.declareLocal(parameter.name, type);
         }
         returns_ = names_.typeOf(declaration.type);
@@ -187,7 +188,7 @@ class BodyWalker {
         if (parsed.type.isStruct) {
             names_.addStructure(parsed);
             memberSizes(parsed);
-            if (parsed.name != kNone) bodies_.localNames.emplace(text(parsed.name));
+            if (parsed.name != kNone) bodies_.localNames.emplace(text(parsed.name), parsed.name);
         }
         markSizes(parsed.type.dimensions);
         const Type type = names_.typeOf(parsed.type);
@@ -198,7 +199,7 @@ class BodyWalker {
             own.arrayDepth = static_cast<std::uint16_t>(own.arrayDepth + each.dimensions.size());
             const bool constant = parsed.qualifiers.storage == Storage::constant;
             bodies_.locals.push_back(
-                {each.name, own, false, constant ? parsed.qualifiers.storageToken : kNone, each.initializer});
+                {each.name, own, parsed.type.name, false, constant ? parsed.qualifiers.storageToken : kNone, each.initializer});
             names_.declareLocal(each.name, own);
         }
         const std::uint32_t stop = parsed.tokens.end;
@@ -208,7 +209,7 @@ class BodyWalker {
     }
 
     std::span<const ViewToken> view_;
-    std::vector<std::uint32_t> matches_;
+    const std::vector<std::uint32_t>& matches_;
     Bodies& bodies_;
     Names names_;
     Expressions expressions_;

@@ -2,7 +2,7 @@
 // What stands inside functions and initialisers: which words are local names, which types expressions have.
 
 #include <cstdint>
-#include <set>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +18,7 @@ namespace glibra::glsl {
 struct LocalVariable {
     std::uint32_t name = 0;  ///< view index
     Type type;
+    std::string_view typeWord;
     bool isParameter = false;
     std::uint32_t constToken = kNone;  ///< the `const` of its declaration
     Range initializer;
@@ -47,11 +48,14 @@ enum class WordRole : std::uint8_t {
 };
 
 struct Bodies {
-    std::vector<WordRole> roles;  ///< by view index
+    std::vector<WordRole> roles;           ///< by view index
+    std::vector<std::uint32_t> matches;    ///< of every bracket its partner
     std::vector<LocalVariable> locals;
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
-    std::set<std::string, std::less<>> localNames;  ///< of locals, parameters, structs and members
+    std::map<std::string, std::uint32_t, std::less<>> localNames;   ///< locals, parameters, local structs: view index
+    std::map<std::string, std::uint32_t, std::less<>> memberNames;  ///< members of structs and blocks
+    std::vector<std::uint32_t> memberDeclarations;  ///< the same, every one
 };
 
 /// Index of the matching bracket of every bracket, `view.size()` where there is none.

@@ -33,7 +33,7 @@ void Names::popAll() {
 void Names::declareLocal(std::uint32_t name, const Type& type) {
     const std::string_view text = view_[name].text;
     bodies_.roles[name] = WordRole::localDeclaration;
-    bodies_.localNames.emplace(text);
+    bodies_.localNames.emplace(text, name);
     if (scopes_.empty()) return;
     locals_[text].push_back(type);
     scopes_.back().names.push_back(text);

@@ -19,16 +19,22 @@ void Unit::declare(const std::string& line) {
     if (std::find(prologue.begin(), prologue.end(), line) == prologue.end()) prologue.push_back(line);
 }
 
+Variable* Unit::variable(std::string_view name) {
+    const auto found = std::find_if(variables.begin(), variables.end(),
+                                    [&](const Variable& each) { return each.name == name && !each.removed; });
+    return found == variables.end() ? nullptr : &*found;
+}
+
 Unit* ProgramUnits::find(Stage stage) {
     const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });
     return found == units.end() ? nullptr : &*found;
 }
 
 Unit* ProgramUnits::before(Stage stage) {
-    Unit* result = nullptr;
+    Unit* last = nullptr;
     for (Unit& each : units)
-        if (each.stage < stage) result = &each;
-    return result;
+        if (each.stage < stage) last = &each;
+    return last;
 }
 
 Unit* ProgramUnits::lastBeforeRaster() { return before(Stage::fragment); }

@@ -15,6 +15,7 @@
 #include "glsl/syntax.h"
 #include "glsl/token.h"
 #include "glsl/translate.h"
+#include "glsl/variables.h"
 
 namespace glibra::glsl {
 
@@ -52,9 +53,14 @@ struct Unit {
     /// Of these uses, those that may change the variable.
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> writes;
 
+    std::vector<Variable> variables;          ///< file-scope variables, in order of declaration
+    /// Words that get another spelling everywhere but behind a '.', and those that get it there too.
+    std::map<std::string, std::string, std::less<>> renames, wordRenames;
+    std::set<std::uint32_t> keptSpelling;  ///< tokens that `renames` leaves alone
+
     std::vector<std::string> prologue;  ///< lines of GLSL before the user's text
     std::vector<std::string> epilogue;  ///< and behind it
-    bool wrapMain = false;              ///< the user's main is glibra_main, the epilogue has the real one
+    int varyingComponents = 0;  ///< of glibra_Varyings as output
     std::vector<std::string> mainStart, mainEnd;  ///< statements around the user's main
 
     [[nodiscard]] Place placeOfToken(std::uint32_t token) const;
@@ -66,8 +72,9 @@ struct Unit {
     [[nodiscard]] bool isUsed(std::string_view name) const { return uses.find(name) != uses.end(); }
     [[nodiscard]] bool isWritten(std::string_view name) const { return writes.find(name) != writes.end(); }
     [[nodiscard]] bool isDeclared(std::string_view name) const { return declared.find(name) != declared.end(); }
-    /// Declared anywhere: file scope, local variable, parameter, member or macro.
+    /// Declared anywhere: file scope, local variable, parameter or macro.
     [[nodiscard]] bool isUserName(std::string_view name) const;
+    [[nodiscard]] Variable* variable(std::string_view name);
     /// Adds a line to the prologue unless it is there.
     void declare(const std::string& line);
 };

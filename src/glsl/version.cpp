@@ -72,7 +72,6 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
         std::string reading = std::to_string(dialect.version);
         if (!dialect.profile.empty()) reading += " " + dialect.profile;
         report.warning("glsl-W02", "'" + joined(words) + "' read as " + reading, place);
-        dialect.written = dialect.version;
     }
     if (dialect.version == kHighest && targetVersion < kHighest)
         report.warning("glsl-W18", "#version 460 compiled as " + std::to_string(targetVersion), place);

@@ -18,9 +18,9 @@ struct DebugMessage {
     GLenum source = 0;
     GLenum type = 0;
     GLuint id = 0;
-    std::string text;
+    std::string text{};
     bool outOfMemory = false;
-    Place place;  ///< where in the scene we were
+    Place place{};  ///< where in the scene we were
 };
 
 class DebugLog {

@@ -112,7 +112,9 @@ Attempt openOsmesa(const ContextOptions& options) {
         const auto& library = std::get<OsmesaLibrary>(opened);
         auto outcome = tryLibrary(library);
         if (auto* backend = std::get_if<std::unique_ptr<Backend>>(&outcome)) return std::move(*backend);
+        // The other names are links to this one, or older.
         failures.push_back("OSMesa (" + name + "): " + std::get<std::string>(outcome));
+        break;
     }
     return failures;
 }

@@ -35,7 +35,8 @@ ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource
     // only makes the link fail.
     for (const StageSource& each : source.stages) {
         Name<deleteShader> shader(glCreateShader(each.stage));
-        const std::array<const GLchar*, 1> texts{each.text.data()};
+        // An empty view may point nowhere, which GL refuses even with length 0.
+        const std::array<const GLchar*, 1> texts{each.text.empty() ? "" : each.text.data()};
         const std::array<GLint, 1> lengths{static_cast<GLint>(each.text.size())};
         glShaderSource(shader.get(), 1, texts.data(), lengths.data());
         glCompileShader(shader.get());

@@ -48,9 +48,9 @@ struct NamedLocation {
 };
 
 struct ProgramSource {
-    std::span<const StageSource> stages;
-    std::vector<NamedLocation> vertexInputs;
-    std::vector<NamedLocation> fragmentOutputs;
+    std::span<const StageSource> stages{};
+    std::vector<NamedLocation> vertexInputs{};
+    std::vector<NamedLocation> fragmentOutputs{};
     bool separable = false;
 };
 

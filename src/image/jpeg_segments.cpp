@@ -3,7 +3,8 @@
 namespace glibra::image {
 namespace {
 
-constexpr unsigned kStartOfScan = 0xda, kApp0 = 0xe0, kApp14 = 0xee, kApp15 = 0xef, kComment = 0xfe;
+constexpr unsigned kRestart0 = 0xd0, kRestart7 = 0xd7, kEndOfImage = 0xd9, kStartOfScan = 0xda, kApp0 = 0xe0,
+                   kApp14 = 0xee, kApp15 = 0xef, kComment = 0xfe;
 
 bool isMetadata(unsigned marker) {
     return marker == kComment || (marker > kApp0 && marker <= kApp15 && marker != kApp14);
@@ -37,6 +38,26 @@ std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg) {
     }
     copyUntil(jpeg.size());
     return kept;
+}
+
+bool hasEndOfImage(std::span<const std::byte> jpeg) {
+    const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };
+    std::size_t at = 2;
+    while (at + 2 <= jpeg.size()) {
+        // Between segments and within a scan alike: what is no marker is pixel data or filling.
+        const unsigned marker = byteAt(at + 1);
+        const bool data = byteAt(at) != 0xff || marker == 0 || marker == 0xff ||
+                          (marker >= kRestart0 && marker <= kRestart7);
+        if (data) {
+            ++at;
+        } else if (marker == kEndOfImage) {
+            return true;
+        } else {
+            if (at + 4 > jpeg.size()) return false;
+            at += 2 + (byteAt(at + 2) << 8U | byteAt(at + 3));
+        }
+    }
+    return false;
 }
 
 }  // namespace glibra::image

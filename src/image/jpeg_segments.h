@@ -13,4 +13,8 @@ namespace glibra::image {
 /// sense, all is kept as it is.
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
 
+/// True if the file goes on to its end-of-image marker. Decoders fill a file that was cut off with grey and
+/// say nothing.
+bool hasEndOfImage(std::span<const std::byte> jpeg);
+
 }  // namespace glibra::image

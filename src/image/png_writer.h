@@ -1,5 +1,7 @@
 #pragma once
-// PNG as fast as it goes: the up filter where a row gains by it, libdeflate at level 1.
+// PNG as fast as it goes: the up filter on every row but the first and libdeflate at level 1. Choosing
+// between filters row by row was measured on 120 photographs and renderings: at most 0.1 % smaller, and
+// slower.
 
 #include <string>
 #include <utility>

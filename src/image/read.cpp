@@ -15,6 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Result<Image> decodeJpeg(std::span<const std::byte> file, const FileLabel& label,
+                         const ReadOptions& options) {
+    auto read =
+        readByModule(Format::jpeg, withoutMetadata(file), {}, label, options.limits, options.moduleFolders);
+    if (read && !hasEndOfImage(file)) return damaged(label, "the file ends before its pixels do");
+    return read;
+}
+
 Result<Image> decode(std::span<const std::byte> file, Format format, const fs::path& path,
                      const FileLabel& label, const ReadOptions& options) {
     switch (format) {
@@ -32,6 +40,8 @@ Result<Image> decode(std::span<const std::byte> file, Format format, const fs::p
         case Format::rawTexture:
             return error("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
                          label.place);
+        case Format::jpeg:
+            return decodeJpeg(file, label, options);
         default:
             return readByModule(format, file, path, label, options.limits, options.moduleFolders);
     }

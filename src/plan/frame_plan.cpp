@@ -224,10 +224,11 @@ class FramePlanner {
             once("draw-W02", fmt::format("{} '{}' reads unit {}, which is empty",
                                          uses[i].isImage ? "image" : "sampler", sampler.name, slot));
         }
-        for (const ActiveInput& input : interface.inputs)
-            if (attributeOf(input) == nullptr && !isInternalName(input.name))
-                once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1",
-                                             userName(interface, input.name)));
+        for (const ActiveInput& input : interface.inputs) {
+            const std::string name = userName(interface, input.name);
+            if (attributeOf(input) == nullptr && !isInternalName(name))
+                once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1", name));
+        }
         if (ignoresPointSize(draw, program, interface, submission)) {
             using glsl::Stage;
             const Stage last = program->hasStage(Stage::geometry)         ? Stage::geometry

@@ -147,8 +147,9 @@ class ValueReader {
     void setAll(double value) { reading_.values.assign(components(), convert(value)); }
     void setDiagonal(double value) {
         reading_.values.assign(components(), 0);
-        for (int i = 0; i < std::min(type_.columns, type_.rows); ++i)
-            reading_.values.at(static_cast<std::size_t>(i * type_.rows + i)) = value;
+        const auto rows = static_cast<std::size_t>(type_.rows);
+        const auto diagonal = static_cast<std::size_t>(std::min(type_.columns, type_.rows));
+        for (std::size_t i = 0; i < diagonal; ++i) reading_.values.at(i * rows + i) = value;
     }
     /// The given values in order, `wanted` of them; missing ones are 0.
     void setList(std::size_t wanted, bool countMatters) {
@@ -320,20 +321,8 @@ class ValueReader {
     }
 
     void readUnit() {
-        switch (given_.form) {
-            case UniformForm::truth:
-            case UniformForm::color:
-                return ignore();
-            case UniformForm::number:
-                setAll(first());
-                break;
-            case UniformForm::list:
-                setAll(first());
-                break;
-            case UniformForm::range:
-                setAll(readRange().current);
-                break;
-        }
+        if (given_.form == UniformForm::truth || given_.form == UniformForm::color) return ignore();
+        setAll(given_.form == UniformForm::range ? readRange().current : first());
         if (given_.form != UniformForm::number)
             warnForm(fmt::format("read as unit {}", numberText(reading_.values.front())));
         checkUnits();

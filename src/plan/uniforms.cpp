@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -91,16 +92,13 @@ class Resolver {
     }
 
     void applyPairs() {
-        std::set<std::string_view> seen;
-        std::vector<const glib::UniformSpec*> counting;
-        for (auto spec = program_.uniforms.rbegin(); spec != program_.uniforms.rend(); ++spec)
-            if (seen.insert(spec->tag).second)
-                counting.push_back(&*spec);  // of equal tags the last one counts
-        std::reverse(counting.begin(), counting.end());
-        for (const glib::UniformSpec* spec : counting) {
-            const GivenValue given{spec->tag, spec->form, spec->values, place(spec->tagPosition),
-                                   place(spec->valuePosition)};
-            const std::vector<NamedUniform> named = names_.find(spec->tag);
+        std::map<std::string_view, const glib::UniformSpec*> counting;  // of equal tags the last one
+        for (const glib::UniformSpec& spec : program_.uniforms) counting[spec.tag] = &spec;
+        for (const glib::UniformSpec& spec : program_.uniforms) {
+            if (counting.at(spec.tag) != &spec) continue;
+            const GivenValue given{spec.tag, spec.form, spec.values, place(spec.tagPosition),
+                                   place(spec.valuePosition)};
+            const std::vector<NamedUniform> named = names_.find(spec.tag);
             if (named.empty()) reportUnknown(given);
             for (const NamedUniform& each : named)
                 apply(given, each, overridden_.contains({each.uniform, each.element}));

@@ -41,11 +41,11 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
     return diagnostics;
 }
 
-const geometry::Mesh* DeviceScene::mesh(int shape, Diagnostics& diagnostics) {
+const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics& diagnostics) {
     const auto [entry, isNew] = meshes_.try_emplace(shape);
     if (isNew) {
         const StageTimer timer(stats_, "geometry");
-        Result<geometry::Mesh> made = scene::makeMesh(scene_, shape);
+        Result<geometry::Mesh> made = scene::makeMesh(scene_, shape, withTangents);
         append(diagnostics, std::move(made.diagnostics));
         entry->second = std::move(made.value);
     }
@@ -55,7 +55,9 @@ const geometry::Mesh* DeviceScene::mesh(int shape, Diagnostics& diagnostics) {
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs) {
     Diagnostics diagnostics;
     const plan::PlannedMesh& wanted = plan.meshes[planned];
-    const geometry::Mesh* source = mesh(wanted.shape, diagnostics);
+    const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(), geometry::kTangent) !=
+                              wanted.attributes.end();
+    const geometry::Mesh* source = mesh(wanted.shape, withTangents, diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     const StageTimer timer(stats_, "upload");

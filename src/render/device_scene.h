@@ -40,8 +40,8 @@ class DeviceScene {
     /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
-    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made (told by prepare).
-    const geometry::Mesh* mesh(int shape, Diagnostics& diagnostics);
+    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in `diagnostics`.
+    const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics& diagnostics);
     /// Frees the CPU's copies.
     void releaseMeshes() { meshes_.clear(); }
 

@@ -154,8 +154,8 @@ const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
     const auto known = emptyTextures_.find(target);
     if (known != emptyTextures_.end()) return known->second;
     const std::size_t faces = target == scene::TextureTarget::cube ? 6 : 1;
-    std::vector<std::uint8_t> texels;
-    for (std::size_t i = 0; i < faces; ++i) texels.insert(texels.end(), {0, 0, 0, 255});
+    std::vector<std::uint8_t> texels(faces * 4);
+    for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8,
                                                      {1, 1, 1}, {std::as_bytes(std::span(texels)), 4});
     return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;

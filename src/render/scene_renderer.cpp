@@ -118,7 +118,7 @@ Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return diagnostics;
     const StageTimer timer(stats, "view");
     const scene::ViewMove move = scene::autoView(
-        scene, [&](int shape) { return device.mesh(shape, diagnostics); }, static_cast<double>(width) / height);
+        scene, [&](int shape) { return device.mesh(shape, false, diagnostics); }, static_cast<double>(width) / height);
     eyeDistance = move.distance;
     drawer->setEyeDistance(eyeDistance);
     append(diagnostics, move.diagnostics);

@@ -130,8 +130,7 @@ void execute(Interpreter& in, const glib::Command& command) {
         in.reportWarning(command, "glib-W32",
                          fmt::format("{} inside glBegin {} before the list", command.word,
                                      isGeometry(command.id) ? "is drawn" : "is carried out"));
-    const bool isListPart = command.id >= CommandId::glVertex && command.id <= CommandId::glEnd;
-    if (!isListPart) in.isOrphan = false;
+    if (action.inList != InList::isPart) in.isOrphan = false;
     if (in.scene.verbose && !isGeometry(command.id)) in.report(note("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);
 }
@@ -147,6 +146,12 @@ std::string textOf(const glib::Command& command) {
     return text;
 }
 
+int fileOf(Interpreter& in, const std::string& name, const Place& place) {
+    const auto [entry, isNew] = in.files.try_emplace(name, static_cast<int>(in.scene.files.size()));
+    if (isNew) in.scene.files.push_back(findFile(name, place, in.folders, in.listings));
+    return entry->second;
+}
+
 Scene interpret(const glib::Script& script, const InterpretOptions& options) {
     Interpreter in{.script = script,
                    .scene = {},
@@ -154,6 +159,7 @@ Scene interpret(const glib::Script& script, const InterpretOptions& options) {
                    .folders = searchFolders(script.path, options),
                    .listings = {},
                    .list = {},
+                   .files = {},
                    .shapes = {},
                    .listShapes = {},
                    .clearedTextures = {},
@@ -161,7 +167,6 @@ Scene interpret(const glib::Script& script, const InterpretOptions& options) {
                    .clearedDepths = {},
                    .windowSize = {}};
     in.scene.path = script.path;
-    in.scene.diagnostics = script.diagnostics;
     in.scene.verbose = std::any_of(script.commands.begin(), script.commands.end(), [](const glib::Command& command) {
         return command.id == CommandId::verbose;
     });

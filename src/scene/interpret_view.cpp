@@ -5,7 +5,6 @@
 #include <array>
 #include <string_view>
 
-#include "glib/number.h"
 #include "scene/matrices.h"
 #include "scene/state.h"
 
@@ -47,25 +46,12 @@ void doWindowSize(Interpreter& in, const glib::Command& command) {
 }
 
 void doPerspective(Interpreter& in, const glib::Command& command) {
-    const Perspective given{at(command, 0, 50), at(command, 1, .1), at(command, 2, 1000)};
-    if (!(given.near < given.far)) {
-        in.reportError(command, "glib-E05",
-                       fmt::format("{}: near {} is not below far {}", command.word, glib::numberText(given.near),
-                                   glib::numberText(given.far)));
-        return;
-    }
-    in.state.projection = given;
+    in.state.projection = Perspective{at(command, 0, 50), at(command, 1, .1), at(command, 2, 1000)};
 }
 
 void doOrtho(Interpreter& in, const glib::Command& command) {
-    const Orthographic given{at(command, 0, -3), at(command, 1, 3),     at(command, 2, -3),
+    in.state.projection = Orthographic{at(command, 0, -3), at(command, 1, 3),     at(command, 2, -3),
                              at(command, 3, 3),  at(command, 4, -1000), at(command, 5, 1000)};
-    if (given.near == given.far) {
-        in.reportError(command, "glib-E05",
-                       fmt::format("{}: near and far are both {}", command.word, glib::numberText(given.near)));
-        return;
-    }
-    in.state.projection = given;
 }
 
 void doLookAt(Interpreter& in, const glib::Command& command) {
@@ -87,7 +73,7 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
                              fmt::format("LookAt: up is parallel to the view direction, {} used", name));
     }
     if (matrix && isFinite(*matrix))
-        in.state.modelView = *matrix;
+        in.state.modelView = in.scene.view = *matrix;
     else
         in.reportError(command, "glib-E05", "LookAt: the transformation is beyond the range of numbers");
 }
@@ -99,10 +85,8 @@ void doColor(Interpreter& in, const glib::Command& command) {
 }
 
 void doBackground(Interpreter& in, const glib::Command& command) {
-    if (command.givenNumbers == 0)
-        in.state.background = kInitialBackground;
-    else
-        in.state.background = glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
+    in.state.background =
+        command.numbers.empty() ? kInitialBackground : glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
 }
 
 void doTranslate(Interpreter& in, const glib::Command& command) {

@@ -25,7 +25,7 @@ namespace glibra::scene {
 inline constexpr int kNone = -1;
 
 /// A file that a scene names, looked up but not read. `path` is empty if nothing was found; `remarks` (file-E01, file-W01 ...)
-/// belong to whoever needs the file.
+/// belong to whoever needs the file. Statements that name the same file share one reference, with the place of the first.
 struct FileReference {
     std::string name;  ///< as written
     std::filesystem::path path;
@@ -54,11 +54,13 @@ struct EmptySource {
     int width = 1, height = 1, depth = 1;
     TexelFormat format = TexelFormat::rgba8;
 };
-/// Noise of the built-in function, or of a scene's own file of that size (language, 9.5).
+/// Noise of that size: the texels of the file if there is one (raw bytes of exactly that size), else built in.
+/// The remarks (file-N01, file-W09, file-W10) belong to whoever needs the texture.
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
     int file = kNone;  ///< index into Scene::files
+    Diagnostics remarks;
 };
 
 struct Texture {
@@ -73,13 +75,13 @@ struct Sampling {
     bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
 };
 
-/// One filled slot of the (unit, target) table.
+/// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and [1] (3D, unit 3).
 struct Slot {
     int unit = 0;
     TextureTarget target = TextureTarget::texture2D;
     int texture = kNone;
 };
-/// What all slots hold at one place of the scene; draws share these.
+/// What all slots hold at one place of the scene, by rising unit and target; draws share these.
 using SlotTable = std::vector<Slot>;
 
 /// Shader files of one stage as they were current at a Program statement.
@@ -124,7 +126,7 @@ struct RasterState {
 /// One geometry command with its complete state.
 struct Draw {
     Place place;
-    std::string word;  ///< the command as written, for messages
+    std::string word;  ///< the command as written, for messages; of a glBegin list its topology
     int shape = kNone;
     int program = kNone;
     glm::dmat4 modelView{1.0};
@@ -138,7 +140,7 @@ struct Draw {
     double timerPeriod = 10;
 };
 
-/// Clears colour (all targets) and depth of the pass.
+/// Clears colour (all targets) and depth of the pass. A Clear that only repeats the pass's implicit clear is left out.
 struct Clear {
     Place place;
     glm::dvec4 color{0.0};
@@ -165,7 +167,7 @@ struct Scene {
     std::vector<Pass> passes;  ///< in order; the last content of the window is the picture
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
-    bool verbose = false;
+    bool verbose = false;  ///< Verbose: every executed operation is in the diagnostics, as glib-N02
     Diagnostics diagnostics;
 };
 

@@ -75,9 +75,10 @@ struct Interpreter {
     SearchFolders folders;
     FolderListings listings;
     std::optional<OpenList> list;
-    bool isOrphan = false;  ///< the statement before was one of a list that is not open
+    bool isOrphan = false;  ///< the statement before belonged to a list that is not open, and that is told
 
     // What has been made so far, to share it.
+    std::map<std::string, int> files;  ///< by name as written
     std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, int> shapes;
     std::multimap<std::uint64_t, int> listShapes;  ///< by hash of the mesh
     int slotTable = kNone;                         ///< the table that equals state.slots, if there is one
@@ -98,21 +99,15 @@ struct Interpreter {
     void reportWarning(const glib::Command& command, std::string id, std::string text) {
         report(warning(std::move(id), std::move(text), place(command)));
     }
-    /// The file that a statement names, looked up.
-    FileReference find(std::string_view name, const Place& place_) {
-        return findFile(name, place_, folders, listings);
-    }
-    /// Adds to Scene::files and gives the index.
-    int add(FileReference file) {
-        scene.files.push_back(std::move(file));
-        return static_cast<int>(scene.files.size()) - 1;
-    }
 };
 
 /// Does what a statement says. Its numbers are as the command's row in glib's table promises.
 using Handler = void (*)(Interpreter&, const glib::Command&);
 
-// view.cpp's subject: window, projection, colours, transforms (interpret_view.cpp)
+/// Index of the file that a statement names, looked up where it is named first.
+int fileOf(Interpreter&, const std::string& name, const Place& place);
+
+// window, projection, colours, transforms (interpret_view.cpp)
 void doWindowSize(Interpreter&, const glib::Command&);
 void doPerspective(Interpreter&, const glib::Command&);
 void doOrtho(Interpreter&, const glib::Command&);

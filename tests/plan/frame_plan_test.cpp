@@ -120,6 +120,11 @@ TEST_F(Feedback, OfAnotherTargetOfTheUnitIsNone) {
     EXPECT_EQ(ids(plan("samplerCube").diagnostics), "");
 }
 
+TEST_F(Feedback, OfAnImageIsNoSampling) {
+    programs.imageWriters.push_back(0);
+    EXPECT_EQ(ids(plan("image2D").diagnostics), "");
+}
+
 TEST(VertexInput, ThatNobodyKnowsIsReported) {
     SceneByHand hand;
     Programs programs;

@@ -105,6 +105,11 @@ TEST(Tessellating, TrianglesIsAllowedByAControlStageOfThreeVertices) {
     one.interface.facts.patchVertices = 3;
     expectSubmission(one.submit("Teapot", CommandId::teapot, 16), Topology::patches, 3);
 }
+TEST(Tessellating, LinesIsNotAllowedByAControlStage) {
+    Case one(kTessellated);
+    one.interface.facts.patchVertices = 2;
+    EXPECT_EQ(one.submit("WireSphere", CommandId::wireSphere, 3).diagnostics.at(0).id, "draw-E03");
+}
 TEST(Tessellating, OtherKindsNeedTheirOwnPatchSize) {
     const std::vector<std::pair<CommandId, int>> kinds{{CommandId::wireSphere, 2},
                                                        {CommandId::pointCloud, 1},

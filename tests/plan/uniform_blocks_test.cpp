@@ -68,13 +68,15 @@ TEST(BlockMember, RowMajorMatricesAreTransposed) {
     EXPECT_EQ(read<float>(bytes, 40), 9);
 }
 TEST(BlockMember, NeverWritesOutsideItsBlock) {
-    std::vector<std::byte> bytes(8);
-    writeMember(member("vec4", 4), 0, std::vector<double>{1, 2, 3, 4}, bytes);
-    writeMember(member("vec4", 2000000000), 0, std::vector<double>{1}, bytes);
-    writeMember(member("vec4", -4), 0, std::vector<double>{9}, bytes);
-    writeMember(member("float[2]", 0, 4), 7, std::vector<double>{9}, bytes);
+    std::vector<std::byte> bytes(32);
+    const std::span<std::byte> block(bytes.data(), 8);
+    writeMember(member("vec4", 4), 0, std::vector<double>{1, 2, 3, 4}, block);
+    writeMember(member("vec4", 2000000000), 0, std::vector<double>{1}, block);
+    writeMember(member("vec4", -4), 0, std::vector<double>{9}, block);
+    writeMember(member("float[2]", 0, 4), 7, std::vector<double>{9}, block);
     EXPECT_EQ(read<float>(bytes, 0), 0);
     EXPECT_EQ(read<float>(bytes, 4), 1);
+    for (std::size_t i = block.size(); i < bytes.size(); ++i) EXPECT_EQ(bytes[i], std::byte{0}) << i;
 }
 TEST(BlockContent, IsZeroWithItsLiteralsInIt) {
     ProgramInterface interface = test::interfaceWith({{"a", "float"}, {"b", "float"}, {"c", "float"}});

@@ -1,0 +1,213 @@
+#include "glib/uniforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "glib/arguments.h"
+#include "glib/bracket_group.h"
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+UniformForm formOf(std::string_view bracket) {
+    if (bracket == "<") return UniformForm::range;
+    return bracket == "{" ? UniformForm::color : UniformForm::list;
+}
+
+/// The last part of a path without its suffix.
+std::string_view stem(std::string_view path) {
+    const std::size_t folder = path.find_last_of("/\\");
+    if (folder != std::string_view::npos) path.remove_prefix(folder + 1);
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos || dot == 0 ? path : path.substr(0, dot);
+}
+
+class ProgramReader {
+  public:
+    ProgramReader(const Statement& statement, Command& command, MessageLog& log)
+        : statement_(statement), tokens_(statement.arguments), command_(command), log_(log) {}
+
+    void read(std::string_view fragmentFile) {
+        readName(fragmentFile);
+        while (at_ < tokens_.size() && !tooManyTags()) {
+            if (!tokens_[at_].isWord()) {
+                skipValue();
+            } else if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].beginsValue()) {
+                readPair();
+            } else {
+                reportNoValue(tokens_[at_]);
+                ++at_;
+            }
+        }
+    }
+
+  private:
+    /// A word, or a number with letters after it (`3DNoise`).
+    static bool canBeName(const Token& token) {
+        return token.isWord() || (token.kind == TokenKind::number && !isCompleteNumber(token.text));
+    }
+    bool isFollowedByValue(std::size_t at) const {
+        return at + 1 < tokens_.size() && tokens_[at + 1].beginsValue();
+    }
+
+    void readName(std::string_view fragmentFile) {
+        if (tokens_.empty() || !canBeName(tokens_[0]) || isFollowedByValue(0)) {
+            const std::string_view name = stem(fragmentFile);
+            command_.text = name.empty() ? "unnamed" : name;
+            command_.textPosition = command_.position;
+            log_.warning("glib-W14", fmt::format("program name missing; {} used", quoted(command_.text)),
+                         command_.position);
+            return;
+        }
+        command_.text = tokens_[0].text;
+        command_.textPosition = tokens_[0].position;
+        for (at_ = 1; at_ < tokens_.size() && canBeName(tokens_[at_]); ++at_) {
+            if (isFollowedByValue(at_) || tokens_[at_].position.line != statement_.word.position.line) break;
+            command_.text += ' ';
+            command_.text += tokens_[at_].text;
+        }
+        if (at_ > 1)
+            log_.warning("glib-W16", fmt::format("program name {} has several words", quoted(command_.text)),
+                         command_.textPosition);
+    }
+
+    bool tooManyTags() {
+        if (command_.uniforms.size() < kMostTags || !tokens_[at_].isWord()) return false;
+        log_.error("glib-E15",
+                   fmt::format("Program {} has more than {} tags", quoted(command_.text), kMostTags),
+                   tokens_[at_].position);
+        return true;
+    }
+
+    void skipValue() {
+        const Token& token = tokens_[at_];
+        const std::size_t next = token.kind == TokenKind::open ? groupAt(tokens_, at_).next : at_ + 1;
+        std::string text;
+        for (std::size_t i = at_; i < next && text.size() < kLongestShown; ++i) {
+            if (i > at_) text += ' ';
+            text += tokens_[i].text;
+        }
+        log_.warning(
+            "glib-W18",
+            fmt::format("value {} has no tag, skipped", text.size() < kLongestShown ? text : quoted(text)),
+            token.position);
+        at_ = next;
+    }
+
+    void reportNoValue(const Token& tag) {
+        log_.warning("glib-W17", fmt::format("tag {} has no value, skipped", quoted(tag.text)), tag.position);
+    }
+
+    void readPair() {
+        const Token& tag = tokens_[at_];
+        const Token& value = tokens_[at_ + 1];
+        UniformSpec spec{std::string(tag.text), UniformForm::number, {}, tag.position, value.position};
+        if (value.kind == TokenKind::number) {
+            spec.values.push_back(readNumber(value, log_).value);
+            at_ += 2;
+        } else {
+            readGroup(spec, at_ + 1);
+            if (spec.values.empty()) return reportNoValue(tag);
+        }
+        add(std::move(spec));
+    }
+
+    void readGroup(UniformSpec& spec, std::size_t open) {
+        const BracketGroup group = groupAt(tokens_, open);
+        const Token& bracket = tokens_[open];
+        at_ = group.next;
+        if (bracket.text == "(") log_.warning("glib-W10", "'(' read as '['", bracket.position);
+        reportGroupEnd(tokens_, open, group, log_);
+        const std::size_t count = group.last - group.first;
+        spec.form = formOf(bracket.text);
+        if (count > kMostBracketValues) {
+            log_.error("glib-E15",
+                       fmt::format("{}: {} values in brackets; the limit is {}", spec.tag,
+                                   groupedText(static_cast<long long>(count)),
+                                   groupedText(static_cast<long long>(kMostBracketValues))),
+                       bracket.position);
+            return;
+        }
+        if (spec.form == UniformForm::range && count == 1 && tokens_[group.first].truth()) {
+            spec.form = UniformForm::truth;
+            spec.values = {*tokens_[group.first].truth() ? 1. : 0.};
+            return;
+        }
+        std::vector<std::string> written;
+        for (std::size_t i = group.first; i < group.last; ++i) {
+            const ReadNumber number = readValue(tokens_[i]);
+            spec.values.push_back(number.value);
+            if (written.size() < 2) written.emplace_back(number.text);
+        }
+        reportCount(spec, written);
+    }
+
+    /// A number of a group; `true` among numbers is 1.
+    ReadNumber readValue(const Token& token) {
+        if (token.truth() != true) return readNumber(token, log_);
+        log_.warning("glib-W05", fmt::format("{} is not a number, 1 used", quoted(token.text)),
+                     token.position);
+        return {1, "1"};
+    }
+
+    /// glib-W15, as far as it does not depend on the declared type.
+    void reportCount(const UniformSpec& spec, std::span<const std::string> written) {
+        const std::size_t count = spec.values.size();
+        const auto report = [&](std::string_view brackets, const std::string& reading) {
+            log_.warning(
+                "glib-W15",
+                fmt::format("{}: {} in {}, {}", spec.tag, counted(count, "value"), brackets, reading),
+                spec.valuePosition);
+        };
+        if (spec.form == UniformForm::range) {
+            if (count == 1)
+                report("< >",
+                       fmt::format("read as min {}, cur {}, max {}", spec.values[0] < 0 ? written[0] : "0",
+                                   written[0], spec.values[0] > 1 ? written[0] : "1"));
+            if (count == 2)
+                report("< >", fmt::format("read as min {}, cur {}, max {}", written[0], written[1],
+                                          written[spec.values[1] > spec.values[0] ? 1 : 0]));
+            if (count > 3) report("< >", "surplus ignored");
+        }
+        if (spec.form == UniformForm::color) {
+            if (count == 1 || count == 2) report("{ }", "missing components are 0, alpha 1");
+            if (count > 4) report("{ }", "surplus ignored");
+        }
+    }
+
+    void add(UniformSpec spec) {
+        const auto [entry, isNew] = indexOfTag_.try_emplace(spec.tag, command_.uniforms.size());
+        if (isNew) {
+            command_.uniforms.push_back(std::move(spec));
+            return;
+        }
+        log_.warning("glib-W19", fmt::format("tag {} given twice, the last one counts", quoted(spec.tag)),
+                     spec.tagPosition);
+        command_.uniforms[entry->second] = std::move(spec);
+    }
+
+    static constexpr std::size_t kLongestShown = 60;
+
+    const Statement& statement_;
+    std::span<const Token> tokens_;
+    Command& command_;
+    MessageLog& log_;
+    std::size_t at_ = 0;
+    std::unordered_map<std::string, std::size_t> indexOfTag_;
+};
+
+}  // namespace
+
+void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
+                 MessageLog& log) {
+    ProgramReader(statement, command, log).read(fragmentFile);
+}
+
+}  // namespace glibra::glib

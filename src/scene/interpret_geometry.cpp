@@ -1,0 +1,194 @@
+// Draws, and the state that decides how they are rasterised (language, 2.2, 3.3 and 11).
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <string_view>
+
+#include "glib/number.h"
+#include "scene/primitives.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+/// Index of the slot table of this place; draws share it until a texture statement changes the slots.
+int currentSlots(Interpreter& in) {
+    if (in.slotTable == kNone) {
+        in.slotTable = static_cast<int>(in.scene.slotTables.size());
+        in.scene.slotTables.push_back(in.state.slots);
+    }
+    return in.slotTable;
+}
+
+int shareShape(Interpreter& in, Shape shape) {
+    std::string file;
+    if (shape.file != kNone) {
+        const FileReference& reference = in.scene.files[static_cast<std::size_t>(shape.file)];
+        file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
+    }
+    const auto [entry, isNew] = in.shapes.try_emplace({shape.command, shape.numbers, std::move(file)},
+                                                      static_cast<int>(in.scene.shapes.size()));
+    if (isNew) in.scene.shapes.push_back(std::move(shape));
+    return entry->second;
+}
+
+std::string_view primitiveWord(geometry::Topology topology) {
+    switch (topology) {
+        case geometry::Topology::points: return "points";
+        case geometry::Topology::lines: return "lines";
+        case geometry::Topology::linesAdjacency: return "lines with adjacency";
+        case geometry::Topology::triangles: return "triangles";
+        case geometry::Topology::trianglesAdjacency: return "triangles with adjacency";
+        case geometry::Topology::patches: break;
+    }
+    return "patches";
+}
+
+/// What the solid, wire and point forms consist of.
+geometry::Topology topologyOf(glib::CommandId command) {
+    if (command == glib::CommandId::pointCloud || command == glib::CommandId::jitterCloud)
+        return geometry::Topology::points;
+    return command >= glib::CommandId::wireSphere && command <= glib::CommandId::wireTeapot
+               ? geometry::Topology::lines
+               : geometry::Topology::triangles;
+}
+
+std::uint64_t combine(std::uint64_t hash, std::uint64_t value) {
+    hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
+    return hash * 0xff51afd7ed558ccdU;
+}
+
+std::uint64_t hashOf(const geometry::Mesh& mesh) {
+    std::uint64_t hash = static_cast<std::uint64_t>(mesh.topology);
+    hash = combine(hash, static_cast<std::uint64_t>(mesh.patchVertices));
+    for (const geometry::Attribute& each : mesh.attributes)
+        for (const float value : each.values) {
+            std::uint32_t bits = 0;
+            std::memcpy(&bits, &value, sizeof bits);
+            hash = combine(hash, bits);
+        }
+    return combine(hash, mesh.indices.size());
+}
+
+bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
+    if (a.topology != b.topology || a.patchVertices != b.patchVertices || a.indices != b.indices ||
+        a.attributes.size() != b.attributes.size())
+        return false;
+    for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+        const geometry::Attribute& x = a.attributes[i];
+        const geometry::Attribute& y = b.attributes[i];
+        if (x.name != y.name || x.components != y.components || x.values != y.values) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh mesh) {
+    const std::uint64_t hash = hashOf(mesh);
+    const auto [first, last] = in.listShapes.equal_range(hash);
+    for (auto each = first; each != last; ++each) {
+        const Shape& shape = in.scene.shapes[static_cast<std::size_t>(each->second)];
+        if (shape.command == command && isSameMesh(*shape.list, mesh)) return each->second;
+    }
+    const int index = static_cast<int>(in.scene.shapes.size());
+    in.listShapes.emplace(hash, index);
+    in.scene.shapes.push_back({command, {}, kNone, std::make_shared<const geometry::Mesh>(std::move(mesh))});
+    return index;
+}
+
+bool countVertices(Interpreter& in, const glib::Command& command, std::uint64_t vertices) {
+    const auto refuse = [&](std::string_view what, std::uint64_t needed, std::uint64_t limit) {
+        in.reportError(command, "glib-E15",
+                       fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
+                                   glib::groupedText(static_cast<long long>(needed)),
+                                   glib::groupedText(static_cast<long long>(limit))));
+        return false;
+    };
+    if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);
+    if (vertices > kMostSceneVertices - in.vertices)
+        return refuse("brings the scene to", in.vertices + vertices, kMostSceneVertices);
+    in.vertices += vertices;
+    return true;
+}
+
+void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing) {
+    const State& state = in.state;
+    Draw made;
+    made.place = in.place(command);
+    made.word = drawing.word;
+    made.shape = drawing.shape;
+    made.program = state.program;
+    made.modelView = state.modelView;
+    made.projection = state.projection;
+    made.color = drawing.color.value_or(state.color);
+    made.raster = state.raster;
+    made.raster.blend = state.target.textures.empty() ? BlendMode::overOpaque : BlendMode::none;
+    made.patchVertices = state.patchVertices;
+    made.flatColors = state.flatColors;
+    made.sampling = state.sampling;
+    made.slots = currentSlots(in);
+    made.timerPeriod = state.timerPeriod;
+    if (in.scene.verbose) {
+        const std::string program =
+            state.program == kNone
+                ? "built-in program"
+                : fmt::format("program '{}'", in.scene.programs[static_cast<std::size_t>(state.program)].name);
+        in.report(note("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
+    }
+    currentPass(in).steps.emplace_back(std::move(made));
+}
+
+void doPrimitive(Interpreter& in, const glib::Command& command) {
+    Shape shape{command.id, command.numbers, kNone, nullptr};
+    const geometry::Counts counts = countsOf(shape).value_or(geometry::Counts{});
+    if (!countVertices(in, command, counts.vertices)) return;
+    const std::string size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,
+                                         primitiveWord(topologyOf(command.id)));
+    draw(in, command, {shareShape(in, std::move(shape)), command.word, size, {}});
+}
+
+void doModel(Interpreter& in, const glib::Command& command) {
+    if (command.text.empty()) {
+        in.reportError(command, "glib-E09",
+                       fmt::format("{} without a file name is only possible in the interactive program", command.word));
+        return;
+    }
+    Shape shape{command.id, {}, fileOf(in, command.text, in.script.place(command.textPosition)), nullptr};
+    draw(in, command, {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text), {}});
+}
+
+void doPointGroups(Interpreter& in, const glib::Command& command) {
+    if (!countVertices(in, command, command.points.size())) return;
+    const bool isTriangles = command.id == glib::CommandId::triangles;
+    std::vector<std::array<double, 4>> points;
+    points.reserve(command.points.size());
+    for (const glib::PointGroup& each : command.points) {
+        std::array<double, 4> point{0, 0, 0, 1};
+        for (std::size_t i = 0; i < point.size() && i < each.values.size(); ++i) point[i] = each.values[i];
+        points.push_back(point);
+    }
+    points.resize(points.size() - points.size() % (isTriangles ? 3 : 4));
+    geometry::Mesh mesh = isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
+    const std::string size = fmt::format("{} vertices, {} {}", points.size(), points.size() / (isTriangles ? 3 : 4),
+                                         primitiveWord(mesh.topology));
+    draw(in, command, {shapeOfMesh(in, command.id, std::move(mesh)), command.word, size, {}});
+}
+
+void doLineWidth(Interpreter& in, const glib::Command& command) {
+    if (!command.numbers.empty()) in.state.raster.lineWidth = command.numbers[0];
+}
+void doPointSize(Interpreter& in, const glib::Command& command) {
+    if (!command.numbers.empty()) in.state.raster.pointSize = command.numbers[0];
+}
+void doPointSizeMode(Interpreter& in, const glib::Command& command) {
+    in.state.raster.pointSizeFromShader = command.numbers.empty() || command.numbers[0] != 0;
+}
+void doNumPatchVertices(Interpreter& in, const glib::Command& command) {
+    if (!command.numbers.empty()) in.state.patchVertices = static_cast<int>(command.numbers[0]);
+}
+void doFlat(Interpreter& in, const glib::Command&) { in.state.flatColors = true; }
+void doSmooth(Interpreter& in, const glib::Command&) { in.state.flatColors = false; }
+
+}  // namespace glibra::scene

@@ -1,0 +1,60 @@
+// Shader files, programs, and what else is said once (language, 3.5 and 3.6).
+
+#include <fmt/format.h>
+
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+glsl::Stage stageOf(glib::CommandId id) {
+    switch (id) {
+        case glib::CommandId::tessControl: return glsl::Stage::tessControl;
+        case glib::CommandId::tessEvaluation: return glsl::Stage::tessEvaluation;
+        case glib::CommandId::geometry: return glsl::Stage::geometry;
+        case glib::CommandId::fragment: return glsl::Stage::fragment;
+        default: break;
+    }
+    return glsl::Stage::vertex;
+}
+
+}  // namespace
+
+void doStage(Interpreter& in, const glib::Command& command) {
+    const glsl::Stage stage = stageOf(command.id);
+    if (command.text.empty())
+        in.state.stageFiles.erase(stage);
+    else
+        in.state.stageFiles[stage] = fileOf(in, command.text, in.script.place(command.textPosition));
+}
+
+void doProgram(Interpreter& in, const glib::Command& command) {
+    Program program;
+    program.name = command.text;
+    program.place = in.place(command);
+    for (const auto& [stage, file] : in.state.stageFiles) program.stages.push_back({stage, file});
+    program.geometryInput = in.state.geometryInput;
+    program.geometryOutput = in.state.geometryOutput;
+    program.geometryVerticesOut = in.state.geometryVerticesOut;
+    program.uniforms = command.uniforms;
+    in.state.program = static_cast<int>(in.scene.programs.size());
+    in.scene.programs.push_back(std::move(program));
+}
+
+void doGeometryInput(Interpreter& in, const glib::Command& command) { in.state.geometryInput = command.text; }
+void doGeometryOutput(Interpreter& in, const glib::Command& command) { in.state.geometryOutput = command.text; }
+void doGeometryVerticesOut(Interpreter& in, const glib::Command& command) {
+    in.state.geometryVerticesOut = command.numbers.empty() ? 0 : static_cast<int>(command.numbers[0]);
+}
+
+void doTimer(Interpreter& in, const glib::Command& command) {
+    if (!command.numbers.empty()) in.state.timerPeriod = command.numbers[0];
+}
+
+void doMessageBox(Interpreter& in, const glib::Command& command) {
+    in.report(note("glib-N01", fmt::format("MessageBox: {}", command.text), in.place(command)));
+}
+
+void doNothing(Interpreter&, const glib::Command&) {}
+
+}  // namespace glibra::scene

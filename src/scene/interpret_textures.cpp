@@ -1,0 +1,175 @@
+// Textures and the slots that hold them (language, 2.4, 3.4 and 9).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "glib/command_table.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/state.h"
+#include "scene/textures.h"
+
+namespace glibra::scene {
+namespace {
+
+constexpr std::uint64_t kAllTextures = std::uint64_t{4} << 30U;  // bytes
+
+/// Index of the noise textures, which are made first.
+constexpr int kNoise2Texture = 0;
+constexpr int kNoise3Texture = 1;
+
+/// TexelFormat in the order of glib's table of formats.
+constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f, TexelFormat::r32f};
+
+/// Index of the format with that word; the first without one.
+std::size_t formatOf(std::string_view word) {
+    const auto formats = glib::textureFormats();
+    for (std::size_t i = 0; i < formats.size() && i < kFormats.size(); ++i)
+        if (glib::sameWord(formats[i].name, word)) return i;
+    return 0;
+}
+
+TextureTarget targetOfDimensions(std::size_t dimensions) {
+    if (dimensions == 1) return TextureTarget::texture1D;
+    return dimensions == 2 ? TextureTarget::texture2D : TextureTarget::texture3D;
+}
+
+/// Puts the texture into its slot; slots stay sorted by unit and target.
+void store(Interpreter& in, const glib::Command& command, Texture texture) {
+    const int index = static_cast<int>(in.scene.textures.size());
+    const Slot slot{texture.unit, texture.target, index};
+    in.scene.textures.push_back(std::move(texture));
+    in.slotTable = kNone;
+    const auto order = [](const Slot& a, const Slot& b) {
+        return std::pair(a.unit, a.target) < std::pair(b.unit, b.target);
+    };
+    const auto at = std::lower_bound(in.state.slots.begin(), in.state.slots.end(), slot, order);
+    if (at == in.state.slots.end() || order(slot, *at)) {
+        in.state.slots.insert(at, slot);
+        return;
+    }
+    if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
+        in.reportWarning(command, "glib-W36",
+                         fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
+    at->texture = index;
+}
+
+/// An empty texture of the sizes given, unless all such textures together become too large: glib-E15.
+std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& command) {
+    std::array<int, 3> sizes{1, 1, 1};
+    const std::size_t format = formatOf(command.text);
+    auto bytes = static_cast<std::uint64_t>(glib::textureFormats()[format].bytes);
+    for (std::size_t i = 0; i < sizes.size() && i + 1 < command.numbers.size(); ++i) {
+        sizes[i] = static_cast<int>(command.numbers[i + 1]);
+        bytes *= static_cast<std::uint64_t>(sizes[i]);
+    }
+    if (bytes > kAllTextures - in.textureBytes) {
+        in.reportError(command, "glib-E15",
+                       fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
+                                   glib::groupedText(static_cast<long long>(in.textureBytes + bytes)),
+                                   glib::groupedText(static_cast<long long>(kAllTextures))));
+        return std::nullopt;
+    }
+    in.textureBytes += bytes;
+    return EmptySource{sizes[0], sizes[1], sizes[2], kFormats[format]};
+}
+
+/// How many dimensions the command itself says; 0: none.
+std::size_t dimensionsOf(glib::CommandId id) {
+    switch (id) {
+        case glib::CommandId::texture1D: return 1;
+        case glib::CommandId::texture2D: return 2;
+        case glib::CommandId::texture3D: return 3;
+        default: break;
+    }
+    return 0;
+}
+
+/// A texture from the file that the command names. A noise file that is not there is the built-in noise.
+Texture pictureTexture(Interpreter& in, const glib::Command& command) {
+    Texture texture;
+    const std::size_t wanted = dimensionsOf(command.id);
+    const Place place = in.script.place(command.textPosition);
+    const int file = fileOf(in, command.text, place);
+    const std::filesystem::path& path = in.scene.files[static_cast<std::size_t>(file)].path;
+    const auto noise = path.empty() ? noiseNameOf(command.text) : std::nullopt;
+    if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
+        texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
+        texture.source = NoiseSource{
+            noise->dimensions,
+            noise->size,
+            kNone,
+            {warning("file-W09", fmt::format("'{}' not found, built-in noise used", command.text), place)}};
+        return texture;
+    }
+    texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
+    texture.source = PictureSource{{file}, wanted == 0};
+    return texture;
+}
+
+void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t index) {
+    if (!command.numbers.empty()) in.noiseSizes[index] = static_cast<int>(command.numbers[0]);
+}
+
+}  // namespace
+
+void addNoiseTextures(Interpreter& in) {
+    const Place place = in.script.place({});
+    in.scene.textures.push_back({TextureTarget::texture2D, NoiseSource{.dimensions = 2, .remarks = {}}, place, kNoise2Unit});
+    in.scene.textures.push_back({TextureTarget::texture3D, NoiseSource{.dimensions = 3, .remarks = {}}, place, kNoise3Unit});
+    in.state.slots = {{kNoise2Unit, TextureTarget::texture2D, kNoise2Texture},
+                      {kNoise3Unit, TextureTarget::texture3D, kNoise3Texture}};
+}
+
+void doTexture(Interpreter& in, const glib::Command& command) {
+    if (command.numbers.empty()) return;
+    Texture texture;
+    if (command.numbers.size() > 1) {
+        const auto source = emptySource(in, command);
+        if (!source) return;
+        texture.source = *source;
+        texture.target = targetOfDimensions(command.numbers.size() - 1);
+    } else {
+        texture = pictureTexture(in, command);
+    }
+    texture.place = in.place(command);
+    texture.unit = static_cast<int>(command.numbers[0]);
+    store(in, command, std::move(texture));
+}
+
+void doCubeMap(Interpreter& in, const glib::Command& command) {
+    if (command.numbers.empty()) return;
+    PictureSource source;
+    for (const std::string& name : command.files) source.files.push_back(fileOf(in, name, in.script.place(command.textPosition)));
+    store(in, command,
+          {TextureTarget::cube, std::move(source), in.place(command), static_cast<int>(command.numbers[0])});
+}
+
+void doClamp(Interpreter& in, const glib::Command& command) {
+    in.state.sampling.clamp = command.numbers.empty() || command.numbers[0] != 0;
+}
+
+void doNoise2D(Interpreter& in, const glib::Command& command) { setNoiseSize(in, command, 0); }
+void doNoise3D(Interpreter& in, const glib::Command& command) { setNoiseSize(in, command, 1); }
+
+void finishNoise(Interpreter& in) {
+    for (const int index : {kNoise2Texture, kNoise3Texture}) {
+        Texture& texture = in.scene.textures[static_cast<std::size_t>(index)];
+        NoiseSource noise;
+        noise.dimensions = index == kNoise2Texture ? 2 : 3;
+        noise.size = in.noiseSizes[index];
+        FileReference file =
+            noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
+        noise.remarks = std::move(file.remarks);
+        if (!file.path.empty()) {
+            noise.file = static_cast<int>(in.scene.files.size());
+            in.scene.files.push_back(std::move(file));
+        }
+        texture.source = std::move(noise);
+    }
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,126 @@
+// glBegin ... glEnd (language, 4.7).
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "glib/number.h"
+#include "scene/primitives.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+/// True if a list is open; else glib-E07, once for a run of such statements.
+bool isInside(Interpreter& in, const glib::Command& command) {
+    if (in.list) return true;
+    if (!in.isOrphan) in.reportError(command, "glib-E07", fmt::format("{} outside glBegin ... glEnd", command.word));
+    in.isOrphan = true;
+    return false;
+}
+
+template <std::size_t N>
+void copy(const glib::Command& command, std::array<double, N>& values) {
+    for (std::size_t i = 0; i < N && i < command.numbers.size(); ++i) values[i] = command.numbers[i];
+}
+
+/// The kind of primitive that an incomplete rest belongs to.
+std::string_view primitiveOf(geometry::ListTopology topology) {
+    using geometry::ListTopology;
+    switch (topology) {
+        case ListTopology::points: return "point";
+        case ListTopology::lines:
+        case ListTopology::lineStrip:
+        case ListTopology::lineLoop: return "line";
+        case ListTopology::quads:
+        case ListTopology::quadStrip: return "quad";
+        case ListTopology::polygon: return "polygon";
+        case ListTopology::linesAdjacency:
+        case ListTopology::lineStripAdjacency: return "line with adjacency";
+        case ListTopology::trianglesAdjacency:
+        case ListTopology::triangleStripAdjacency: return "triangle with adjacency";
+        case ListTopology::patches: return "patch";
+        case ListTopology::triangles:
+        case ListTopology::triangleStrip:
+        case ListTopology::triangleFan: break;
+    }
+    return "triangle";
+}
+
+}  // namespace
+
+void doGlBegin(Interpreter& in, const glib::Command& command) {
+    const auto topology = geometry::listTopology(command.text);
+    if (!topology) {
+        in.reportError(command, "glib-E08", fmt::format("unknown topology '{}'", command.text));
+        return;
+    }
+    OpenList list;
+    list.topology = *topology;
+    list.word = command.text;
+    list.place = in.place(command);
+    for (int i = 0; i < 4; ++i) list.current.color[static_cast<std::size_t>(i)] = in.state.color[i];
+    in.list = std::move(list);
+}
+
+void doGlVertex(Interpreter& in, const glib::Command& command) {
+    if (!isInside(in, command)) return;
+    OpenList& list = *in.list;
+    if (list.vertices.size() >= kMostListVertices) {
+        if (!list.isFull)
+            in.reportError(command, "glib-E15",
+                           fmt::format("glBegin: more than {} vertices",
+                                       glib::groupedText(static_cast<long long>(kMostListVertices))));
+        list.isFull = true;
+        return;
+    }
+    geometry::ListVertex vertex = list.current;
+    copy(command, vertex.position);
+    list.vertices.push_back(vertex);
+}
+
+void doGlNormal(Interpreter& in, const glib::Command& command) {
+    if (!isInside(in, command)) return;
+    copy(command, in.list->current.normal);
+    in.list->hasNormals = true;
+}
+
+void doGlColor(Interpreter& in, const glib::Command& command) {
+    if (isInside(in, command)) copy(command, in.list->current.color);
+}
+
+void doGlTexCoord(Interpreter& in, const glib::Command& command) {
+    if (isInside(in, command)) copy(command, in.list->current.texCoord);
+}
+
+void doGlEnd(Interpreter& in, const glib::Command& command) {
+    if (!isInside(in, command)) return;
+    const OpenList list = std::move(*in.list);
+    in.list.reset();
+    if (list.isFull || !countVertices(in, command, list.vertices.size())) return;
+    geometry::ListMesh made =
+        geometry::meshFromList(list.topology, list.vertices, list.hasNormals, in.state.patchVertices);
+    const std::string_view primitive = primitiveOf(list.topology);
+    if (made.mesh.indices.empty()) {
+        in.reportError(command, "glib-E07",
+                       fmt::format("glEnd: {} vertices make no complete {}", list.vertices.size(), primitive));
+        return;
+    }
+    if (made.dropped > 0)
+        in.reportWarning(command, "glib-W33",
+                         fmt::format("glEnd: {} {} of an incomplete {} dropped", made.dropped,
+                                     made.dropped == 1 ? "vertex" : "vertices", primitive));
+    Drawing drawing;
+    drawing.word = list.word;
+    drawing.size = fmt::format("{} vertices", list.vertices.size());
+    if (made.color) drawing.color = glm::dvec4((*made.color)[0], (*made.color)[1], (*made.color)[2], (*made.color)[3]);
+    drawing.shape = shapeOfMesh(in, glib::CommandId::glBegin, std::move(made.mesh));
+    draw(in, command, drawing);
+}
+
+void checkList(Interpreter& in) {
+    if (in.list) in.report(error("glib-E07", "glBegin without glEnd", in.list->place));
+}
+
+}  // namespace glibra::scene

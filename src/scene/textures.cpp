@@ -1,0 +1,131 @@
+#include "scene/textures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include "image/format.h"
+#include "noise/noise.h"
+#include "scene/file_lookup.h"
+
+namespace glibra::scene {
+namespace {
+
+constexpr std::size_t kLookedAt = 32;
+
+/// A file's first bytes and its length.
+struct Beginning {
+    std::array<std::byte, kLookedAt> bytes{};
+    std::size_t count = 0;
+    std::uint64_t length = 0;
+
+    [[nodiscard]] std::uint64_t integer(std::size_t index) const {
+        std::uint64_t value = 0;
+        for (std::size_t i = 4; i-- > 0;) value = value << 8U | std::to_integer<std::uint64_t>(bytes[4 * index + i]);
+        return value;
+    }
+};
+
+std::optional<Beginning> beginningOf(const std::filesystem::path& path) {
+    if (!isOrdinaryFile(path)) return std::nullopt;
+    Beginning beginning;
+    std::error_code failure;
+    beginning.length = std::filesystem::file_size(path, failure);
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, kLookedAt> read{};
+    file.read(read.data(), read.size());
+    beginning.count = static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0));
+    if (failure || beginning.count == 0) return std::nullopt;
+    std::transform(read.begin(), read.end(), beginning.bytes.begin(),
+                   [](char c) { return static_cast<std::byte>(c); });
+    return beginning;
+}
+
+/// True if the length is 4d + 4c * product of the d sizes, all of them at least 1.
+bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t componentBytes) {
+    const std::uint64_t header = 4 * dimensions;
+    if (beginning.count < header || beginning.length <= header) return false;
+    std::uint64_t texels = 1;
+    const std::uint64_t most = beginning.length;  // more texels than bytes cannot fit; this also keeps the product small
+    for (std::size_t i = 0; i < dimensions; ++i) {
+        const std::uint64_t size = beginning.integer(i);
+        if (size == 0 || size > most / texels) return false;
+        texels *= size;
+    }
+    return beginning.length - header == 4 * componentBytes * texels;
+}
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+}  // namespace
+
+TextureTarget targetOfFile(const std::filesystem::path& path) {
+    const auto beginning = beginningOf(path);
+    if (!beginning) return TextureTarget::texture2D;
+    const std::span<const std::byte> bytes(beginning->bytes.data(), beginning->count);
+    if (image::formatOf(bytes) != image::Format::unknown) return TextureTarget::texture2D;
+    constexpr std::array kTargets{TextureTarget::texture1D, TextureTarget::texture2D, TextureTarget::texture3D};
+    for (std::size_t i = 0; i < kTargets.size(); ++i)
+        if (fitsRaw(*beginning, i + 1, 1) || fitsRaw(*beginning, i + 1, 4)) return kTargets[i];
+    return TextureTarget::texture2D;
+}
+
+bool holdsNoise(const std::filesystem::path& path, int dimensions, int size) {
+    const auto beginning = beginningOf(path);
+    if (!beginning || !fitsRaw(*beginning, static_cast<std::size_t>(dimensions), 1)) return false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions); ++i)
+        if (beginning->integer(i) != static_cast<std::uint64_t>(size)) return false;
+    return true;
+}
+
+std::optional<NoiseName> noiseNameOf(std::string_view fileName) {
+    constexpr std::string_view kMiddle = "d.";
+    constexpr std::string_view kSuffix = ".tex";
+    const std::string name = lowerCase(fileName.substr(fileName.find_last_of("/\\") + 1));
+    NoiseName noise;
+    if (name.starts_with("noise2"))
+        noise.dimensions = 2;
+    else if (!name.starts_with("noise3"))
+        return std::nullopt;
+    const std::size_t start = 6 + kMiddle.size();
+    if (name.size() < start + 3 + kSuffix.size() || name.substr(6, kMiddle.size()) != kMiddle || !name.ends_with(kSuffix))
+        return std::nullopt;
+    const char* const end = name.data() + name.size() - kSuffix.size();
+    const auto [stop, failure] = std::from_chars(name.data() + start, end, noise.size);
+    if (failure != std::errc() || stop != end) return std::nullopt;
+    const int largest = noise.dimensions == 2 ? noise::kLargestSize2 : noise::kLargestSize3;
+    return noise.size >= 1 && noise.size <= largest ? std::optional(noise) : std::nullopt;
+}
+
+std::string noiseFileName(int dimensions, int size) { return fmt::format("noise{}d.{:03}.tex", dimensions, size); }
+
+FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dimensions, int size, const Place& place) {
+    FileReference file{noiseFileName(dimensions, size), {}, {}, place};
+    const std::filesystem::path path = sceneFolder / file.name;
+    if (!isOrdinaryFile(path)) return file;
+    if (holdsNoise(path, dimensions, size)) {
+        file.path = path;
+        file.remarks.push_back(note("file-N01", fmt::format("noise taken from '{}' beside the scene", file.name), place));
+    } else {
+        const std::string texels = dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
+        file.remarks.push_back(
+            warning("file-W10", fmt::format("'{}' does not hold {} bytes, ignored", file.name, texels), place));
+    }
+    return file;
+}
+
+}  // namespace glibra::scene

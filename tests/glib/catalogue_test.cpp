@@ -1,0 +1,113 @@
+// Language, 10: the catalogue, and that this room's messages read as its examples do.
+
+#include "glib/diagnostic_catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "scene.h"
+
+namespace glibra::glib::test {
+namespace {
+
+TEST(Catalogue, HoldsEveryIdOnceWithItsSeverity) {
+    std::set<std::string_view> ids;
+    for (const CatalogueRow& row : diagnosticCatalogue()) {
+        EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+        EXPECT_FALSE(row.example.empty()) << row.id;
+        const char letter = row.id.at(row.id.find('-') + 1);
+        EXPECT_EQ(row.severity, letter == 'E'   ? Severity::error
+                                : letter == 'W' ? Severity::warning
+                                                : Severity::note)
+            << row.id;
+    }
+    EXPECT_EQ(ids.size(), 120U);
+}
+
+TEST(Catalogue, NumbersOfEachFamilyHaveNoGaps) {
+    const auto last = [](std::string_view family) {
+        int count = 0;
+        for (const CatalogueRow& row : diagnosticCatalogue())
+            if (row.id.starts_with(family)) {
+                ++count;
+                EXPECT_EQ(std::stoi(std::string(row.id.substr(row.id.size() - 2))), count) << row.id;
+            }
+        return count;
+    };
+    EXPECT_EQ(last("glib-E"), 15);
+    EXPECT_EQ(last("glib-W"), 37);
+    EXPECT_EQ(last("glib-N"), 2);
+    EXPECT_EQ(last("draw-E"), 5);
+    EXPECT_EQ(last("draw-W"), 5);
+    EXPECT_EQ(last("draw-N"), 1);
+    EXPECT_EQ(last("glsl-E"), 10);
+    EXPECT_EQ(last("glsl-W"), 23);
+    EXPECT_EQ(last("file-E"), 9);
+    EXPECT_EQ(last("file-W"), 12);
+    EXPECT_EQ(last("file-N"), 1);
+}
+
+TEST(Catalogue, FindsAnId) {
+    ASSERT_TRUE(findDiagnostic("file-W02"));
+    EXPECT_EQ(findDiagnostic("file-W02")->example,
+              "'C:\\models\\cow.obj' found as 'cow.obj' beside the scene");
+    EXPECT_FALSE(findDiagnostic("glib-W99"));
+}
+
+struct Example {
+    const char* id;
+    std::string scene;
+};
+
+class ParserExample : public testing::TestWithParam<Example> {};
+
+TEST_P(ParserExample, IsPrintedAsTheCatalogueSays) {
+    const CatalogueRow* row = findDiagnostic(GetParam().id);
+    ASSERT_TRUE(row);
+    EXPECT_EQ(messageOf(GetParam().scene, GetParam().id), row->example);
+    for (const Diagnostic& each : read(GetParam().scene).diagnostics) {
+        if (each.id == GetParam().id) {
+            EXPECT_EQ(each.severity, row->severity);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ParserExample,
+    testing::Values(
+        Example{"glib-E01", "Spere 1"}, Example{"glib-E02", "Obj \"cow.obj"},
+        Example{"glib-E03", std::string(512, '\n') + std::string(1, '\0')},
+        Example{"glib-E04", "LookAt 0 0 5 0 0 0"}, Example{"glib-E05", "Perspective 190"},
+        Example{"glib-E08", "glBegin gl_hexagons"}, Example{"glib-E10", "Program Lighting {\n}"},
+        Example{"glib-E12", "Texture2D 200 a.bmp"}, Example{"glib-W01", "Obj /cow.obj"},
+        Example{"glib-W02", "Program P \\ # x\n uA 1"}, Example{"glib-W03", "Program P uA <0. .60, 1.>"},
+        Example{"glib-W04", "Program P uA <0.1. 1 2>"}, Example{"glib-W05", "Translate 0 0 z"},
+        Example{"glib-W06", "Translate 1 2"}, Example{"glib-W07", "Color 1 1 1 1 1"},
+        Example{"glib-W08", "Program P uA <0. 0. .5)"}, Example{"glib-W09", "Program P uA <0 1 2 uKd 1"},
+        Example{"glib-W10", "Color [1 .5 0]"}, Example{"glib-W11", "Program Magic\n uA 1"},
+        Example{"glib-W12", "Program P \\\n\n"}, Example{"glib-W13", "Program P \\\nObj cow.obj"},
+        Example{"glib-W14", "Fragment cat.frag\nProgram"}, Example{"glib-W15", "Program P uFreq <.1 1.5>"},
+        Example{"glib-W16", "Program Final Project \\\n uA 1"}, Example{"glib-W17", "Program P uA 1 uKa"},
+        Example{"glib-W18", "Program P uA 1 5"}, Example{"glib-W19", "Program P uTol 1 uTol 2"},
+        Example{"glib-W26", "Color 1 .5 2."}, Example{"glib-W27", "Sphere 1 10.5"},
+        Example{"glib-W28", "Sphere 1 2"}, Example{"glib-W29", "Ortho 0 0 -1 1"},
+        Example{"glib-W35",
+                "Sphere\xc2\xa0"
+                "1"}),
+    [](const testing::TestParamInfo<Example>& example) {
+        std::string name = example.param.id;
+        name.erase(name.find('-'), 1);
+        return name;
+    });
+
+TEST(Catalogue, MessageHasTheFormOfTheLanguage) {
+    const Script script = parse("\n\n\n\n\n\nSphere    0.1.", "sphere.glib");
+    ASSERT_EQ(script.diagnostics.size(), 1U);
+    EXPECT_EQ(toString(script.diagnostics[0]),
+              "sphere.glib:7:11: warning: '0.1.' read as 0.1, '.' ignored [glib-W04]");
+}
+
+}  // namespace
+}  // namespace glibra::glib::test

@@ -1,0 +1,116 @@
+// The command table against the language's section 3, written out here a second time.
+
+#include "glib/command_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "glib/suggest.h"
+
+namespace glibra::glib::test {
+namespace {
+
+constexpr const char* kWords =
+    "WindowSize Perspective Persp Ortho LookAt Color Colour Background Clear Translate Rotate Scale "
+    "PushMatrix TransformBegin "
+    "PopMatrix TransformEnd Box Cube Sphere Cylinder Cone Torus Teapot Soccerball DiskXY QuadXY QuadXZ "
+    "QuadYZ QuadBox Xarrow "
+    "PointCloud JitterCloud WireSphere WireTorus WireCylinder WireCone WireCube WireBox WireTeapot Obj "
+    "WireObj ObjAdj ObjPatch "
+    "Shp LinesAdjacency Triangles glBegin glVertex glNormal glColor glTexCoord glEnd LineWidth PointSize "
+    "PointSizeMode "
+    "NumPatchVertices Flat Smooth Texture1D Texture2D Texture3D Texture CubeMap RenderToTexture Clamp Vertex "
+    "TessControl "
+    "TessEvaluation Geometry Fragment Program GeometryInput GeometryInputType GeometryOutput "
+    "GeometryOutputType "
+    "GeometryVerticesOut GSTAP gstap.h Noise2D Noise3D Timer MessageBox Verbose";
+
+TEST(CommandTable, HoldsExactlyTheWordsOfTheLanguage) {
+    std::set<std::string> expected;
+    std::istringstream words(kWords);
+    for (std::string word; words >> word;) expected.insert(word);
+    std::set<std::string> found;
+    for (const CommandRow& row : commandTable())
+        for (const std::string_view name : row.names)
+            if (!name.empty()) {
+                EXPECT_TRUE(found.insert(std::string(name)).second) << name;
+            }
+    EXPECT_EQ(found, expected);
+}
+
+TEST(CommandTable, HasOneRowACommandInTheOrderOfTheirIds) {
+    int id = 0;
+    for (const CommandRow& row : commandTable()) EXPECT_EQ(static_cast<int>(row.id), id++) << row.name();
+    EXPECT_EQ(id, static_cast<int>(CommandId::verbose) + 1);
+}
+
+TEST(CommandTable, EveryRowAndArgumentIsDescribed) {
+    for (const CommandRow& row : commandTable()) {
+        EXPECT_FALSE(row.summary.empty()) << row.name();
+        for (const Argument& argument : row.arguments) EXPECT_FALSE(argument.name.empty()) << row.name();
+        EXPECT_EQ(row.form == ArgumentForm::topology, !row.words.empty()) << row.name();
+        EXPECT_EQ(row.form == ArgumentForm::pointGroups, row.groupMultiple > 0) << row.name();
+    }
+}
+
+TEST(CommandTable, DefaultsObeyTheirOwnRanges) {
+    for (const CommandRow& row : commandTable())
+        for (const Argument& argument : row.arguments) {
+            if (!argument.byDefault) continue;
+            if (argument.rule == ArgumentRule::count || argument.rule == ArgumentRule::within) {
+                EXPECT_GE(*argument.byDefault, argument.least) << row.name() << ' ' << argument.name;
+                EXPECT_LE(*argument.byDefault, argument.most) << row.name() << ' ' << argument.name;
+            }
+        }
+}
+
+TEST(CommandTable, FindsAliasesInAnyCase) {
+    ASSERT_TRUE(findCommand("transformBEGIN"));
+    EXPECT_EQ(findCommand("transformBEGIN")->id, CommandId::pushMatrix);
+    EXPECT_EQ(findCommand("Cube")->id, CommandId::box);
+    EXPECT_EQ(findCommand("GSTAP.H")->id, CommandId::gstap);
+    EXPECT_FALSE(findCommand(""));
+    EXPECT_FALSE(findCommand("Spere"));
+    EXPECT_FALSE(findCommand("Texture4D"));
+}
+
+TEST(EditDistance, CountsEdits) {
+    EXPECT_EQ(editDistance("", ""), 0U);
+    EXPECT_EQ(editDistance("", "abc"), 3U);
+    EXPECT_EQ(editDistance("abc", ""), 3U);
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(editDistance("Spehre", "sphere"), 1U);  // neighbours exchanged
+    EXPECT_EQ(editDistance("flaw", "lawn"), 2U);
+    EXPECT_EQ(editDistance("ca", "abc"), 3U);  // no byte is edited twice
+}
+
+TEST(EditDistance, IsSymmetric) {
+    for (const char* a : {"Sphere", "Cone", "glVertex", ""})
+        for (const char* b : {"Spere", "Cylinder", "xgl", "Cnoe"})
+            EXPECT_EQ(editDistance(a, b), editDistance(b, a));
+}
+
+TEST(NearestName, IsTheNearestOrNothing) {
+    constexpr std::string_view kNames[] = {"uShrink", "uKa", "uKd", "Sphere", "uA"};
+    EXPECT_EQ(nearestName("ushrink", kNames), "uShrink");
+    EXPECT_EQ(nearestName("uShrnik", kNames), "uShrink");
+    EXPECT_EQ(nearestName("Spere", kNames), "Sphere");
+    EXPECT_EQ(nearestName("uKs", kNames), "uKa");
+    EXPECT_EQ(nearestName("uB", kNames), "");
+    EXPECT_EQ(nearestName("Tetrahedron", kNames), "");
+    EXPECT_EQ(nearestName("", kNames), "");
+    EXPECT_EQ(nearestName(std::string(100, 'u'), kNames), "");
+}
+
+TEST(NearestCommand, IsSpelledAsInTheTable) {
+    EXPECT_EQ(nearestCommand("spere"), "Sphere");
+    EXPECT_EQ(nearestCommand("Cylindre"), "Cylinder");
+    EXPECT_EQ(nearestCommand("PushMatirx"), "PushMatrix");
+    EXPECT_EQ(nearestCommand("Dodecahedron"), "");
+}
+
+}  // namespace
+}  // namespace glibra::glib::test

@@ -1,0 +1,53 @@
+#pragma once
+// One context for all tests of a suite, and the shortest way from a shader to pixels.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "gpu/readback.h"
+#include "gpu/reflection.h"
+#include "gpu/target.h"
+
+namespace glibra::gpu::test {
+
+/// Every message on a line of its own.
+std::string text(const Diagnostics& diagnostics);
+
+using Rgba = std::array<float, 4>;
+
+/// Reads colour `index` as floats, top row first.
+std::vector<Rgba> pixels(const Context& context, const Target& target, int index = 0);
+
+/// A vertex shader that covers everything with one triangle, without vertex data.
+extern const char* const kCoverAll;
+
+class GpuTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite();
+    static void TearDownTestSuite();
+    void SetUp() override;
+    /// No test leaves an error behind that it has not looked at.
+    void TearDown() override;
+
+    static Context& context() { return *context_; }
+    static const Capabilities& driver() { return context_->capabilities(); }
+
+    /// Fails the test if it does not link.
+    static std::optional<Program> build(std::string_view vertex, std::string_view fragment);
+    /// A fragment stage for every pixel of a new RGBA32F target of that size; its `out vec4 fColor`s are read
+    /// back.
+    static std::vector<Rgba> shade(const Program& program, int width = 1, int height = 1);
+
+  private:
+    static std::unique_ptr<Context> context_;
+};
+
+}  // namespace glibra::gpu::test

@@ -1,0 +1,185 @@
+// Whole files: read with limits, written so that nobody ever sees half of one.
+
+#include "image/file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "image/compare.h"
+#include "image/write.h"
+#include "support.h"
+
+namespace glibra::image {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::idsOf;
+
+const FileLabel kLabel{"a", {"scene.glib", 3, 1}};
+
+class WholeFile : public testing::InFolder {};
+
+TEST_F(WholeFile, IsReadByteForByte) {
+    const auto bytes = testing::noisyImage(33, 7, 3, Component::u8).data;
+    const auto read = readFile(put("a", bytes), kLabel);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, bytes);
+}
+
+TEST_F(WholeFile, WhatCannotBeReadIsToldApart) {
+    EXPECT_EQ(idsOf(readFile(folder / "none", kLabel).diagnostics), "file-E01");
+    EXPECT_EQ(idsOf(readFile(put("empty", {}), kLabel).diagnostics), "file-E02");
+    const auto inFolder = readFile(folder, kLabel);
+    ASSERT_EQ(idsOf(inFolder.diagnostics), "file-E02");
+    EXPECT_EQ(inFolder.diagnostics[0].text, "cannot read 'a': it is a folder");
+    EXPECT_EQ(inFolder.diagnostics[0].place, kLabel.place);
+    EXPECT_EQ(idsOf(readFile(put("file", testing::bytesOf({1})) / "inside", kLabel).diagnostics), "file-E01");
+}
+
+TEST_F(WholeFile, APipeIsNotWaitedFor) {
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(idsOf(readFile(folder / "pipe", kLabel).diagnostics), "file-E02");
+    EXPECT_EQ(idsOf(readFile("/dev/zero", kLabel).diagnostics), "file-E02");
+}
+
+TEST_F(WholeFile, BeyondTheLimitIsRefusedBeforeReading) {
+    put("large", testing::bytesOf({1, 2, 3, 4}));
+    EXPECT_TRUE(readFile(folder / "large", kLabel, 4));
+    EXPECT_EQ(idsOf(readFile(folder / "large", kLabel, 3).diagnostics), "file-E09");
+    fs::resize_file(folder / "large", 3 * kGiB);  // takes no room on the disk
+    const auto read = readFile(folder / "large", kLabel);
+    ASSERT_EQ(idsOf(read.diagnostics), "file-E09");
+    EXPECT_EQ(read.diagnostics[0].text, "'a' has 3 GiB, the limit is 2 GiB");
+}
+
+TEST(ReadableBytes, AreRoundedUpSoThatALimitIsNotShownAsKept) {
+    EXPECT_EQ(readableBytes(17), "17 bytes");
+    EXPECT_EQ(readableBytes(kGiB), "1 GiB");
+    EXPECT_EQ(readableBytes(kGiB + 1), "1.1 GiB");
+    EXPECT_EQ(readableBytes(3 << 20), "3 MiB");
+    EXPECT_EQ(readableBytes((3 << 20) + 1), "3.1 MiB");
+}
+
+TEST_F(WholeFile, IsWrittenUnderItsNameOnly) {
+    const auto bytes = testing::bytesOf({1, 2, 3});
+    EXPECT_TRUE(writeFileAtomically(folder / "out.png", bytes).empty());
+    EXPECT_EQ(*readFile(folder / "out.png", kLabel), bytes);
+    const auto longer = testing::bytesOf({4, 5, 6, 7});
+    EXPECT_TRUE(writeFileAtomically(folder / "out.png", longer).empty());
+    EXPECT_EQ(*readFile(folder / "out.png", kLabel), longer);
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(WholeFile, FollowsTheUsersFileMode) {
+    const mode_t before = ::umask(027);
+    EXPECT_TRUE(writeFileAtomically(folder / "out.png", testing::bytesOf({1})).empty());
+    ::umask(before);
+    struct stat status {};
+    ASSERT_EQ(::stat((folder / "out.png").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST_F(WholeFile, ALongNameIsNoObstacle) {
+    EXPECT_TRUE(
+        writeFileAtomically(folder / (std::string(250, 'n') + ".png"), testing::bytesOf({1})).empty());
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(WholeFile, ThroughALinkChangesWhatItPointsTo) {
+    put("real", testing::bytesOf({1}));
+    fs::create_symlink("real", folder / "link");
+    EXPECT_TRUE(writeFileAtomically(folder / "link", testing::bytesOf({2})).empty());
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(*readFile(folder / "real", kLabel), testing::bytesOf({2}));
+}
+
+TEST_F(WholeFile, ThatCannotBeWrittenLeavesNothing) {
+    const auto bytes = testing::bytesOf({1, 2, 3});
+    const auto missing = writeFileAtomically(folder / "none" / "out.png", bytes);
+    ASSERT_EQ(idsOf(missing), "file-E10");
+    EXPECT_EQ(missing[0].text,
+              "cannot write '" + (folder / "none" / "out.png").string() + "': no such file or directory");
+    EXPECT_EQ(idsOf(writeFileAtomically(folder, bytes)), "file-E10");
+    put("file", bytes);
+    EXPECT_EQ(idsOf(writeFileAtomically(folder / "file" / "out.png", bytes)), "file-E10");
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(WholeFile, AnUnwritableFolderStaysAsItIs) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+    fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_EQ(idsOf(writeFileAtomically(folder / "out.png", testing::bytesOf({1}))), "file-E10");
+    fs::permissions(folder, fs::perms::owner_all);
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+TEST_F(WholeFile, AFullDiskIsReported) {
+    const auto full = writeFileAtomically("/dev/full", testing::bytesOf({1}));
+    ASSERT_EQ(idsOf(full), "file-E10");
+    EXPECT_EQ(full[0].text, "cannot write '/dev/full': no space left on device");
+    EXPECT_TRUE(writeFileAtomically("/dev/null", testing::bytesOf({1})).empty());
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(WholeFile, ATemporaryFileGoesAwayWithoutCommit) {
+    {
+        const TemporaryFile temporary(folder / "out.exr");
+        EXPECT_EQ(temporary.path().extension(), ".exr");
+        EXPECT_EQ(fileCount(), 1U);
+    }
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+class WriteImage : public testing::InFolder {};
+
+TEST_F(WriteImage, PngNeedsNoModule) {
+    const Image image = testing::noisyImage(9, 8, 4, Component::u8);
+    EXPECT_TRUE(writeImage(image, folder / "a.PNG", {{}, {}}).empty());
+    const auto read = readImage(folder / "a.PNG");
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(compare(image, *read).identical);
+}
+
+TEST_F(WriteImage, FloatsBecome16BitsInPng) {
+    Image image = testing::noisyImage(9, 8, 4, Component::f32);
+    EXPECT_TRUE(writeImage(image, folder / "a.png", {{}, {}}).empty());
+    const auto read = readImage(folder / "a.png");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->type, Component::u16);
+    for (std::size_t at = 0; at < image.data.size(); at += 4) {
+        float value = 0;
+        std::uint16_t stored = 0;
+        std::memcpy(&value, image.data.data() + at, 4);
+        std::memcpy(&stored, read->data.data() + at / 2, 2);
+        EXPECT_NEAR(stored / 65535., std::min(1.F, std::max(0.F, value)), .5001 / 65535);
+    }
+}
+
+TEST_F(WriteImage, WithoutTheModuleOtherFormatsAreRefusedAndNothingIsLeft) {
+    const auto problems = writeImage(testing::smoothImage(4, 4), folder / "a.exr", {{}, {}});
+    ASSERT_EQ(idsOf(problems), "file-E03");
+    EXPECT_NE(problems[0].text.find("an EXR picture and the image module is not installed"),
+              std::string::npos);
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+TEST_F(WriteImage, AnUnknownSuffixOrAnEmptyPictureIsRefused) {
+    EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.xyz")), "file-E10");
+    EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a")), "file-E10");
+    EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.tex")), "file-E10");
+    EXPECT_EQ(idsOf(writeImage({}, folder / "a.png")), "file-E10");
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+TEST_F(WriteImage, AFormatThatCanOnlyBeReadIsRefusedAndNothingIsLeft) {
+    GLIBRA_NEED_MODULE();
+    EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.psd", {{}, testing::moduleFolders()})),
+              "file-E10");
+    EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "none" / "a.tif",
+                               {{}, testing::moduleFolders()})),
+              "file-E10");
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+}  // namespace
+}  // namespace glibra::image

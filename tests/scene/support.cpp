@@ -1,0 +1,67 @@
+#include "support.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "glib/script.h"
+
+namespace glibra::scene::tests {
+
+Scene run(std::string_view text, const std::filesystem::path& path, const InterpretOptions& options) {
+    const glib::Script script = glib::parse(text, path.string());
+    EXPECT_FALSE(hasError(script.diagnostics)) << textsOf(script.diagnostics);
+    return interpret(script, options);
+}
+
+std::vector<Draw> drawsOf(const Scene& scene) {
+    std::vector<Draw> draws;
+    for (const Pass& pass : scene.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<Draw>(&step)) draws.push_back(*draw);
+    return draws;
+}
+
+Draw drawOf(std::string_view text) {
+    const std::vector<Draw> draws = drawsOf(run(text));
+    EXPECT_EQ(draws.size(), 1U);
+    return draws.empty() ? Draw{} : draws.front();
+}
+
+std::string idsOf(const Diagnostics& diagnostics) {
+    std::string ids;
+    for (const Diagnostic& each : diagnostics) ids += (ids.empty() ? "" : " ") + each.id;
+    return ids;
+}
+
+std::string textsOf(const Diagnostics& diagnostics) {
+    std::string texts;
+    for (const Diagnostic& each : diagnostics) {
+        if (!texts.empty()) texts += '\n';
+        texts += std::to_string(each.place.line) + ":" + std::to_string(each.place.column);
+        texts += " " + each.id + " " + each.text;
+    }
+    return texts;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "glibra-scene-XXXXXX").string();
+    if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+    EXPECT_FALSE(path_.empty());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code failure;
+    if (!path_.empty()) std::filesystem::remove_all(path_, failure);
+}
+
+std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name, std::string_view content) const {
+    const std::filesystem::path path = path_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << content;
+    return path;
+}
+
+}  // namespace glibra::scene::tests
