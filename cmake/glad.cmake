@@ -20,7 +20,6 @@ set(glad_extensions
     EGL_EXT_device_drm
     EGL_MESA_platform_surfaceless
     EGL_KHR_create_context
-    EGL_KHR_display_reference
     EGL_KHR_surfaceless_context
     EGL_KHR_no_config_context)
 list(JOIN glad_extensions "," glad_extension_list)

@@ -1,13 +1,14 @@
 # The OpenImageIO module: every picture format but our own, loaded by src/image when a file needs it, so that a
 # process that renders to PNG never pays for OpenImageIO's start-up.
 
-find_package(OpenImageIO REQUIRED)
+# By pkg-config: Debian's CMake package of OpenImageIO wants OpenCV's headers, which it does not depend on.
+pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
 file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
 if(module_sources AND TARGET glibra_image_objects)
     add_library(glibra_openimageio MODULE ${module_sources})
     glibra_compile_options(glibra_openimageio)
     target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(glibra_openimageio PRIVATE OpenImageIO::OpenImageIO fmt::fmt)
+    target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio fmt::fmt)
     set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
     target_compile_definitions(
         glibra_image_objects

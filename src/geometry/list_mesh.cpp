@@ -41,7 +41,7 @@ std::vector<glm::dvec3> computedNormals(ListTopology topology, std::span<const L
     for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) {
         const glm::dvec3 area = areaNormal(place(indices[i]), place(indices[i + 1]), place(indices[i + 2]));
         if (topology == ListTopology::quads) {
-            const std::size_t quad = indices[i] / 4 * 4;
+            const std::size_t quad = indices[i] - indices[i] % 4;
             for (std::size_t corner = quad; corner < quad + 4; ++corner) normals[corner] += area;
         } else {
             for (std::size_t corner = i; corner < i + 3; ++corner) normals[indices[corner]] += area;

@@ -53,7 +53,8 @@ void addBandPoints(Surface& surface, const Axis& axis, const Band& band, std::sp
                               static_cast<double>(i) / slices));
     if (band.apex)
         for (int i = 0; i < slices; ++i)
-            surface.add(point(1, unitTurn(2 * i + 1, 2 * slices), (i + .5) / slices));
+            surface.add(
+                point(1, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}), (i + .5) / slices));
 }
 
 void addBandCells(Surface& surface, std::uint32_t base, const Band& band, std::uint32_t slices) {

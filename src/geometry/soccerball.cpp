@@ -27,9 +27,9 @@ Icosahedron icosahedron() {
     Icosahedron vertices;
     vertices[0] = {0, 1, 0};
     vertices[11] = {0, -1, 0};
-    for (int k = 0; k < 5; ++k) {
-        vertices[static_cast<std::size_t>(1 + k)] = at(5 + 4 * k, sine);
-        vertices[static_cast<std::size_t>(6 + k)] = at(7 + 4 * k, -sine);
+    for (std::size_t k = 0; k < 5; ++k) {
+        vertices[1 + k] = at(5 + 4 * static_cast<int>(k), sine);
+        vertices[6 + k] = at(7 + 4 * static_cast<int>(k), -sine);
     }
     return vertices;
 }

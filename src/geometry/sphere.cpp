@@ -22,7 +22,8 @@ SurfacePoint spherePoint(double radius, const glm::dvec2& around, const glm::dve
 void addPole(Surface& surface, double radius, int slices, double t) {
     const glm::dvec2 latitude{0, t == 0 ? -1 : 1};
     for (int i = 0; i < slices; ++i)
-        surface.add(spherePoint(radius, unitTurn(2 * i + 1, 2 * slices), latitude, (i + .5) / slices, t));
+        surface.add(spherePoint(radius, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}), latitude,
+                                (i + .5) / slices, t));
 }
 
 void addPoints(Surface& surface, double radius, int slices, int stacks) {

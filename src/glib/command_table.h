@@ -64,13 +64,13 @@ enum class LoneNumber {
 
 struct CommandRow {
     CommandId id{};
-    std::array<std::string_view, 2> names{};  ///< as the reference spells it, and an alias or nothing
     ArgumentForm form = ArgumentForm::numbers;
+    std::array<std::string_view, 2> names{};  ///< as the reference spells it, and an alias or nothing
     std::span<const Argument> arguments{};
     std::string_view summary{};  ///< one line
     LoneNumber loneNumber = LoneNumber::first;
-    std::span<const std::string_view> words{};  ///< of ArgumentForm::topology
     int groupMultiple = 0;                      ///< of ArgumentForm::pointGroups
+    std::span<const std::string_view> words{};  ///< of ArgumentForm::topology
 
     [[nodiscard]] std::string_view name() const { return names[0]; }
 };

@@ -43,7 +43,7 @@ class Parser {
                 reportUnknown(statement->word);
                 continue;
             }
-            keep(*statement);
+            if (!statement->refused) keep(*statement);
         }
         return std::move(commands_);
     }

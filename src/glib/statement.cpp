@@ -163,7 +163,7 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
                fmt::format("{}: brace blocks belong to another program's scene language",
                            quoted("Program " + name + "{")),
                statement.word.position);
-    statement.faulty = true;
+    statement.refused = true;
     return skipBraceBlock();
 }
 

@@ -20,8 +20,9 @@ struct Statement {
     std::size_t plainArguments = 0;  ///< how many of them are no brackets
     std::string_view message;        ///< of MessageBox
     Position messagePosition;
-    std::size_t end = 0;  ///< byte offset after the statement's last token
-    bool faulty = false;  ///< a line of it has an error: it must not be run
+    std::size_t end = 0;   ///< byte offset after the statement's last token
+    bool faulty = false;   ///< a line of it has an error: it must not be run
+    bool refused = false;  ///< not in this language (glib-E10): its arguments mean nothing
 };
 
 /// Reads a text statement by statement. Reports what the lexer reports and glib-W11, W12, W13, E10.

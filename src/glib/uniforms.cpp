@@ -113,13 +113,14 @@ class ProgramReader {
             spec.values.push_back(readNumber(value, log_).value);
             at_ += 2;
         } else {
-            readGroup(spec, at_ + 1);
+            if (!readGroup(spec, at_ + 1)) return;
             if (spec.values.empty()) return reportNoValue(tag);
         }
         add(std::move(spec));
     }
 
-    void readGroup(UniformSpec& spec, std::size_t open) {
+    /// False if the group is refused.
+    bool readGroup(UniformSpec& spec, std::size_t open) {
         const BracketGroup group = groupAt(tokens_, open);
         const Token& bracket = tokens_[open];
         at_ = group.next;
@@ -133,12 +134,12 @@ class ProgramReader {
                                    groupedText(static_cast<long long>(count)),
                                    groupedText(static_cast<long long>(kMostBracketValues))),
                        bracket.position);
-            return;
+            return false;
         }
         if (spec.form == UniformForm::range && count == 1 && tokens_[group.first].truth()) {
             spec.form = UniformForm::truth;
             spec.values = {*tokens_[group.first].truth() ? 1. : 0.};
-            return;
+            return true;
         }
         std::vector<std::string> written;
         for (std::size_t i = group.first; i < group.last; ++i) {
@@ -147,6 +148,7 @@ class ProgramReader {
             if (written.size() < 2) written.emplace_back(number.text);
         }
         reportCount(spec, written);
+        return true;
     }
 
     /// A number of a group; `true` among numbers is 1.

@@ -42,7 +42,8 @@ class BodyWalker {
         for (const LayoutItem& item : declaration.qualifiers.layout) expressions_.markUses(item.value);
         markSizes(declaration.type.dimensions);
         if (declaration.kind == DeclarationKind::requalify) {
-            for (const Declarator& each : declaration.declarators) bodies_.roles[each.name] = WordRole::global;
+            for (const Declarator& each : declaration.declarators)
+                bodies_.roles[each.name] = WordRole::global;
             return;
         }
         if (declaration.kind == DeclarationKind::function || declaration.kind == DeclarationKind::prototype)
@@ -198,8 +199,8 @@ class BodyWalker {
             Type own = type;
             own.arrayDepth = static_cast<std::uint16_t>(own.arrayDepth + each.dimensions.size());
             const bool constant = parsed.qualifiers.storage == Storage::constant;
-            bodies_.locals.push_back(
-                {each.name, own, parsed.type.name, false, constant ? parsed.qualifiers.storageToken : kNone, each.initializer});
+            bodies_.locals.push_back({each.name, own, parsed.type.name, false,
+                                      constant ? parsed.qualifiers.storageToken : kNone, each.initializer});
             names_.declareLocal(each.name, own);
         }
         const std::uint32_t stop = parsed.tokens.end;

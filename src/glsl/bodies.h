@@ -48,14 +48,15 @@ enum class WordRole : std::uint8_t {
 };
 
 struct Bodies {
-    std::vector<WordRole> roles;           ///< by view index
-    std::vector<std::uint32_t> matches;    ///< of every bracket its partner
+    std::vector<WordRole> roles;         ///< by view index
+    std::vector<std::uint32_t> matches;  ///< of every bracket its partner
     std::vector<LocalVariable> locals;
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
-    std::map<std::string, std::uint32_t, std::less<>> localNames;   ///< locals, parameters, local structs: view index
+    std::map<std::string, std::uint32_t, std::less<>>
+        localNames;  ///< locals, parameters, local structs: view index
     std::map<std::string, std::uint32_t, std::less<>> memberNames;  ///< members of structs and blocks
-    std::vector<std::uint32_t> memberDeclarations;  ///< the same, every one
+    std::vector<std::uint32_t> memberDeclarations;                  ///< the same, every one
 };
 
 /// Index of the matching bracket of every bracket, `view.size()` where there is none.

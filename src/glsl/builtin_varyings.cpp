@@ -1,6 +1,6 @@
-// Language 7.6: gl_FrontColor and its kin, which core GLSL lacks, as one block of varyings between two stages. A stage
-// writes to variables of its own; they are copied into the block when the vertex leaves it, colours clamped if that is
-// the last stage before rasterisation.
+// Language 7.6: gl_FrontColor and its kin, which core GLSL lacks, as one block of varyings between two
+// stages. A stage writes to variables of its own; they are copied into the block when the vertex leaves it,
+// colours clamped if that is the last stage before rasterisation.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,15 @@
 namespace glibra::glsl {
 namespace {
 
-enum Varying : std::size_t { frontColor, backColor, frontSecondary, backSecondary, texCoord, fog, kVaryingCount };
+enum Varying : std::size_t {
+    frontColor,
+    backColor,
+    frontSecondary,
+    backSecondary,
+    texCoord,
+    fog,
+    kVaryingCount
+};
 
 struct Row {
     std::string_view name;  ///< without gl_
@@ -19,16 +27,21 @@ struct Row {
     std::string_view unwritten;  ///< what a reader gets if no stage writes it
     bool color;
 };
-constexpr std::array<Row, kVaryingCount> kRows = {{{"FrontColor", "vec4", "glibra_CurrentColor", true},
-                                                   {"BackColor", "vec4", "glibra_CurrentColor", true},
-                                                   {"FrontSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
-                                                   {"BackSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
-                                                   {"TexCoord", "vec4", "vec4(0., 0., 0., 1.)", false},
-                                                   {"FogFragCoord", "float", "0.", false}}};
+constexpr std::array<Row, kVaryingCount> kRows = {
+    {{"FrontColor", "vec4", "glibra_CurrentColor", true},
+     {"BackColor", "vec4", "glibra_CurrentColor", true},
+     {"FrontSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
+     {"BackSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
+     {"TexCoord", "vec4", "vec4(0., 0., 0., 1.)", false},
+     {"FogFragCoord", "float", "0.", false}}};
 constexpr int kMostTexCoords = 32;
 
-std::string user(Varying which) { return "gl_" + std::string(kRows[which].name); }
-std::string own(Varying which) { return "glibra_" + std::string(kRows[which].name); }
+std::string user(Varying which) {
+    return "gl_" + std::string(kRows[which].name);
+}
+std::string own(Varying which) {
+    return "glibra_" + std::string(kRows[which].name);
+}
 
 /// The variable that a word names, `input` for the names with In; kVaryingCount for other words.
 Varying varyingOf(std::string_view word, bool& input) {
@@ -47,9 +60,9 @@ Varying varyingOf(std::string_view word, bool& input) {
 
 /// What a stage does with one varying.
 struct Access {
-    bool used = false;     ///< as its output
+    bool used = false;  ///< as its output
     bool written = false;
-    bool read = false;     ///< as its input
+    bool read = false;      ///< as its input
     bool anyIndex = false;  ///< written with an index that is not constant
     std::set<int> writtenIndices;
     std::map<int, std::uint32_t> readIndices;  ///< constant indices, with a place
@@ -58,7 +71,9 @@ struct Access {
 };
 using Accesses = std::array<Access, kVaryingCount>;
 
-char letter(Stage stage) { return "vcegf"[static_cast<std::size_t>(stage)]; }
+char letter(Stage stage) {
+    return "vcegf"[static_cast<std::size_t>(stage)];
+}
 
 class Varyings {
   public:
@@ -81,7 +96,8 @@ class Varyings {
             if (!text.starts_with("gl_")) continue;
             if (unit.stage == Stage::fragment && (text == "gl_Color" || text == "gl_SecondaryColor")) {
                 const bool first = text == "gl_Color";
-                for (const Varying each : first ? std::array{frontColor, backColor} : std::array{frontSecondary, backSecondary})
+                for (const Varying each :
+                     first ? std::array{frontColor, backColor} : std::array{frontSecondary, backSecondary})
                     markRead(result[each], i);
                 continue;
             }
@@ -116,7 +132,8 @@ class Varyings {
             output = true;
             access.used = true;
             const auto writes = unit.writes.find(unit.text(at));
-            if (writes != unit.writes.end() && std::binary_search(writes->second.begin(), writes->second.end(), at))
+            if (writes != unit.writes.end() &&
+                std::binary_search(writes->second.begin(), writes->second.end(), at))
                 access.written = true;
         }
         if (access.place == kNone) access.place = at;
@@ -139,8 +156,10 @@ class Varyings {
             return;
         }
         texCoords_ = std::max(texCoords_, value + 1);
-        if (output) access.writtenIndices.insert(value);
-        else access.readIndices.emplace(value, at);
+        if (output)
+            access.writtenIndices.insert(value);
+        else
+            access.readIndices.emplace(value, at);
     }
 
     /// `varying vec4 gl_TexCoord[4];` gives a size, `flat in vec4 gl_Color;` an interpolation; neither stays.
@@ -148,7 +167,8 @@ class Varyings {
         for (Variable& variable : unit.variables) {
             bool input = false;
             const Varying which = varyingOf(variable.name, input);
-            const bool color = unit.stage == Stage::fragment && (variable.name == "gl_Color" || variable.name == "gl_SecondaryColor");
+            const bool color = unit.stage == Stage::fragment &&
+                               (variable.name == "gl_Color" || variable.name == "gl_SecondaryColor");
             if (which == kVaryingCount && !color) continue;
             const Declaration& declaration = unit.syntax.declarations[variable.declaration];
             const Declarator& declarator = declaration.declarators[variable.declarator];
@@ -181,7 +201,8 @@ class Varyings {
 
     [[nodiscard]] std::string block(std::size_t reader) const {
         std::string members;
-        const bool flat = (program_.request->flatColors || flat_) && program_.units[reader].stage == Stage::fragment;
+        const bool flat =
+            (program_.request->flatColors || flat_) && program_.units[reader].stage == Stage::fragment;
         for (std::size_t k = 0; k < kVaryingCount; ++k) {
             const auto which = static_cast<Varying>(k);
             if (!passes(reader, which)) continue;
@@ -189,7 +210,8 @@ class Varyings {
                        std::string(kRows[k].name) + size(which) + ";";
         }
         if (members.empty()) return {};
-        return std::string("glibra_Varyings_") + letter(program_.units[reader - 1].stage) + " {" + members + " }";
+        return std::string("glibra_Varyings_") + letter(program_.units[reader - 1].stage) + " {" + members +
+               " }";
     }
 
     void stage(std::size_t index) {
@@ -213,13 +235,16 @@ class Varyings {
             if (!passes(index, which)) {
                 if (array || which == frontColor) currentColor(unit, which);
                 if (array)
-                    unit.declare(typeOf(which) + size(which) + " glibra_unwritten" + std::string(kRows[k].name) +
-                                 "(int i) { return " + (which == texCoord ? initial(which) : std::string(kRows[k].unwritten)) + "; }");
+                    unit.declare(typeOf(which) + size(which) + " glibra_unwritten" +
+                                 std::string(kRows[k].name) + "(int i) { return " +
+                                 (which == texCoord ? initial(which) : std::string(kRows[k].unwritten)) +
+                                 "; }");
                 if (which != backColor && which != backSecondary) unwritten(unit, which, access.readPlace);
             } else if (which == texCoord) {
                 const Access& writer = accesses_[index - 1][k];
                 for (const auto& [element, at] : access.readIndices)
-                    if (!writer.anyIndex && !writer.writtenIndices.contains(element)) warn(unit, "gl_TexCoord[" + std::to_string(element) + "]", at);
+                    if (!writer.anyIndex && !writer.writtenIndices.contains(element))
+                        warn(unit, "gl_TexCoord[" + std::to_string(element) + "]", at);
             }
         }
     }
@@ -227,13 +252,15 @@ class Varyings {
     void unwritten(Unit& unit, Varying which, std::uint32_t at) {
         const Access& access = accesses_[static_cast<std::size_t>(&unit - program_.units.data())][which];
         if (which == texCoord && !access.readIndices.empty()) {
-            for (const auto& [element, place] : access.readIndices) warn(unit, "gl_TexCoord[" + std::to_string(element) + "]", place);
+            for (const auto& [element, place] : access.readIndices)
+                warn(unit, "gl_TexCoord[" + std::to_string(element) + "]", place);
             return;
         }
         warn(unit, std::string(unit.text(at)), at);
     }
     void warn(Unit& unit, const std::string& what, std::uint32_t at) {
-        program_.report.warningOnce(unit.path + what, "glsl-W13", what + " is written by no stage", unit.place(at));
+        program_.report.warningOnce(unit.path + what, "glsl-W13", what + " is written by no stage",
+                                    unit.place(at));
     }
     static void currentColor(Unit& unit, Varying which) {
         if (which == frontColor || which == backColor) unit.declare("uniform vec4 glibra_CurrentColor;");
@@ -245,12 +272,14 @@ class Varyings {
             for (std::size_t k = 0; k < kVaryingCount; ++k)
                 if (accesses_[0][k].read) currentColor(unit, static_cast<Varying>(k));
         const auto value = [&](Varying which) {
-            return passes(index, which) ? "glibra_in." + std::string(kRows[which].name)
-                                        : (which == texCoord ? initial(which) : std::string(kRows[which].unwritten));
+            return passes(index, which)
+                       ? "glibra_in." + std::string(kRows[which].name)
+                       : (which == texCoord ? initial(which) : std::string(kRows[which].unwritten));
         };
         const auto color = [&](Varying front, Varying back, const std::string& name) {
             if (!accesses_[index][front].read) return;
-            const std::string text = passes(index, back) ? "gl_FrontFacing ? " + value(front) + " : " + value(back) : value(front);
+            const std::string text =
+                passes(index, back) ? "gl_FrontFacing ? " + value(front) + " : " + value(back) : value(front);
             unit.declare("vec4 glibra_" + name + " = " + text + ";");
             unit.renames["gl_" + name] = "glibra_" + name;
         };
@@ -279,7 +308,8 @@ class Varyings {
             unit.declare(typeOf(which) + " " + own(which) + size(which) + " = " + initial(which) + ";");
             if (control) continue;
             unit.renames[user(which)] = own(which);
-            const std::string source = last && kRows[k].color ? "clamp(" + own(which) + ", 0., 1.)" : own(which);
+            const std::string source =
+                last && kRows[k].color ? "clamp(" + own(which) + ", 0., 1.)" : own(which);
             if (passed) copies.push_back("glibra_out." + std::string(kRows[k].name) + " = " + source + ";");
         }
         if (copies.empty()) return;
@@ -339,12 +369,16 @@ class Varyings {
         if (walk.text(open) == "[" && walk.match(open) != kNone) {
             read(index, unit, at, open, walk.match(open), which);
         } else if (unit.tokens[at].active && unit.stage == Stage::geometry) {
-            program_.report.error("glsl-E03", std::string(walk.text(at)) + " without a subscript cannot be emulated; write " +
-                                                  std::string(walk.text(at)) + "[i]", unit.placeOfToken(at));
+            program_.report.error("glsl-E03",
+                                  std::string(walk.text(at)) +
+                                      " without a subscript cannot be emulated; write " +
+                                      std::string(walk.text(at)) + "[i]",
+                                  unit.placeOfToken(at));
         }
     }
 
-    void read(std::size_t index, Unit& unit, std::uint32_t at, std::uint32_t open, std::uint32_t close, Varying which) {
+    void read(std::size_t index, Unit& unit, std::uint32_t at, std::uint32_t open, std::uint32_t close,
+              Varying which) {
         const std::string name(kRows[which].name);
         if (passes(index, which)) {
             unit.edits.replace(at, "glibra_in");
@@ -381,7 +415,8 @@ void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>&
         if (unit.stage == Stage::fragment || !unit.isUsed("gl_ClipVertex")) continue;
         unit.declare("vec4 glibra_ClipVertex;");
         unit.renames["gl_ClipVertex"] = "glibra_ClipVertex";
-        program.report.warning("glsl-W17", "gl_ClipVertex has no effect", unit.place(unit.uses["gl_ClipVertex"].front()));
+        program.report.warning("glsl-W17", "gl_ClipVertex has no effect",
+                               unit.place(unit.uses["gl_ClipVertex"].front()));
     }
 }
 

@@ -42,20 +42,34 @@ constexpr std::array kUniforms = std::to_array<BuiltinUniform>({
 });
 
 constexpr std::array kInputs = std::to_array<BuiltinInput>({
-    {"aVertex", "position"},      {"glibra_Vertex", "position"},
-    {"aNormal", "normal"},        {"glibra_Normal", "normal"},
-    {"aColor", "color"},          {"glibra_Color", "color"},
-    {"aTexCoord0", "texCoord"},   {"glibra_MultiTexCoord0", "texCoord"},
-    {"aTexCoord1", ""},           {"glibra_MultiTexCoord1", ""},
-    {"aTexCoord2", ""},           {"glibra_MultiTexCoord2", ""},
-    {"aTexCoord3", ""},           {"glibra_MultiTexCoord3", ""},
-    {"aTexCoord4", ""},           {"glibra_MultiTexCoord4", ""},
-    {"aTexCoord5", ""},           {"glibra_MultiTexCoord5", ""},
-    {"aTexCoord6", ""},           {"glibra_MultiTexCoord6", ""},
-    {"aTexCoord7", ""},           {"glibra_MultiTexCoord7", ""},
-    {"Tangent", "tangent"},       {"aTangent", "tangent"},
-    {"FaceIndex", "faceIndex"},   {"aFaceIndex", "faceIndex"},
-    {"glibra_SecondaryColor", ""}, {"glibra_FogCoord", ""},
+    {"aVertex", "position"},
+    {"glibra_Vertex", "position"},
+    {"aNormal", "normal"},
+    {"glibra_Normal", "normal"},
+    {"aColor", "color"},
+    {"glibra_Color", "color"},
+    {"aTexCoord0", "texCoord"},
+    {"glibra_MultiTexCoord0", "texCoord"},
+    {"aTexCoord1", ""},
+    {"glibra_MultiTexCoord1", ""},
+    {"aTexCoord2", ""},
+    {"glibra_MultiTexCoord2", ""},
+    {"aTexCoord3", ""},
+    {"glibra_MultiTexCoord3", ""},
+    {"aTexCoord4", ""},
+    {"glibra_MultiTexCoord4", ""},
+    {"aTexCoord5", ""},
+    {"glibra_MultiTexCoord5", ""},
+    {"aTexCoord6", ""},
+    {"glibra_MultiTexCoord6", ""},
+    {"aTexCoord7", ""},
+    {"glibra_MultiTexCoord7", ""},
+    {"Tangent", "tangent"},
+    {"aTangent", "tangent"},
+    {"FaceIndex", "faceIndex"},
+    {"aFaceIndex", "faceIndex"},
+    {"glibra_SecondaryColor", ""},
+    {"glibra_FogCoord", ""},
 });
 
 std::string emitted(std::string_view name) {
@@ -64,19 +78,25 @@ std::string emitted(std::string_view name) {
 
 }  // namespace
 
-std::span<const BuiltinUniform> builtinUniforms() { return kUniforms; }
+std::span<const BuiltinUniform> builtinUniforms() {
+    return kUniforms;
+}
 
-std::span<const BuiltinInput> builtinInputs() { return kInputs; }
+std::span<const BuiltinInput> builtinInputs() {
+    return kInputs;
+}
 
 const BuiltinUniform* findBuiltinUniform(std::string_view name) {
     const std::string key = emitted(name);
-    const auto* const found = std::find_if(kUniforms.begin(), kUniforms.end(), [&](const auto& row) { return row.name == key; });
+    const auto* const found =
+        std::find_if(kUniforms.begin(), kUniforms.end(), [&](const auto& row) { return row.name == key; });
     return found == kUniforms.end() ? nullptr : found;
 }
 
 const BuiltinInput* findBuiltinInput(std::string_view name) {
     const std::string key = emitted(name);
-    const auto* const found = std::find_if(kInputs.begin(), kInputs.end(), [&](const auto& row) { return row.name == key; });
+    const auto* const found =
+        std::find_if(kInputs.begin(), kInputs.end(), [&](const auto& row) { return row.name == key; });
     return found == kInputs.end() ? nullptr : found;
 }
 

@@ -41,20 +41,24 @@ struct BuiltinUniform {
 
 /// A vertex input name as it appears in a linked program and the mesh attribute that feeds it.
 struct BuiltinInput {
-    std::string_view name;       ///< "aVertex", "glibra_Vertex", "aTexCoord0", "Tangent", "aFaceIndex", ...
-    std::string_view attribute;  ///< geometry's attribute name ("position", ...); empty: constant (0, 0, 0, 1)
+    std::string_view name;  ///< "aVertex", "glibra_Vertex", "aTexCoord0", "Tangent", "aFaceIndex", ...
+    std::string_view
+        attribute;  ///< geometry's attribute name ("position", ...); empty: constant (0, 0, 0, 1)
 };
 
-/// Every name once; the *TextureMatrix* names are arrays of 8, of which element 0 counts and the others are identities.
+/// Every name once; the *TextureMatrix* names are arrays of 8, of which element 0 counts and the others are
+/// identities.
 std::span<const BuiltinUniform> builtinUniforms();
 std::span<const BuiltinInput> builtinInputs();
 
-/// The row of a name as emitted ("glibra_NormalMatrix") or as the user writes it ("gl_NormalMatrix"), or null.
+/// The row of a name as emitted ("glibra_NormalMatrix") or as the user writes it ("gl_NormalMatrix"), or
+/// null.
 const BuiltinUniform* findBuiltinUniform(std::string_view name);
 const BuiltinInput* findBuiltinInput(std::string_view name);
 
 // What else the runtime does for translated programs:
-// - compares names with these tables as the linked program spells them, before TranslatedProgram::userNames is applied;
+// - compares names with these tables as the linked program spells them, before TranslatedProgram::userNames
+// is applied;
 // - binds inputs by the locations of the linked program (the translator gives none); inputs of int type
 //   (FaceIndex) take integer attributes; a missing attribute reads (0, 0, 0, 1);
 // - feeds glibra_CurrentColor, glibra_PointSize like the other uniforms, where the linked program has them;

@@ -24,7 +24,8 @@ class Zero {
   public:
     explicit Zero(const Unit& unit) : unit_(unit) {}
 
-    [[nodiscard]] std::optional<std::string> of(const std::string& type, std::span<const std::string> sizes, int depth = 0) const {
+    [[nodiscard]] std::optional<std::string> of(const std::string& type, std::span<const std::string> sizes,
+                                                int depth = 0) const {
         if (depth > 6) return std::nullopt;
         if (sizes.empty()) return scalar(type, depth);
         const auto element = of(type, sizes.subspan(1), depth + 1);
@@ -65,11 +66,13 @@ class Zero {
 
 class Interface {
   public:
-    Interface(ProgramUnits& program, Unit& writer, Unit& reader) : program_(program), writer_(writer), reader_(reader) {}
+    Interface(ProgramUnits& program, Unit& writer, Unit& reader)
+        : program_(program), writer_(writer), reader_(reader) {}
 
     void run() {
         for (Variable& each : reader_.variables)
-            if (each.storage == Storage::input && !each.removed && !each.name.starts_with("gl_")) variable(each);
+            if (each.storage == Storage::input && !each.removed && !each.name.starts_with("gl_"))
+                variable(each);
         for (const Declaration& each : reader_.syntax.declarations)
             if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::input) block(each);
     }
@@ -82,7 +85,8 @@ class Interface {
     }
     [[nodiscard]] Variable* outputAt(const std::string& location) {
         for (Variable& each : writer_.variables) {
-            const std::string* own = each.storage == Storage::output && !each.removed ? each.layoutValue("location") : nullptr;
+            const std::string* own =
+                each.storage == Storage::output && !each.removed ? each.layoutValue("location") : nullptr;
             if (own && *own == location) return &each;
         }
         return nullptr;
@@ -92,7 +96,8 @@ class Interface {
         Variable* source = output(input.name);
         const std::string* location = input.layoutValue("location");
         if (location) {
-            // By location if both sides have one; otherwise the names connect, and a location of one side is in the way.
+            // By location if both sides have one; otherwise the names connect, and a location of one side is
+            // in the way.
             if (Variable* there = outputAt(*location)) {
                 if (!isWritten(*there)) unwritten(input);
                 return;
@@ -123,9 +128,12 @@ class Interface {
         const std::vector<std::string> a = sizes(output, writer_.stage), b = sizes(input, reader_.stage);
         if (a.size() != b.size()) return false;
         // Sizes that are not plain numbers are left to the linker.
-        const auto number = [](const std::string& text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos; };
+        const auto number = [](const std::string& text) {
+            return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        };
         for (std::size_t i = 0; i < a.size(); ++i)
-            if (number(a[i]) && number(b[i]) && std::atoi(a[i].c_str()) != std::atoi(b[i].c_str())) return false;
+            if (number(a[i]) && number(b[i]) && std::atoi(a[i].c_str()) != std::atoi(b[i].c_str()))
+                return false;
         return true;
     }
     [[nodiscard]] static std::string described(const Variable& variable, Stage stage) {
@@ -137,19 +145,21 @@ class Interface {
         const Place here = reader_.place(input.nameToken);
         program_.report.error("glsl-E02",
                               "'" + input.name + "' is " + described(output, writer_.stage) + " in " +
-                                  shortPlace(writer_.place(output.nameToken)) + " and " + described(input, reader_.stage) +
-                                  " in " + shortPlace(here),
+                                  shortPlace(writer_.place(output.nameToken)) + " and " +
+                                  described(input, reader_.stage) + " in " + shortPlace(here),
                               here);
     }
 
     [[nodiscard]] int vertices() const {
-        return reader_.stage == Stage::geometry ? verticesOfPrimitive(program_.result->geometryInput) : kMostVertices;
+        return reader_.stage == Stage::geometry ? verticesOfPrimitive(program_.result->geometryInput)
+                                                : kMostVertices;
     }
 
     /// The input becomes a variable of its own that holds zero.
     void unwritten(Variable& input) {
         if (reader_.isUsed(input.name))
-            program_.report.warning("glsl-W11", "'" + input.name + "' is written by no earlier stage, it reads 0",
+            program_.report.warning("glsl-W11",
+                                    "'" + input.name + "' is written by no earlier stage, it reads 0",
                                     reader_.place(input.nameToken));
         if (input.type.empty()) return;
         if (isPerVertex(reader_.stage, Storage::input, input.patch) && input.isArray()) {
@@ -171,10 +181,13 @@ class Interface {
         const std::string_view name = reader_.text(input.name);
         if (name.starts_with("gl_")) return;
         for (const Declaration& each : writer_.syntax.declarations)
-            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output && writer_.text(each.name) == name)
+            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output &&
+                writer_.text(each.name) == name)
                 return;
         if (const LayoutItem* location = input.qualifiers.item("location"); location) return;
-        program_.report.warning("glsl-W11", "'" + std::string(name) + "' is written by no earlier stage, it reads 0", reader_.place(input.name));
+        program_.report.warning("glsl-W11",
+                                "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
+                                reader_.place(input.name));
         std::vector<std::uint32_t> head;
         if (!editableTokens(reader_, {input.tokens.first, input.body.first}, head)) return;
         for (const std::uint32_t each : head) reader_.edits.remove(each);
@@ -184,7 +197,8 @@ class Interface {
     /// Without an instance name the members are names of their own.
     void openBlock(const Declaration& input) {
         reader_.edits.remove(reader_.view[input.body.first].site);
-        for (std::uint32_t i = input.body.end - 1; i < input.tokens.end; ++i) reader_.edits.remove(reader_.view[i].site);
+        for (std::uint32_t i = input.body.end - 1; i < input.tokens.end; ++i)
+            reader_.edits.remove(reader_.view[i].site);
         members(input, true);
     }
 
@@ -216,7 +230,8 @@ class Interface {
                     reader_.edits.after(reader_.view[name.dimensionTokens.end - 1].site, " = " + *value);
         }
     }
-    [[nodiscard]] std::optional<std::string> memberValue(const Declaration& member, const Declarator& name) const {
+    [[nodiscard]] std::optional<std::string> memberValue(const Declaration& member,
+                                                         const Declarator& name) const {
         std::vector<std::string> sizes;
         for (const Range& each : name.dimensions) sizes.push_back(textOf(reader_, each));
         for (const Range& each : member.type.dimensions) sizes.push_back(textOf(reader_, each));
@@ -238,7 +253,8 @@ class Interface {
 }  // namespace
 
 void connectStages(ProgramUnits& program) {
-    for (std::size_t i = 1; i < program.units.size(); ++i) Interface(program, program.units[i - 1], program.units[i]).run();
+    for (std::size_t i = 1; i < program.units.size(); ++i)
+        Interface(program, program.units[i - 1], program.units[i]).run();
 }
 
 }  // namespace glibra::glsl

@@ -15,13 +15,14 @@ struct Operator {
     std::string_view text;
     int level;
 };
-constexpr Operator kOperators[] = {{"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7},
-                                   {"!=", 7}, {"<", 8},  {">", 8},  {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9},
-                                   {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+constexpr Operator kOperators[] = {{"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},
+                                   {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8},  {">", 8},
+                                   {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10},
+                                   {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
 
 bool isAssignment(std::string_view text) {
-    return text == "=" || (text.size() >= 2 && text.back() == '=' && text != "==" && text != "!=" && text != "<=" &&
-                           text != ">=");
+    return text == "=" || (text.size() >= 2 && text.back() == '=' && text != "==" && text != "!=" &&
+                           text != "<=" && text != ">=");
 }
 
 Type typeOfNumber(std::string_view text) {
@@ -81,7 +82,9 @@ bool Expressions::accept(std::string_view text) {
     return true;
 }
 
-Type Expressions::fail() { return {}; }
+Type Expressions::fail() {
+    return {};
+}
 
 Type Expressions::assignment() {
     if (depth_ > kDeepest) {
@@ -112,8 +115,8 @@ Type Expressions::binary(int lowest) {
     ++depth_;
     Type left = unary();
     while (at_ < end_) {
-        const auto* const found =
-            std::find_if(std::begin(kOperators), std::end(kOperators), [&](const Operator& each) { return each.text == peek(); });
+        const auto* const found = std::find_if(std::begin(kOperators), std::end(kOperators),
+                                               [&](const Operator& each) { return each.text == peek(); });
         if (found == std::end(kOperators) || found->level <= lowest) break;
         ++at_;
         const Type right = binary(found->level);
@@ -206,7 +209,8 @@ Type Expressions::primary() {
         return primary();
     }
     if (peek() == "(") return call(name);
-    if (peek() == "[" && !names_.isKnown(token.text) && (isTypeWord(token.text) || names_.isStructure(token.text))) {
+    if (peek() == "[" && !names_.isKnown(token.text) &&
+        (isTypeWord(token.text) || names_.isStructure(token.text))) {
         // vec3[2](a, b)
         std::uint16_t depth = 0;
         while (peek() == "[") {

@@ -1,5 +1,5 @@
-// Language 7.6: lights, materials, fog and other state of the fixed pipeline, as constants with GL's initial values
-// (OpenGL 2.1 specification, state tables 6.9 to 6.11 and 6.22).
+// Language 7.6: lights, materials, fog and other state of the fixed pipeline, as constants with GL's initial
+// values (OpenGL 2.1 specification, state tables 6.9 to 6.11 and 6.22).
 
 #include <array>
 
@@ -14,8 +14,10 @@ struct Structure {
 };
 constexpr std::array kStructures = std::to_array<Structure>({
     {"gl_LightSourceParameters",
-     "struct glibra_LightSourceParameters { vec4 ambient, diffuse, specular, position, halfVector; vec3 spotDirection; "
-     "float spotExponent, spotCutoff, spotCosCutoff, constantAttenuation, linearAttenuation, quadraticAttenuation; };"},
+     "struct glibra_LightSourceParameters { vec4 ambient, diffuse, specular, position, halfVector; vec3 "
+     "spotDirection; "
+     "float spotExponent, spotCutoff, spotCosCutoff, constantAttenuation, linearAttenuation, "
+     "quadraticAttenuation; };"},
     {"gl_LightModelParameters", "struct glibra_LightModelParameters { vec4 ambient; };"},
     {"gl_MaterialParameters",
      "struct glibra_MaterialParameters { vec4 emission, ambient, diffuse, specular; float shininess; };"},
@@ -23,7 +25,8 @@ constexpr std::array kStructures = std::to_array<Structure>({
     {"gl_LightProducts", "struct glibra_LightProducts { vec4 ambient, diffuse, specular; };"},
     {"gl_FogParameters", "struct glibra_FogParameters { vec4 color; float density, start, end, scale; };"},
     {"gl_PointParameters",
-     "struct glibra_PointParameters { float size, sizeMin, sizeMax, fadeThresholdSize, distanceConstantAttenuation, "
+     "struct glibra_PointParameters { float size, sizeMin, sizeMax, fadeThresholdSize, "
+     "distanceConstantAttenuation, "
      "distanceLinearAttenuation, distanceQuadraticAttenuation; };"},
 });
 
@@ -35,13 +38,16 @@ struct Value {
     std::string_view others;
 };
 constexpr std::string_view kLight0 =
-    "glibra_LightSourceParameters(vec4(0., 0., 0., 1.), vec4(1.), vec4(1.), vec4(0., 0., 1., 0.), vec4(0., 0., 1., 0.), "
+    "glibra_LightSourceParameters(vec4(0., 0., 0., 1.), vec4(1.), vec4(1.), vec4(0., 0., 1., 0.), vec4(0., "
+    "0., 1., 0.), "
     "vec3(0., 0., -1.), 0., 180., -1., 1., 0., 0.)";
 constexpr std::string_view kLight =
-    "glibra_LightSourceParameters(vec4(0., 0., 0., 1.), vec4(0., 0., 0., 1.), vec4(0., 0., 0., 1.), vec4(0., 0., 1., 0.), "
+    "glibra_LightSourceParameters(vec4(0., 0., 0., 1.), vec4(0., 0., 0., 1.), vec4(0., 0., 0., 1.), vec4(0., "
+    "0., 1., 0.), "
     "vec4(0., 0., 1., 0.), vec3(0., 0., -1.), 0., 180., -1., 1., 0., 0.)";
 constexpr std::string_view kMaterial =
-    "glibra_MaterialParameters(vec4(0., 0., 0., 1.), vec4(.2, .2, .2, 1.), vec4(.8, .8, .8, 1.), vec4(0., 0., 0., 1.), 0.)";
+    "glibra_MaterialParameters(vec4(0., 0., 0., 1.), vec4(.2, .2, .2, 1.), vec4(.8, .8, .8, 1.), vec4(0., "
+    "0., 0., 1.), 0.)";
 constexpr std::string_view kScene = "glibra_LightModelProducts(vec4(.04, .04, .04, 1.))";
 constexpr std::string_view kProduct0 =
     "glibra_LightProducts(vec4(0., 0., 0., 1.), vec4(.8, .8, .8, 1.), vec4(0., 0., 0., 1.))";
@@ -61,7 +67,8 @@ constexpr std::array kValues = std::to_array<Value>({
     {"gl_FrontLightProduct", "gl_LightProducts", 8, kProduct0, kProduct},
     {"gl_BackLightProduct", "gl_LightProducts", 8, kProduct0, kProduct},
     {"gl_Fog", "gl_FogParameters", 0, "glibra_FogParameters(vec4(0.), 1., 0., 1., 1.)", ""},
-    {"gl_Point", "gl_PointParameters", 0, "glibra_PointParameters(glibra_PointSize, 0., 1., 1., 1., 0., 0.)", ""},
+    {"gl_Point", "gl_PointParameters", 0, "glibra_PointParameters(glibra_PointSize, 0., 1., 1., 1., 0., 0.)",
+     ""},
     {"gl_ClipPlane", "vec4", 8, kZero, kZero},
     {"gl_TextureEnvColor", "vec4", 8, kZero, kZero},
     {"gl_EyePlaneS", "vec4", 8, kPlaneS, kPlaneS},
@@ -78,7 +85,9 @@ constexpr std::array kValues = std::to_array<Value>({
 constexpr std::array<std::string_view, 4> kLimits = {"gl_MaxLights", "gl_MaxClipPlanes", "gl_MaxTextureUnits",
                                                      "gl_MaxTextureCoords"};
 
-std::string emitted(std::string_view user) { return "glibra_" + std::string(user.substr(3)); }
+std::string emitted(std::string_view user) {
+    return "glibra_" + std::string(user.substr(3));
+}
 
 class FixedState {
   public:
@@ -128,9 +137,10 @@ class FixedState {
         unit_.declare((point ? "" : "const ") + type + " " + emitted(row.user) + size + " = " + text + ";");
         unit_.renames[std::string(row.user)] = emitted(row.user);
         const auto use = unit_.uses.find(row.user);
-        report_.warningOnce(unit_.path + std::string(row.user), "glsl-W04",
-                            std::string(row.user) + " has GL's initial values; scenes define no " + what(row.user),
-                            use == unit_.uses.end() ? unit_.start() : unit_.place(use->second.front()));
+        report_.warningOnce(
+            unit_.path + std::string(row.user), "glsl-W04",
+            std::string(row.user) + " has GL's initial values; scenes define no " + what(row.user),
+            use == unit_.uses.end() ? unit_.start() : unit_.place(use->second.front()));
     }
 
     static std::string what(std::string_view user) {
@@ -149,6 +159,8 @@ class FixedState {
 
 }  // namespace
 
-void supplyFixedState(Unit& unit, Report& report) { FixedState(unit, report).run(); }
+void supplyFixedState(Unit& unit, Report& report) {
+    FixedState(unit, report).run();
+}
 
 }  // namespace glibra::glsl

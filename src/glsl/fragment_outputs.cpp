@@ -18,7 +18,9 @@ class FragmentOutputs {
         const bool color = unit_.isUsed("gl_FragColor");
         const bool data = unit_.isUsed("gl_FragData");
         const Variable* own = firstWrittenOutput();
-        if ((color || data) && own) return mixed(color ? "gl_FragColor" : "gl_FragData", "the output '" + own->name + "'", own->nameToken);
+        if ((color || data) && own)
+            return mixed(color ? "gl_FragColor" : "gl_FragData", "the output '" + own->name + "'",
+                         own->nameToken);
         if (color && data) return mixed("gl_FragColor", "gl_FragData", unit_.uses["gl_FragData"].front());
         for (Variable& each : unit_.variables)
             if (each.name == "gl_FragData" || each.name == "gl_FragColor") each.removed = true;
@@ -36,9 +38,9 @@ class FragmentOutputs {
         return each.storage == Storage::output && !each.removed && !each.name.starts_with("gl_");
     }
     [[nodiscard]] const Variable* firstWrittenOutput() const {
-        const auto found = std::find_if(unit_.variables.begin(), unit_.variables.end(), [&](const Variable& each) {
-            return isOwnOutput(each) && unit_.isWritten(each.name);
-        });
+        const auto found = std::find_if(
+            unit_.variables.begin(), unit_.variables.end(),
+            [&](const Variable& each) { return isOwnOutput(each) && unit_.isWritten(each.name); });
         return found == unit_.variables.end() ? nullptr : &*found;
     }
     void mixed(const std::string& first, const std::string& second, std::uint32_t at) {
@@ -89,7 +91,9 @@ class FragmentOutputs {
         const auto multiply = [&](const std::vector<Range>& dimensions) {
             for (const Range& each : dimensions) {
                 long long size = 1;
-                if (integerValue(unit_, each, size)) count = std::clamp(count * static_cast<int>(std::clamp(size, 1LL, 64LL)), 1, kMostOutputs);
+                if (integerValue(unit_, each, size))
+                    count =
+                        std::clamp(count * static_cast<int>(std::clamp(size, 1LL, 64LL)), 1, kMostOutputs);
             }
         };
         multiply(declaration.type.dimensions);
@@ -106,7 +110,8 @@ class FragmentOutputs {
         };
         for (const Variable& each : unit_.variables)
             if (isOwnOutput(each))
-                if (const LayoutItem* item = unit_.syntax.declarations[each.declaration].qualifiers.item("location")) {
+                if (const LayoutItem* item =
+                        unit_.syntax.declarations[each.declaration].qualifiers.item("location")) {
                     long long value = 0;
                     if (integerValue(unit_, item->value, value) && value >= 0 && value < kMostOutputs)
                         take(static_cast<int>(value), span(each));

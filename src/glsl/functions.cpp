@@ -8,8 +8,8 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr std::array<std::string_view, 9> kDimensions = {"2DRect", "1DArray", "2DArray", "CubeArray", "Buffer",
-                                                         "Cube",   "1D",      "2D",      "3D"};
+constexpr std::array<std::string_view, 9> kDimensions = {
+    "2DRect", "1DArray", "2DArray", "CubeArray", "Buffer", "Cube", "1D", "2D", "3D"};
 
 bool take(std::string_view& text, std::string_view part) {
     if (!text.starts_with(part)) return false;
@@ -141,21 +141,40 @@ TextureFunction textureFunction(std::string_view name) {
     result.core = "texture";
     const bool vendor = takeVariant(rest, result.core);
     if (!rest.empty() || (dimension.empty() && (!vendor || result.shadow))) return {};
-    if (!dimension.empty()) result.sampler = "sampler" + std::string(dimension) + (result.shadow ? "Shadow" : "");
+    if (!dimension.empty())
+        result.sampler = "sampler" + std::string(dimension) + (result.shadow ? "Shadow" : "");
     return result;
 }
 
 bool isTextureFunction(std::string_view name) {
     if (!textureFunction(name).core.empty()) return true;
-    static constexpr std::array<std::string_view, 22> kCore = {
-        "texture",        "textureProj",         "textureLod",        "textureProjLod",      "textureGrad",
-        "textureProjGrad", "textureOffset",      "textureProjOffset", "textureLodOffset",    "textureProjLodOffset",
-        "textureGradOffset", "textureProjGradOffset", "texelFetch",   "texelFetchOffset",    "textureSize",
-        "textureGather",  "textureGatherOffset", "textureGatherOffsets", "textureQueryLod", "textureQueryLevels",
-        "textureSamples", "texelSize"};
+    static constexpr std::array<std::string_view, 22> kCore = {"texture",
+                                                               "textureProj",
+                                                               "textureLod",
+                                                               "textureProjLod",
+                                                               "textureGrad",
+                                                               "textureProjGrad",
+                                                               "textureOffset",
+                                                               "textureProjOffset",
+                                                               "textureLodOffset",
+                                                               "textureProjLodOffset",
+                                                               "textureGradOffset",
+                                                               "textureProjGradOffset",
+                                                               "texelFetch",
+                                                               "texelFetchOffset",
+                                                               "textureSize",
+                                                               "textureGather",
+                                                               "textureGatherOffset",
+                                                               "textureGatherOffsets",
+                                                               "textureQueryLod",
+                                                               "textureQueryLevels",
+                                                               "textureSamples",
+                                                               "texelSize"};
     return std::find(kCore.begin(), kCore.end(), name) != kCore.end();
 }
 
-void modernizeFunctions(Unit& unit, const TokenWalk& walk) { FunctionRule(unit, walk).run(); }
+void modernizeFunctions(Unit& unit, const TokenWalk& walk) {
+    FunctionRule(unit, walk).run();
+}
 
 }  // namespace glibra::glsl

@@ -72,7 +72,8 @@ class OldNames {
     Report& report_;
 };
 
-constexpr std::array<std::string_view, 5> kInputs = {"points", "lines", "lines_adjacency", "triangles", "triangles_adjacency"};
+constexpr std::array<std::string_view, 5> kInputs = {"points", "lines", "lines_adjacency", "triangles",
+                                                     "triangles_adjacency"};
 constexpr std::array<std::string_view, 3> kOutputs = {"points", "line_strip", "triangle_strip"};
 
 /// What the layout statements of the stage say.
@@ -84,11 +85,14 @@ struct Layout {
 
 Layout layoutOf(const Unit& unit) {
     Layout layout;
-    const auto has = [](const auto& list, const std::string& name) { return std::find(list.begin(), list.end(), name) != list.end(); };
+    const auto has = [](const auto& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::layoutOnly) continue;
         for (const LayoutItem& item : each.qualifiers.layout) {
-            if (each.qualifiers.storage == Storage::input && has(kInputs, item.name) && layout.input.empty()) {
+            if (each.qualifiers.storage == Storage::input && has(kInputs, item.name) &&
+                layout.input.empty()) {
                 layout.input = item.name;
                 layout.inputAt = item.tokens.first;
             }
@@ -120,27 +124,33 @@ class Completion {
             unit_.prologue.insert(unit_.prologue.begin(), synthesised);
         }
         std::string output;
-        if (layout_.output.empty()) output = request.geometryOutput.empty() ? "triangle_strip" : request.geometryOutput;
+        if (layout_.output.empty())
+            output = request.geometryOutput.empty() ? "triangle_strip" : request.geometryOutput;
         vertices(most, components, output);
         if (!output.empty()) unit_.prologue.insert(unit_.prologue.begin(), "layout(" + output + ") out;");
         program_.result->geometryInput = layout_.input;
     }
 
   private:
-    void conflict(const std::string& command, const std::string& wanted, const std::string& written, std::uint32_t at) {
+    void conflict(const std::string& command, const std::string& wanted, const std::string& written,
+                  std::uint32_t at) {
         if (wanted.empty() || written.empty() || wanted == written) return;
-        program_.report.warning("glsl-W16", command + " " + wanted + " ignored, the shader's layout says " + written, unit_.place(at));
+        program_.report.warning("glsl-W16",
+                                command + " " + wanted + " ignored, the shader's layout says " + written,
+                                unit_.place(at));
     }
 
     [[nodiscard]] int mostVertices(int components) const {
         const Target& target = program_.request->target;
-        return std::max(1, std::min(target.maxGeometryOutputVertices, target.maxGeometryTotalOutputComponents / std::max(1, components)));
+        return std::max(1, std::min(target.maxGeometryOutputVertices,
+                                    target.maxGeometryTotalOutputComponents / std::max(1, components)));
     }
 
     void lowered(long long value, int most, int components, const Place& place) {
         program_.report.warning("glsl-W07",
-                                "max_vertices " + std::to_string(value) + " lowered to " + std::to_string(most) + " (" +
-                                    std::to_string(components) + " components per vertex)",
+                                "max_vertices " + std::to_string(value) + " lowered to " +
+                                    std::to_string(most) + " (" + std::to_string(components) +
+                                    " components per vertex)",
                                 place);
     }
 
@@ -156,7 +166,8 @@ class Completion {
         long long value = 0;
         if (!integerValue(unit_, range, value)) return;
         if (wanted > 0)
-            conflict("GeometryVerticesOut", std::to_string(wanted), std::to_string(value), layout_.vertices->tokens.first);
+            conflict("GeometryVerticesOut", std::to_string(wanted), std::to_string(value),
+                     layout_.vertices->tokens.first);
         if (value <= most) return;
         std::vector<std::uint32_t> tokens;
         if (!editableTokens(unit_, range, tokens)) return;
@@ -169,7 +180,8 @@ class Completion {
         long long count = 1;
         for (const Range& each : dimensions) {
             long long size = 1;
-            if (integerValue(unit_, each, size)) count = std::clamp(count * std::clamp(size, 1LL, 4096LL), 1LL, 4096LL);
+            if (integerValue(unit_, each, size))
+                count = std::clamp(count * std::clamp(size, 1LL, 4096LL), 1LL, 4096LL);
         }
         return static_cast<int>(count);
     }
@@ -182,16 +194,20 @@ class Completion {
             if (unit_.isWritten(each)) ++count;
         count += program_.result->clipDistances;
         for (const Variable& each : unit_.variables) {
-            if (each.storage != Storage::output || each.removed || each.name.starts_with("gl_") || !unit_.isWritten(each.name)) continue;
+            if (each.storage != Storage::output || each.removed || each.name.starts_with("gl_") ||
+                !unit_.isWritten(each.name))
+                continue;
             const Declaration& declaration = unit_.syntax.declarations[each.declaration];
             count += typeOfWord(each.type).components() * arraySize(declaration.type.dimensions) *
                      arraySize(declaration.declarators[each.declarator].dimensions);
         }
         for (const Declaration& each : unit_.syntax.declarations)
-            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output && unit_.text(each.name) != "gl_PerVertex")
+            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output &&
+                unit_.text(each.name) != "gl_PerVertex")
                 for (const Declaration& member : each.members)
                     for (const Declarator& name : member.declarators)
-                        count += typeOfWord(member.type.name).components() * arraySize(member.type.dimensions) * arraySize(name.dimensions);
+                        count += typeOfWord(member.type.name).components() *
+                                 arraySize(member.type.dimensions) * arraySize(name.dimensions);
         return std::max(1, count + unit_.varyingComponents);
     }
 

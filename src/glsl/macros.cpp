@@ -63,7 +63,8 @@ void MacroTable::expandInto(std::span<const ViewToken> tokens, std::vector<ViewT
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const ViewToken& token = tokens[i];
         const auto found = token.kind == TokenKind::word ? macros_.find(token.text) : macros_.end();
-        if (found == macros_.end() || depth > kDeepest || disabled_.contains(token.text) || ++steps_ > kMostSteps) {
+        if (found == macros_.end() || depth > kDeepest || disabled_.contains(token.text) ||
+            ++steps_ > kMostSteps) {
             out.push_back(token);
             continue;
         }
@@ -107,9 +108,9 @@ class ConditionParser {
         std::string_view text;
         int level;
     };
-    static constexpr Operator kOperators[] = {{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6},
-                                              {"!=", 6}, {"<", 7},  {">", 7},  {"<=", 7}, {">=", 7}, {"<<", 8},
-                                              {">>", 8}, {"+", 9},  {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+    static constexpr Operator kOperators[] = {
+        {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
+        {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
 
     [[nodiscard]] std::string_view peek() const { return at_ < tokens_.size() ? tokens_[at_].text : ""; }
 

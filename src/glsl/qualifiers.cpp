@@ -9,7 +9,9 @@
 namespace glibra::glsl {
 namespace {
 
-bool isVertexCount(const std::string& size) { return size == "gl_VerticesIn" || size.empty(); }
+bool isVertexCount(const std::string& size) {
+    return size == "gl_VerticesIn" || size.empty();
+}
 
 /// `varying` in a stage that has both inputs and outputs.
 Storage storageOfVarying(Stage stage, const Variable& variable) {
@@ -47,10 +49,11 @@ void modernize(Unit& unit, Variable& variable) {
 void dropInvariantInputs(Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::requalify || unit.stage != Stage::fragment) continue;
-        const bool inputs = std::all_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
-            const Variable* variable = unit.variable(unit.text(name.name));
-            return variable && variable->storage == Storage::input;
-        });
+        const bool inputs =
+            std::all_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
+                const Variable* variable = unit.variable(unit.text(name.name));
+                return variable && variable->storage == Storage::input;
+            });
         std::vector<std::uint32_t> tokens;
         if (!inputs || !editableTokens(unit, each.tokens, tokens)) continue;
         for (const std::uint32_t token : tokens) unit.edits.remove(token);
@@ -66,7 +69,8 @@ constexpr std::array<std::string_view, 14> kEmitted = {
 std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool members) {
     if (const auto found = unit.declared.find(word); found != unit.declared.end()) return found->second;
     const Bodies& bodies = unit.bodies;
-    if (const auto found = bodies.localNames.find(word); found != bodies.localNames.end()) return found->second;
+    if (const auto found = bodies.localNames.find(word); found != bodies.localNames.end())
+        return found->second;
     if (!members) return kNone;
     const auto found = bodies.memberNames.find(word);
     return found == bodies.memberNames.end() ? kNone : found->second;
@@ -124,7 +128,8 @@ void renameTakenWords(ProgramUnits& program) {
             unit.renames[name] = "glibra_" + name;
             keepCalls(unit, word, at);
             program.result->userNames["glibra_" + name] = name;
-            program.report.warning("glsl-W05", "'" + name + "' is the name of a function, renamed", unit.place(at));
+            program.report.warning("glsl-W05", "'" + name + "' is the name of a function, renamed",
+                                   unit.place(at));
         }
     }
 }

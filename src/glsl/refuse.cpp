@@ -14,12 +14,18 @@ struct Refusal {
     std::string_view text;
 };
 constexpr std::array kRefusals = std::to_array<Refusal>({
-    {"gl_LayerIn", "gl_LayerIn cannot be emulated: geometry shaders have no such input; pass the layer on in a varying of your own"},
-    {"gl_ClipVertexIn", "gl_ClipVertexIn cannot be emulated: geometry shaders have no such input; use gl_in[i].gl_Position"},
+    {"gl_LayerIn",
+     "gl_LayerIn cannot be emulated: geometry shaders have no such input; pass the layer on in a varying of "
+     "your own"},
+    {"gl_ClipVertexIn",
+     "gl_ClipVertexIn cannot be emulated: geometry shaders have no such input; use gl_in[i].gl_Position"},
     {"sampler3DRect", "sampler3DRect does not exist in any GLSL version; use sampler3D"},
-    {"gl_GlobalInvocationID", "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
-    {"gl_LocalInvocationID", "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
-    {"gl_WorkGroupID", "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+    {"gl_GlobalInvocationID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+    {"gl_LocalInvocationID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+    {"gl_WorkGroupID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
 });
 
 /// What came after 4.10, the lowest target.
@@ -60,7 +66,8 @@ class Refuser {
             if (unit_.view[i].kind == TokenKind::word) word(i);
         for (const Token& token : unit_.tokens)
             if (token.kind == TokenKind::word && token.text.starts_with("glibra_") && token.active)
-                report_.errorOnce(unit_.path + std::string(token.text), "glsl-E05", "names beginning with 'glibra_' are reserved",
+                report_.errorOnce(unit_.path + std::string(token.text), "glsl-E05",
+                                  "names beginning with 'glibra_' are reserved",
                                   {unit_.files[token.file], token.line, token.column});
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
     }
@@ -74,13 +81,15 @@ class Refuser {
 
     void word(std::uint32_t at) {
         const std::string_view text = unit_.text(at);
-        if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration) return;
+        if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration)
+            return;
         for (const Refusal& each : kRefusals)
             if (each.word == text) error(at, std::string(each.text));
         if (unit_.isDeclared(text)) return;
         for (const Feature& each : kFeatures)
             if (each.word == text) feature(at, text, each.version, each.extension);
-        if (isImageTypeWord(text) && unit_.dialect.version >= 130) feature(at, text, 420, "GL_ARB_shader_image_load_store");
+        if (isImageTypeWord(text) && unit_.dialect.version >= 130)
+            feature(at, text, 420, "GL_ARB_shader_image_load_store");
     }
 
     void feature(std::uint32_t at, std::string_view text, int version, std::string_view extension) {
@@ -92,21 +101,28 @@ class Refuser {
             return;
         }
         const std::string number = std::to_string(version);
-        error(at, std::string(text) + " needs GLSL " + number[0] + "." + number.substr(1) + ", this driver has " +
-                      std::to_string(target().version).insert(1, "."));
+        error(at, std::string(text) + " needs GLSL " + number[0] + "." + number.substr(1) +
+                      ", this driver has " + std::to_string(target().version).insert(1, "."));
     }
 
     void declaration(const Declaration& each) {
-        const bool storageBlock = each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
+        const bool storageBlock =
+            each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
         if (storageBlock)
-            report_.error("glsl-E09", "buffer block '" + std::string(unit_.text(each.name)) + "': scenes have no storage buffers",
-                          unit_.place(each.name));
-        if (each.kind == DeclarationKind::variable && each.type.name == "atomic_uint" && !each.declarators.empty())
-            report_.error("glsl-E09", "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) + "': scenes have no counters",
+            report_.error(
+                "glsl-E09",
+                "buffer block '" + std::string(unit_.text(each.name)) + "': scenes have no storage buffers",
+                unit_.place(each.name));
+        if (each.kind == DeclarationKind::variable && each.type.name == "atomic_uint" &&
+            !each.declarators.empty())
+            report_.error("glsl-E09",
+                          "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
+                              "': scenes have no counters",
                           unit_.place(each.declarators[0].name));
         if (each.kind == DeclarationKind::layoutOnly)
             for (const LayoutItem& item : each.qualifiers.layout)
-                if (item.name.starts_with("local_size_")) error(item.tokens.first, std::string(kRefusals.back().text));
+                if (item.name.starts_with("local_size_"))
+                    error(item.tokens.first, std::string(kRefusals.back().text));
     }
 
     Unit& unit_;

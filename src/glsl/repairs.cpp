@@ -38,10 +38,15 @@ class Repairs {
         for (Variable& each : unit_.variables) {
             if (each.storage != Storage::uniform || each.removed) continue;
             const auto [found, isNew] = first.emplace(each.name, &each);
-            if (isNew || found->second->type != each.type || found->second->sizes() != each.sizes() || each.type.empty()) continue;
+            if (isNew || found->second->type != each.type || found->second->sizes() != each.sizes() ||
+                each.type.empty())
+                continue;
             each.removed = true;
             const Place place = unit_.place(each.nameToken);
-            report_.warning("glsl-W21", "uniform '" + each.name + "' declared again on line " + std::to_string(place.line) + ", ignored", place);
+            report_.warning("glsl-W21",
+                            "uniform '" + each.name + "' declared again on line " +
+                                std::to_string(place.line) + ", ignored",
+                            place);
         }
     }
 
@@ -68,7 +73,8 @@ class Repairs {
     void falseConstants() {
         for (Variable& each : unit_.variables) {
             if (each.storage != Storage::constant || each.removed) continue;
-            const Range value = unit_.syntax.declarations[each.declaration].declarators[each.declarator].initializer;
+            const Range value =
+                unit_.syntax.declarations[each.declaration].declarators[each.declarator].initializer;
             if (variableWord(value) == kNone) continue;
             // All names of one declaration share its qualifiers.
             for (Variable& other : unit_.variables)
@@ -76,7 +82,8 @@ class Repairs {
                     other.storage = Storage::none;
                     other.changed = true;
                 }
-            report_.warning("glsl-W10", "'" + each.name + "' depends on a uniform, 'const' dropped", unit_.place(each.nameToken));
+            report_.warning("glsl-W10", "'" + each.name + "' depends on a uniform, 'const' dropped",
+                            unit_.place(each.nameToken));
         }
     }
 
@@ -88,9 +95,12 @@ class Repairs {
             std::uint32_t next = walk_.next(i);
             const bool inInitialiser = walk_.text(walk_.previous(i)) == "=";
             if (!inInitialiser) {
-                if (next == kNone || unit_.tokens[next].kind != TokenKind::word || isQualifierWord(walk_.text(next))) continue;
+                if (next == kNone || unit_.tokens[next].kind != TokenKind::word ||
+                    isQualifierWord(walk_.text(next)))
+                    continue;
                 next = walk_.next(next);
-                while (walk_.text(next) == "[" && walk_.match(next) != kNone) next = walk_.next(walk_.match(next));
+                while (walk_.text(next) == "[" && walk_.match(next) != kNone)
+                    next = walk_.next(walk_.match(next));
                 if (walk_.text(next) != "(") continue;
             }
             unit_.edits.remove(i);
@@ -99,7 +109,9 @@ class Repairs {
     }
 
     void writtenInput(Variable& input) {
-        if (input.storage != Storage::input || input.removed || !unit_.isWritten(input.name) || input.type.empty()) return;
+        if (input.storage != Storage::input || input.removed || !unit_.isWritten(input.name) ||
+            input.type.empty())
+            return;
         if (input.name.starts_with("gl_")) return;
         if (unit_.stage == Stage::tessControl || unit_.stage == Stage::tessEvaluation) return;
         const std::string copy = "glibra_" + input.name;
@@ -109,7 +121,8 @@ class Repairs {
             const int count = verticesOfPrimitive(primitive_);
             sizes = "[" + std::to_string(count) + "]";
             value = input.type + sizes + "(";
-            for (int i = 0; i < count; ++i) value += (i ? ", " : "") + input.name + "[" + std::to_string(i) + "]";
+            for (int i = 0; i < count; ++i)
+                value += (i ? ", " : "") + input.name + "[" + std::to_string(i) + "]";
             value += ")";
         } else {
             for (const std::string& each : input.sizes()) sizes += "[" + each + "]";

@@ -31,7 +31,8 @@ class Report {
     void add(Diagnostic diagnostic) {
         const bool isError = diagnostic.severity == Severity::error;
         // A source can hold a million mistakes of one kind; the first error is kept in any case.
-        if (diagnostics_.size() < kMost || (isError && !failed_)) diagnostics_.push_back(std::move(diagnostic));
+        if (diagnostics_.size() < kMost || (isError && !failed_))
+            diagnostics_.push_back(std::move(diagnostic));
         failed_ = failed_ || isError;
     }
 

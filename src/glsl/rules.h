@@ -1,6 +1,7 @@
 #pragma once
-// The rules of the language, section 7, each in a file of its own. They read the units and change their variables,
-// renames, edits and prologues; the order in which `translate` calls them matters where it says so.
+// The rules of the language, section 7, each in a file of its own. They read the units and change their
+// variables, renames, edits and prologues; the order in which `translate` calls them matters where it says
+// so.
 
 #include "glsl/unit.h"
 #include "glsl/walk.h"
@@ -11,7 +12,8 @@ namespace glibra::glsl {
 void modernizeQualifiers(ProgramUnits& program);
 /// 7.4: names that 4.50 or the translation takes.
 void renameTakenWords(ProgramUnits& program);
-/// 7.2, 7.10, 7.12: what cannot be emulated, what the target is too old for, reserved prefixes, storage buffers.
+/// 7.2, 7.10, 7.12: what cannot be emulated, what the target is too old for, reserved prefixes, storage
+/// buffers.
 void refuse(ProgramUnits& program);
 /// 7.9: subroutine uniforms become calls of the first function.
 void resolveSubroutines(Unit& unit, Report& report);
@@ -50,9 +52,9 @@ void applyRenames(Unit& unit, const TokenWalk& walk);
 
 /// The core name of a texture function of an older version, or empty.
 struct TextureFunction {
-    std::string core;     ///< "textureProjLod"
-    std::string sampler;  ///< "sampler2D": what the name says; empty if it says nothing
-    bool shadow = false;  ///< the old function returned a vec4
+    std::string core;       ///< "textureProjLod"
+    std::string sampler;    ///< "sampler2D": what the name says; empty if it says nothing
+    bool shadow = false;    ///< the old function returned a vec4
     bool dropsLod = false;  ///< the second argument has no place in the core function
 };
 TextureFunction textureFunction(std::string_view name);

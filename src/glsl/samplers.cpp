@@ -9,10 +9,14 @@ namespace {
 
 std::string_view word(SamplerKind kind) {
     switch (kind) {
-        case SamplerKind::sampler1D: return "sampler1D";
-        case SamplerKind::sampler2D: return "sampler2D";
-        case SamplerKind::sampler3D: return "sampler3D";
-        case SamplerKind::samplerCube: break;
+        case SamplerKind::sampler1D:
+            return "sampler1D";
+        case SamplerKind::sampler2D:
+            return "sampler2D";
+        case SamplerKind::sampler3D:
+            return "sampler3D";
+        case SamplerKind::samplerCube:
+            break;
     }
     return "samplerCube";
 }
@@ -29,7 +33,8 @@ struct Misused {
 };
 
 bool isNumber(const Variable& variable) {
-    return variable.storage == Storage::uniform && !variable.removed && (variable.type == "int" || variable.type == "float");
+    return variable.storage == Storage::uniform && !variable.removed &&
+           (variable.type == "int" || variable.type == "float");
 }
 
 void find(Unit& unit, std::map<std::string, Misused>& found) {
@@ -38,13 +43,17 @@ void find(Unit& unit, std::map<std::string, Misused>& found) {
         const std::string named = textureFunction(function).sampler;
         for (const std::uint32_t use : uses) {
             const std::uint32_t argument = use + 2;
-            if (unit.text(use + 1) != "(" || argument >= unit.view.size() || unit.bodies.roles[argument] != WordRole::global) continue;
+            if (unit.text(use + 1) != "(" || argument >= unit.view.size() ||
+                unit.bodies.roles[argument] != WordRole::global)
+                continue;
             const std::string_view behind = unit.text(argument + 1);
             if (behind != "," && behind != ")" && behind != "[") continue;
             const Variable* variable = unit.variable(unit.text(argument));
             if (!variable || !isNumber(*variable)) continue;
-            Misused& misused = found.emplace(variable->name, Misused{{}, unit.place(argument), false}).first->second;
-            if (!named.empty() && !misused.named.empty() && misused.named != named) misused.conflicting = true;
+            Misused& misused =
+                found.emplace(variable->name, Misused{{}, unit.place(argument), false}).first->second;
+            if (!named.empty() && !misused.named.empty() && misused.named != named)
+                misused.conflicting = true;
             if (!named.empty()) misused.named = named;
         }
     }
@@ -54,13 +63,16 @@ void retype(ProgramUnits& program, const std::string& name, const std::string& s
     for (Unit& unit : program.units) {
         Variable* variable = unit.variable(name);
         if (!variable || !isNumber(*variable)) continue;
-        program.report.warning("glsl-W12", "'" + name + "' is " + variable->type + ", used as " + sampler, unit.place(variable->nameToken));
-        const Declarator& declarator = unit.syntax.declarations[variable->declaration].declarators[variable->declarator];
+        program.report.warning("glsl-W12", "'" + name + "' is " + variable->type + ", used as " + sampler,
+                               unit.place(variable->nameToken));
+        const Declarator& declarator =
+            unit.syntax.declarations[variable->declaration].declarators[variable->declarator];
         const Range value = declarator.initializer;
         if (!value.empty()) {
             // The initialiser is the unit then.
             if (value.end - value.first == 1 && unit.view[value.first].kind == TokenKind::number)
-                program.result->textureBindings[name] = std::atoi(std::string(unit.text(value.first)).c_str());
+                program.result->textureBindings[name] =
+                    std::atoi(std::string(unit.text(value.first)).c_str());
             variable->dropInitializer = true;
         }
         variable->type = sampler;
@@ -86,7 +98,8 @@ void retypeSamplers(ProgramUnits& program) {
             continue;
         }
         std::string holds;
-        for (const SamplerKind each : kinds) holds += (holds.empty() ? "" : " and ") + std::string(dimension(each));
+        for (const SamplerKind each : kinds)
+            holds += (holds.empty() ? "" : " and ") + std::string(dimension(each));
         program.report.error("glsl-E08",
                              "'" + name + "' is a number but used as a texture; " +
                                  (misused.conflicting ? "the functions name several kinds"

@@ -4,7 +4,9 @@
 
 namespace glibra::glsl {
 
-void Names::push(std::uint32_t closesAt, bool statement) { scopes_.push_back({closesAt, statement, {}}); }
+void Names::push(std::uint32_t closesAt, bool statement) {
+    scopes_.push_back({closesAt, statement, {}});
+}
 
 void Names::pop() {
     for (const std::string_view each : scopes_.back().names) {
@@ -15,7 +17,8 @@ void Names::pop() {
 }
 
 void Names::popTo(std::uint32_t closesAt) {
-    const auto found = std::find_if(scopes_.rbegin(), scopes_.rend(), [&](const Scope& each) { return each.closesAt == closesAt; });
+    const auto found = std::find_if(scopes_.rbegin(), scopes_.rend(),
+                                    [&](const Scope& each) { return each.closesAt == closesAt; });
     if (found == scopes_.rend()) return;
     const auto keep = static_cast<std::size_t>(scopes_.rend() - found) - 1;
     while (scopes_.size() > keep) pop();
@@ -39,7 +42,8 @@ void Names::declareLocal(std::uint32_t name, const Type& type) {
     scopes_.back().names.push_back(text);
 }
 
-void Names::declareGlobal(std::string_view name, const Declaration& declaration, Type type, std::size_t dimensions) {
+void Names::declareGlobal(std::string_view name, const Declaration& declaration, Type type,
+                          std::size_t dimensions) {
     if (declaration.kind == DeclarationKind::block) type = typeOfStructure(view_[declaration.name].text);
     type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + dimensions);
     globals_[name] = type;
@@ -86,7 +90,9 @@ bool Names::isLocal(std::string_view name) const {
     return found != locals_.end() && !found->second.empty();
 }
 
-bool Names::isKnown(std::string_view name) const { return isLocal(name) || globals_.contains(name); }
+bool Names::isKnown(std::string_view name) const {
+    return isLocal(name) || globals_.contains(name);
+}
 
 Type Names::typeOfStructure(std::string_view name) const {
     const auto found = structureIndex_.find(name);
@@ -131,8 +137,9 @@ Type Names::returnType(std::string_view function, std::span<const Type> argument
     const auto found = functions_.find(function);
     if (found == functions_.end()) return {};
     const std::vector<Overload>& overloads = found->second;
-    const bool same = std::all_of(overloads.begin(), overloads.end(),
-                                  [&](const Overload& each) { return each.result == overloads.front().result; });
+    const bool same = std::all_of(overloads.begin(), overloads.end(), [&](const Overload& each) {
+        return each.result == overloads.front().result;
+    });
     if (same) return overloads.front().result;
     for (const Overload& each : overloads)
         if (std::equal(each.parameters.begin(), each.parameters.end(), arguments.begin(), arguments.end()))

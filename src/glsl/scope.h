@@ -26,7 +26,8 @@ class Names {
     void popAll();
 
     void declareLocal(std::uint32_t name, const Type& type);
-    void declareGlobal(std::string_view name, const Declaration& declaration, Type type, std::size_t dimensions);
+    void declareGlobal(std::string_view name, const Declaration& declaration, Type type,
+                       std::size_t dimensions);
     /// Members of a block without instance name are global names.
     void declareBlockMembers(const Declaration& block);
     void addStructure(const Declaration& declaration);

@@ -61,7 +61,8 @@ class SourceReader {
         report_.error("file-E09", "'" + path + "' with its includes is larger than 4 MiB", unit_.start());
     }
 
-    /// The first #version of the stage's own file decides, wherever it stands: conditions before it may ask for it.
+    /// The first #version of the stage's own file decides, wherever it stands: conditions before it may ask
+    /// for it.
     void findVersion(std::span<const Token> tokens) {
         bool first = true;
         bool lineStart = true;
@@ -113,7 +114,8 @@ class SourceReader {
             push(tokens, false);
             return;
         }
-        const std::string_view name = line.significant.size() > 1 ? line.significant[1]->text : std::string_view{};
+        const std::string_view name =
+            line.significant.size() > 1 ? line.significant[1]->text : std::string_view{};
         if (name == "include") {
             include(line);
             return;
@@ -152,7 +154,8 @@ class SourceReader {
 
     void blank(const Line& line) {
         for (std::size_t i = 0; i < line.tokens.size(); ++i)
-            if (isSignificant(line.tokens[i].kind)) blanked_.push_back(line.first + static_cast<std::uint32_t>(i));
+            if (isSignificant(line.tokens[i].kind))
+                blanked_.push_back(line.first + static_cast<std::uint32_t>(i));
     }
     /// `text` in place of the directive's words.
     void replace(const Line& line, std::string text) {
@@ -165,7 +168,8 @@ class SourceReader {
     }
 
     void perform(std::string_view name, const Line& line) {
-        if (name == "if" || name == "ifdef" || name == "ifndef" || name == "elif" || name == "else" || name == "endif")
+        if (name == "if" || name == "ifdef" || name == "ifndef" || name == "elif" || name == "else" ||
+            name == "endif")
             return conditional(name, line);
         if (!active_) {
             if (name == "extension" || name == "version") blank(line);
@@ -210,7 +214,8 @@ class SourceReader {
     }
 
     [[nodiscard]] bool isDefined(std::string_view name) const {
-        if (macros_.isDefined(name) || name == "__VERSION__" || name == "__LINE__" || name == "__FILE__") return true;
+        if (macros_.isDefined(name) || name == "__VERSION__" || name == "__LINE__" || name == "__FILE__")
+            return true;
         if (name == "GL_core_profile") return true;
         if (name == "GL_compatibility_profile") return !unit_.dialect.core;
         if (!name.starts_with("GL_")) return false;
@@ -236,7 +241,8 @@ class SourceReader {
             if (token.text == "defined") {
                 const bool bracket = i + 1 < line.significant.size() && line.significant[i + 1]->text == "(";
                 const std::size_t at = i + (bracket ? 2 : 1);
-                tokens.push_back(numberToken(at < line.significant.size() && isDefined(line.significant[at]->text)));
+                tokens.push_back(
+                    numberToken(at < line.significant.size() && isDefined(line.significant[at]->text)));
                 i = at + (bracket ? 1 : 0);
                 continue;
             }
@@ -296,7 +302,8 @@ class SourceReader {
         blank(line);
         if (!unit_.dialect.given) {
             std::vector<std::string_view> words;
-            for (std::size_t i = 2; i < line.significant.size(); ++i) words.push_back(line.significant[i]->text);
+            for (std::size_t i = 2; i < line.significant.size(); ++i)
+                words.push_back(line.significant[i]->text);
             setVersion(words, place, false);
         } else if (!(unit_.dialect.place == place)) {
             report_.warning("glsl-W02", "a second #version is ignored", place);
@@ -323,7 +330,8 @@ class SourceReader {
         } else if (has) {
             pass();
         } else if (behaviour == "require") {
-            report_.error("glsl-E03", "extension " + name + " is required, but the driver does not have it", place);
+            report_.error("glsl-E03", "extension " + name + " is required, but the driver does not have it",
+                          place);
         } else {
             report_.warning("glsl-W06", "extension " + name + " is unknown, ignored", place);
         }
@@ -344,7 +352,8 @@ class SourceReader {
             return;
         const long long next = unit_.dialect.version <= 150 ? number + 1 : number;
         const std::int32_t physical = line.significant[0]->line;
-        replace(line, lineDirective(unit_, file_, next, shim() ? unit_.request->target.version : unit_.dialect.version));
+        replace(line, lineDirective(unit_, file_, next,
+                                    shim() ? unit_.request->target.version : unit_.dialect.version));
         shift_ = static_cast<std::int32_t>(next) - (physical + 1);
     }
 
@@ -382,7 +391,8 @@ class SourceReader {
             return end();
         }
         if (once_.contains(found->path)) return end();
-        if (std::find(stack_.begin(), stack_.end(), found->path) != stack_.end() || found->path == unit_.path) {
+        if (std::find(stack_.begin(), stack_.end(), found->path) != stack_.end() ||
+            found->path == unit_.path) {
             std::string names = unit_.path;
             for (const std::string& each : stack_) names += ", " + each;
             report_.error("glsl-E04", "#include cycle: " + names + ", " + found->path, place);
@@ -396,7 +406,8 @@ class SourceReader {
         if (stack_.size() >= kDeepestInclude || ++included_ > kMostFiles) {
             report_.errorOnce("limit", "file-E09",
                               "'" + found->path + "': more than " +
-                                  (stack_.size() >= kDeepestInclude ? "32 includes inside each other" : "256 included files"),
+                                  (stack_.size() >= kDeepestInclude ? "32 includes inside each other"
+                                                                    : "256 included files"),
                               place);
             return end();
         }
@@ -464,11 +475,9 @@ void readSource(const StageSource& source, Unit& unit, Report& report) {
 
 std::string lineDirective(const Unit& unit, std::size_t file, long long line, int emittedVersion) {
     std::string text = "#line " + std::to_string(emittedVersion <= 150 ? line - 1 : line) + " ";
-    if (!unit.request->target.lineDirectiveTakesFileName) return text + std::to_string(file);
-    std::string path = unit.files[file];
-    for (char& c : path)
-        if (c == '"' || c == '\n' || c == '\\') c = c == '\\' ? '/' : '_';
-    return text + "\"" + path + "\"";
+    // Mesa takes few characters in a quoted name, and drops an unquoted number in some messages: so a quoted number.
+    return unit.request->target.lineDirectiveTakesFileName ? text + '"' + std::to_string(file) + '"'
+                                                           : text + std::to_string(file);
 }
 
 }  // namespace glibra::glsl

@@ -1,5 +1,5 @@
-// Language 7.9: a subroutine uniform is its first function. The type's declaration becomes the prototype of that
-// function, so that calls may stand in front of its definition.
+// Language 7.9: a subroutine uniform is its first function. The type's declaration becomes the prototype of
+// that function, so that calls may stand in front of its definition.
 
 #include <map>
 
@@ -16,8 +16,10 @@ class Subroutines {
         findFunctions();
         for (const Declaration& each : unit_.syntax.declarations) {
             if (!each.qualifiers.subroutine) continue;
-            if (each.kind == DeclarationKind::prototype && each.qualifiers.subroutineTypes.empty()) type(each);
-            if (each.kind == DeclarationKind::function || (each.kind == DeclarationKind::prototype && !each.qualifiers.subroutineTypes.empty()))
+            if (each.kind == DeclarationKind::prototype && each.qualifiers.subroutineTypes.empty())
+                type(each);
+            if (each.kind == DeclarationKind::function ||
+                (each.kind == DeclarationKind::prototype && !each.qualifiers.subroutineTypes.empty()))
                 remove(each.qualifiers.tokens);
             if (each.kind == DeclarationKind::variable) uniform(each);
         }
@@ -28,7 +30,8 @@ class Subroutines {
         for (const Declaration& each : unit_.syntax.declarations) {
             if (each.kind != DeclarationKind::function || each.qualifiers.subroutineTypes.empty()) continue;
             const Range types = each.qualifiers.subroutineTypes;
-            for (std::uint32_t i = types.first; i < types.end; ++i) first_.emplace(unit_.text(i), unit_.text(each.name));
+            for (std::uint32_t i = types.first; i < types.end; ++i)
+                first_.emplace(unit_.text(i), unit_.text(each.name));
         }
     }
 
@@ -50,7 +53,9 @@ class Subroutines {
         if (found == first_.end()) return;
         for (const Declarator& each : declaration.declarators) {
             const std::string name(unit_.text(each.name));
-            report_.warning("glsl-W19", "subroutine uniform '" + name + "' uses its first function '" + std::string(found->second) + "'",
+            report_.warning("glsl-W19",
+                            "subroutine uniform '" + name + "' uses its first function '" +
+                                std::string(found->second) + "'",
                             unit_.place(each.name));
             if (Variable* variable = unit_.variable(name)) variable->removed = true;
             for (const std::uint32_t use : unit_.uses[name]) {
@@ -67,6 +72,8 @@ class Subroutines {
 
 }  // namespace
 
-void resolveSubroutines(Unit& unit, Report& report) { Subroutines(unit, report).run(); }
+void resolveSubroutines(Unit& unit, Report& report) {
+    Subroutines(unit, report).run();
+}
 
 }  // namespace glibra::glsl

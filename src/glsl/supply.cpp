@@ -8,7 +8,9 @@
 namespace glibra::glsl {
 namespace {
 
-bool isTextureMatrix(std::string_view name) { return name.find("TextureMatrix") != std::string_view::npos; }
+bool isTextureMatrix(std::string_view name) {
+    return name.find("TextureMatrix") != std::string_view::npos;
+}
 
 /// "gl_NormalMatrix" for "glibra_NormalMatrix"; other names are the user's spelling already.
 std::string userSpelling(std::string_view name) {
@@ -34,7 +36,8 @@ bool fitsMeshValue(std::string_view name, const Variable& variable) {
 
 class Supply {
   public:
-    Supply(Unit& unit, TranslatedProgram& result, Report& report) : unit_(unit), result_(result), report_(report) {}
+    Supply(Unit& unit, TranslatedProgram& result, Report& report)
+        : unit_(unit), result_(result), report_(report) {}
 
     void run() {
         for (const BuiltinUniform& row : builtinUniforms()) uniform(row);
@@ -42,7 +45,8 @@ class Supply {
     }
 
   private:
-    /// True if the stage uses the name without declaring it. A gl_ name that is declared with its own type is renamed.
+    /// True if the stage uses the name without declaring it. A gl_ name that is declared with its own type is
+    /// renamed.
     bool isWanted(const std::string& name, std::string_view emitted, const std::string& type) {
         if (unit_.macros.contains(name)) return false;
         if (unit_.isDeclared(name)) {
@@ -62,9 +66,10 @@ class Supply {
     void redeclared(const std::string& name, std::string_view emitted, const std::string& type) {
         const Variable* variable = unit_.variable(name);
         if (!variable || variable->type != type || variable->isArray() != isTextureMatrix(name))
-            report_.errorOnce(unit_.path + name, "glsl-E03",
-                              name + " is redeclared with another type than " + type + "; leave the declaration out",
-                              unit_.place(unit_.declared.find(name)->second));
+            report_.errorOnce(
+                unit_.path + name, "glsl-E03",
+                name + " is redeclared with another type than " + type + "; leave the declaration out",
+                unit_.place(unit_.declared.find(name)->second));
         else
             rename(name, emitted);
     }
@@ -114,10 +119,13 @@ class Supply {
     }
 
     void outside(const std::string& name, std::uint32_t at) {
-        report_.errorOnce(unit_.path + name, "glsl-E03",
-                          name + " is a vertex input and only exists in the vertex stage; write it there to a varying of "
-                                 "your own" + std::string(name.ends_with("FaceIndex") ? " (flat)" : "") + " and read that here",
-                          unit_.place(at));
+        report_.errorOnce(
+            unit_.path + name, "glsl-E03",
+            name +
+                " is a vertex input and only exists in the vertex stage; write it there to a varying of "
+                "your own" +
+                std::string(name.ends_with("FaceIndex") ? " (flat)" : "") + " and read that here",
+            unit_.place(at));
     }
 
     Unit& unit_;

@@ -78,7 +78,8 @@ class Parser {
         declaration.qualifiers = qualifiers();
         if (peek() == ";") {
             ++at_;
-            declaration.kind = declaration.qualifiers.tokens.empty() ? DeclarationKind::stray : DeclarationKind::layoutOnly;
+            declaration.kind =
+                declaration.qualifiers.tokens.empty() ? DeclarationKind::stray : DeclarationKind::layoutOnly;
             return declaration;
         }
         if (!word()) {
@@ -338,7 +339,8 @@ class Parser {
 }  // namespace
 
 const LayoutItem* Qualifiers::item(std::string_view name) const {
-    const auto found = std::find_if(layout.begin(), layout.end(), [&](const LayoutItem& each) { return each.name == name; });
+    const auto found =
+        std::find_if(layout.begin(), layout.end(), [&](const LayoutItem& each) { return each.name == name; });
     return found == layout.end() ? nullptr : &*found;
 }
 

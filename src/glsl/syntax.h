@@ -1,6 +1,7 @@
 #pragma once
-// The declarations at file scope of a stage, found in its tokens after macro expansion. It is a light parser: it finds
-// what every declaration is called, its type, qualifiers, sizes and initialiser, and skips what it does not know.
+// The declarations at file scope of a stage, found in its tokens after macro expansion. It is a light parser:
+// it finds what every declaration is called, its type, qualifiers, sizes and initialiser, and skips what it
+// does not know.
 
 #include <cstdint>
 #include <span>
@@ -33,13 +34,14 @@ struct Qualifiers {
     Range tokens;
     Storage storage = Storage::none;
     bool attributeWord = false, varyingWord = false;
-    bool patch = false, invariant = false, precise = false, centroid = false, sample = false, subroutine = false;
-    std::string interpolation;         ///< "flat", "smooth", "noperspective" or empty
-    std::vector<std::string> memory;   ///< "readonly", "coherent", ...
-    std::string precision;             ///< "highp", ... or empty
+    bool patch = false, invariant = false, precise = false, centroid = false, sample = false,
+         subroutine = false;
+    std::string interpolation;        ///< "flat", "smooth", "noperspective" or empty
+    std::vector<std::string> memory;  ///< "readonly", "coherent", ...
+    std::string precision;            ///< "highp", ... or empty
     std::vector<LayoutItem> layout;
-    std::vector<Range> layoutTokens;   ///< each layout ( ... ) whole
-    Range subroutineTypes;             ///< between the parentheses of subroutine( )
+    std::vector<Range> layoutTokens;  ///< each layout ( ... ) whole
+    Range subroutineTypes;            ///< between the parentheses of subroutine( )
     std::uint32_t storageToken = kNone;
 
     [[nodiscard]] const LayoutItem* item(std::string_view name) const;
@@ -68,14 +70,14 @@ struct Parameter {
 };
 
 enum class DeclarationKind {
-    variable,    ///< qualifiers type declarators ; (declarators may be empty: struct S {...};)
-    block,       ///< qualifiers Name { members } instance ;
-    function,    ///< definition
+    variable,  ///< qualifiers type declarators ; (declarators may be empty: struct S {...};)
+    block,     ///< qualifiers Name { members } instance ;
+    function,  ///< definition
     prototype,
     layoutOnly,  ///< layout(triangles) in;
     requalify,   ///< invariant gl_Position;
     precision,
-    stray,       ///< a lone ;
+    stray,  ///< a lone ;
     unknown
 };
 
@@ -83,10 +85,10 @@ struct Declaration {
     DeclarationKind kind = DeclarationKind::unknown;
     Range tokens;  ///< with the final ; or }
     Qualifiers qualifiers;
-    TypeUse type;  ///< of a variable; what a function returns
+    TypeUse type;                         ///< of a variable; what a function returns
     std::vector<Declarator> declarators;  ///< of a variable; the instance of a block; names of `requalify`
-    std::uint32_t name = kNone;  ///< of a block, function, or struct specifier
-    std::vector<Declaration> members;  ///< of a block or struct specifier
+    std::uint32_t name = kNone;           ///< of a block, function, or struct specifier
+    std::vector<Declaration> members;     ///< of a block or struct specifier
     std::vector<Parameter> parameters;
     Range parameterTokens;
     Range body;  ///< of a function, with its braces; of a block or struct, with its braces
@@ -99,8 +101,8 @@ struct Syntax {
 /// Parses all of `view`.
 Syntax parseSyntax(std::span<const ViewToken> view);
 
-/// Parses one variable declaration that begins at `at` (qualifiers, type, declarators) up to and with its ';' or up to
-/// `end`. Used for members, parameters and local variables.
+/// Parses one variable declaration that begins at `at` (qualifiers, type, declarators) up to and with its ';'
+/// or up to `end`. Used for members, parameters and local variables.
 Declaration parseVariable(std::span<const ViewToken> view, std::uint32_t at, std::uint32_t end);
 
 /// Index of the bracket that closes the one at `open`, or `end`.

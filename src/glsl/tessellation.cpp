@@ -10,8 +10,10 @@ namespace {
 
 void readControl(const Unit& unit, TranslatedProgram& result) {
     for (const Declaration& each : unit.syntax.declarations) {
-        const LayoutItem* item = each.kind == DeclarationKind::layoutOnly && each.qualifiers.storage == Storage::output
-                                     ? each.qualifiers.item("vertices") : nullptr;
+        const LayoutItem* item =
+            each.kind == DeclarationKind::layoutOnly && each.qualifiers.storage == Storage::output
+                ? each.qualifiers.item("vertices")
+                : nullptr;
         long long value = 0;
         if (item && integerValue(unit, item->value, value) && value > 0 && value <= 1024)
             result.patchVertices = static_cast<int>(value);

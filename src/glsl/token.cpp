@@ -5,10 +5,18 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool isWordStart(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-constexpr bool isWordPart(char c) { return isWordStart(c) || isDigit(c); }
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+constexpr bool isWordStart(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool isWordPart(char c) {
+    return isWordStart(c) || isDigit(c);
+}
+constexpr bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 constexpr std::array<std::string_view, 23> kLongPunctuators = {
     "<<=", ">>=", "++", "--", "<=", ">=", "==", "!=", "&&", "||", "^^", "+=",
@@ -92,7 +100,8 @@ class Lexer {
             }
     }
 
-    /// Length of the run of characters of a word or number from `from`; `previous` is the character before it.
+    /// Length of the run of characters of a word or number from `from`; `previous` is the character before
+    /// it.
     [[nodiscard]] std::size_t run(TokenKind kind, std::size_t from, char previous) const {
         std::size_t i = from;
         for (; i < text_.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// GLSL source text to tokens. Nothing is lost: the tokens' texts, blanks and comments included, make up the text again,
-// except for the backslashes of joined lines, which become `splice` tokens.
+// GLSL source text to tokens. Nothing is lost: the tokens' texts, blanks and comments included, make up the
+// text again, except for the backslashes of joined lines, which become `splice` tokens.
 
 #include <cstdint>
 #include <deque>
@@ -37,8 +37,8 @@ constexpr bool isSignificant(TokenKind kind) {
 /// The text with lines ended by LF alone, without a byte-order mark.
 std::string normalizeLines(std::string_view text);
 
-/// Tokens of `text`, whose lines end with LF. Words and numbers that a backslash joins over two lines are stored in
-/// `storage`; the other tokens point into `text`.
+/// Tokens of `text`, whose lines end with LF. Words and numbers that a backslash joins over two lines are
+/// stored in `storage`; the other tokens point into `text`.
 std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage);
 
 }  // namespace glibra::glsl

@@ -15,7 +15,9 @@ bool listed(std::string_view list, std::string_view word) {
     return list.find(key) != std::string_view::npos;
 }
 
-int digit(char c) { return c >= '2' && c <= '4' ? c - '0' : 0; }
+int digit(char c) {
+    return c >= '2' && c <= '4' ? c - '0' : 0;
+}
 
 BaseType promoted(BaseType a, BaseType b) {
     for (const BaseType each : {doublePrecision, floating, unsignedInteger, integer, boolean})
@@ -26,18 +28,22 @@ BaseType promoted(BaseType a, BaseType b) {
 /// Functions whose result has the shape of their widest argument.
 constexpr std::string_view kGeneric =
     " radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
-    "inversesqrt abs sign floor trunc truncate round roundEven ceil fract mod min max clamp mix step smoothstep "
-    "normalize faceforward reflect refract dFdx dFdy fwidth dFdxFine dFdyFine fwidthFine dFdxCoarse dFdyCoarse "
+    "inversesqrt abs sign floor trunc truncate round roundEven ceil fract mod min max clamp mix step "
+    "smoothstep "
+    "normalize faceforward reflect refract dFdx dFdy fwidth dFdxFine dFdyFine fwidthFine dFdxCoarse "
+    "dFdyCoarse "
     "fwidthCoarse fma modf ldexp ";
 /// Of these, those that exist for integers too.
 constexpr std::string_view kIntegerToo = " abs sign min max clamp ";
 constexpr std::string_view kToScalar = " length distance dot determinant noise1 ";
-constexpr std::string_view kRelational = " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual not ";
+constexpr std::string_view kRelational =
+    " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual not ";
 
 Type textureType(std::string_view function, std::span<const Type> arguments) {
     if (function.starts_with("textureSize") || function.starts_with("textureQuery")) return {};
     if (arguments.empty() || arguments[0].base != opaque) {
-        // texture2D and its kin name floating samplers, or integer ones (EXT_gpu_shader4): only the argument tells.
+        // texture2D and its kin name floating samplers, or integer ones (EXT_gpu_shader4): only the argument
+        // tells.
         return {};
     }
     const std::string_view sampler = arguments[0].word;
@@ -119,7 +125,8 @@ Type typeOfWord(std::string_view word) {
     BaseType base = floating;
     std::string_view rest = word;
     const auto prefixed = [&](char letter, BaseType value) {
-        if (rest.starts_with(letter) && rest.size() > 3 && (rest.substr(1).starts_with("vec") || rest.substr(1).starts_with("mat"))) {
+        if (rest.starts_with(letter) && rest.size() > 3 &&
+            (rest.substr(1).starts_with("vec") || rest.substr(1).starts_with("mat"))) {
             base = value;
             rest.remove_prefix(1);
         }
@@ -128,7 +135,8 @@ Type typeOfWord(std::string_view word) {
     prefixed('i', integer);
     prefixed('u', unsignedInteger);
     prefixed('b', boolean);
-    if (rest.starts_with("vec") && rest.size() == 4 && digit(rest[3])) return vectorType(base, digit(rest[3]));
+    if (rest.starts_with("vec") && rest.size() == 4 && digit(rest[3]))
+        return vectorType(base, digit(rest[3]));
     if (rest.starts_with("mat") && rest.size() >= 4 && digit(rest[3])) {
         const int columns = digit(rest[3]);
         const int rows = rest.size() == 6 ? digit(rest[5]) : columns;
@@ -153,16 +161,18 @@ std::string wordOf(const Type& type) {
 }
 
 Type typeOfSuppliedName(std::string_view name) {
-    const auto* const found =
-        std::find_if(kSupplied.begin(), kSupplied.end(), [&](const Supplied& each) { return each.name == name; });
+    const auto* const found = std::find_if(kSupplied.begin(), kSupplied.end(),
+                                           [&](const Supplied& each) { return each.name == name; });
     if (found != kSupplied.end()) {
         Type type = typeOfWord(found->type);
         type.arrayDepth = static_cast<std::uint16_t>(found->arrayDepth);
         return type;
     }
     if (name.starts_with("gl_MultiTexCoord") || name.starts_with("aTexCoord")) return vectorType(floating, 4);
-    const bool matrix = (name.starts_with("gl_") || name.starts_with("u")) && name.find("Matrix") != std::string_view::npos;
-    if (matrix && (name.find("ModelView") != std::string_view::npos || name.find("Projection") != std::string_view::npos))
+    const bool matrix =
+        (name.starts_with("gl_") || name.starts_with("u")) && name.find("Matrix") != std::string_view::npos;
+    if (matrix && (name.find("ModelView") != std::string_view::npos ||
+                   name.find("Projection") != std::string_view::npos))
         return typeOfWord("mat4");
     return {};
 }
@@ -178,8 +188,10 @@ Type binaryType(std::string_view op, const Type& left, const Type& right) {
     };
     if (op == "<<" || op == ">>") return left;
     if (op == "*") {
-        if (left.matrix() && right.vector()) return left.columns == right.rows ? vectorType(base, left.rows) : Type{};
-        if (left.vector() && right.matrix()) return left.rows == right.rows ? vectorType(base, right.columns) : Type{};
+        if (left.matrix() && right.vector())
+            return left.columns == right.rows ? vectorType(base, left.rows) : Type{};
+        if (left.vector() && right.matrix())
+            return left.rows == right.rows ? vectorType(base, right.columns) : Type{};
         if (left.matrix() && right.matrix()) {
             if (left.columns != right.rows) return {};
             return {base, right.columns, left.rows, 0, -1, {}};
@@ -198,8 +210,10 @@ Type callType(std::string_view function, std::span<const Type> arguments) {
         return vectorType(floating, digit(function[5]));
     if (listed(" any all ", function)) return scalarType(boolean);
     if (function.starts_with("shadow1D") || function.starts_with("shadow2D")) return vectorType(floating, 4);
-    if (function.starts_with("texture") || function.starts_with("texelFetch")) return textureType(function, arguments);
-    if (arguments.empty() || std::any_of(arguments.begin(), arguments.end(), [](const Type& t) { return !t.numeric(); }))
+    if (function.starts_with("texture") || function.starts_with("texelFetch"))
+        return textureType(function, arguments);
+    if (arguments.empty() ||
+        std::any_of(arguments.begin(), arguments.end(), [](const Type& t) { return !t.numeric(); }))
         return {};
     const Type& first = arguments.front();
     BaseType base = first.base;

@@ -1,5 +1,6 @@
 #pragma once
-// GLSL types as far as translation has to infer them. What is not known for certain is `unknown`, and stays untouched.
+// GLSL types as far as translation has to infer them. What is not known for certain is `unknown`, and stays
+// untouched.
 
 #include <cstdint>
 #include <span>
@@ -44,8 +45,12 @@ struct Type {
     [[nodiscard]] int components() const { return columns * rows; }
 };
 
-constexpr Type scalarType(BaseType base) { return {base, 1, 1, 0, -1, {}}; }
-constexpr Type vectorType(BaseType base, int rows) { return {base, 1, static_cast<std::uint8_t>(rows), 0, -1, {}}; }
+constexpr Type scalarType(BaseType base) {
+    return {base, 1, 1, 0, -1, {}};
+}
+constexpr Type vectorType(BaseType base, int rows) {
+    return {base, 1, static_cast<std::uint8_t>(rows), 0, -1, {}};
+}
 
 /// The type that a type word names; unknown for other words.
 Type typeOfWord(std::string_view word);
@@ -53,7 +58,8 @@ Type typeOfWord(std::string_view word);
 /// The word of a scalar, vector or matrix type: "vec3".
 std::string wordOf(const Type& type);
 
-/// Type of a variable that the translator or GLSL itself supplies: gl_*, GSTAP names, Timer, ...; else unknown.
+/// Type of a variable that the translator or GLSL itself supplies: gl_*, GSTAP names, Timer, ...; else
+/// unknown.
 Type typeOfSuppliedName(std::string_view name);
 
 /// Type of `left op right` for + - * / % and comparisons.

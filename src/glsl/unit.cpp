@@ -26,7 +26,8 @@ Variable* Unit::variable(std::string_view name) {
 }
 
 Unit* ProgramUnits::find(Stage stage) {
-    const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const Unit& each) { return each.stage == stage; });
     return found == units.end() ? nullptr : &*found;
 }
 
@@ -37,17 +38,22 @@ Unit* ProgramUnits::before(Stage stage) {
     return last;
 }
 
-Unit* ProgramUnits::lastBeforeRaster() { return before(Stage::fragment); }
+Unit* ProgramUnits::lastBeforeRaster() {
+    return before(Stage::fragment);
+}
 
 std::string shortPlace(const Place& place) {
     const std::size_t slash = place.file.find_last_of("/\\");
-    return (slash == std::string::npos ? place.file : place.file.substr(slash + 1)) + ":" + std::to_string(place.line);
+    return (slash == std::string::npos ? place.file : place.file.substr(slash + 1)) + ":" +
+           std::to_string(place.line);
 }
 
 std::string textOf(const Unit& unit, Range range) {
     std::string text;
     for (std::uint32_t i = range.first; i < range.end && i < unit.view.size(); ++i) {
-        const auto wordLike = [](TokenKind kind) { return kind == TokenKind::word || kind == TokenKind::number; };
+        const auto wordLike = [](TokenKind kind) {
+            return kind == TokenKind::word || kind == TokenKind::number;
+        };
         if (i > range.first && wordLike(unit.view[i].kind) && wordLike(unit.view[i - 1].kind)) text += ' ';
         text += unit.view[i].text;
     }

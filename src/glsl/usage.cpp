@@ -21,8 +21,8 @@ constexpr std::array kOutputs = std::to_array<Output>({{"modf", 2},
                                                        {"imulExtended", 12}});
 
 bool isAssignment(std::string_view text) {
-    static constexpr std::array<std::string_view, 11> kOperators = {"=",  "+=", "-=", "*=",  "/=", "%=",
-                                                                    "&=", "|=", "^=", "<<=", ">>="};
+    static constexpr std::array<std::string_view, 11> kOperators = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
     return std::find(kOperators.begin(), kOperators.end(), text) != kOperators.end();
 }
 
@@ -115,7 +115,8 @@ void findUsage(Unit& unit) {
         if (isWritten(unit, i)) unit.writes[name].push_back(i);
         const auto output = outputs.find(unit.text(i));
         if (output == outputs.end() || output->second == 0 || unit.text(i + 1) != "(") continue;
-        const std::uint32_t close = std::min<std::uint32_t>(unit.bodies.matches[i + 1], static_cast<std::uint32_t>(unit.view.size()));
+        const std::uint32_t close =
+            std::min<std::uint32_t>(unit.bodies.matches[i + 1], static_cast<std::uint32_t>(unit.view.size()));
         unsigned argument = 0;
         bool start = true;
         for (std::uint32_t k = i + 2; k < close; ++k) {

@@ -35,7 +35,9 @@ class Rewriter {
 
     void run() {
         for (const Variable* each : variables_) details(*each);
-        const bool any = std::any_of(variables_.begin(), variables_.end(), [](const Variable* each) { return each->changed || each->removed || !each->after.empty(); });
+        const bool any = std::any_of(variables_.begin(), variables_.end(), [](const Variable* each) {
+            return each->changed || each->removed || !each->after.empty();
+        });
         if (any) head();
     }
 
@@ -58,8 +60,9 @@ class Rewriter {
 
     void head() {
         const bool structure = declaration_.type.isStruct;
-        const Range head = structure ? declaration_.qualifiers.tokens
-                                     : Range{declaration_.tokens.first, declaration_.declarators.front().name};
+        const Range head = structure
+                               ? declaration_.qualifiers.tokens
+                               : Range{declaration_.tokens.first, declaration_.declarators.front().name};
         std::vector<std::uint32_t> tokens;
         if (!editableTokens(unit_, head, tokens)) return;
         const Variable& first = *variables_.front();
@@ -68,12 +71,14 @@ class Rewriter {
             return !each->removed && each->after.empty() && text(*each) == common;
         });
         for (const std::uint32_t each : tokens) unit_.edits.remove(each);
-        const std::uint32_t start = tokens.empty() ? unit_.view[declaration_.declarators.front().name].site : tokens.front();
+        const std::uint32_t start =
+            tokens.empty() ? unit_.view[declaration_.declarators.front().name].site : tokens.front();
         if (structure || together) {
             if (tokens.empty())
                 unit_.edits.before(unit_.view[declaration_.type.tokens.first].site, common);
             else
-                unit_.edits.replace(start, together || structure ? common.substr(0, common.size() - 1) : common);
+                unit_.edits.replace(start,
+                                    together || structure ? common.substr(0, common.size() - 1) : common);
             if (structure) lastOfStructure();
             return;
         }
@@ -98,7 +103,8 @@ class Rewriter {
             unit_.edits.before(unit_.view[declarator.name].site, text(variable));
             if (ends) unit_.edits.replace(unit_.view[declarator.end].site, ";");
         }
-        if (ends && !variable.after.empty()) unit_.edits.after(unit_.view[declarator.end].site, variable.after);
+        if (ends && !variable.after.empty())
+            unit_.edits.after(unit_.view[declarator.end].site, variable.after);
     }
 
     [[nodiscard]] std::string text(const Variable& variable) const {
@@ -122,7 +128,8 @@ std::vector<std::string> Variable::sizes() const {
 }
 
 const std::string* Variable::layoutValue(std::string_view key) const {
-    const auto found = std::find_if(layout.begin(), layout.end(), [&](const auto& each) { return each.first == key; });
+    const auto found =
+        std::find_if(layout.begin(), layout.end(), [&](const auto& each) { return each.first == key; });
     return found == layout.end() ? nullptr : &found->second;
 }
 
@@ -154,7 +161,8 @@ std::vector<Variable> collectVariables(const Unit& unit) {
             variable.typeSizes = textsOf(unit, declaration.type.dimensions);
             variable.nameSizes = textsOf(unit, declarator.dimensions);
             variable.interpolation = q.interpolation;
-            for (const LayoutItem& item : q.layout) variable.layout.emplace_back(item.name, textOf(unit, item.value));
+            for (const LayoutItem& item : q.layout)
+                variable.layout.emplace_back(item.name, textOf(unit, item.value));
             variable.patch = q.patch;
             variable.invariant = q.invariant;
             variable.precise = q.precise;
@@ -193,14 +201,29 @@ std::string headOf(const Variable& variable) {
     if (variable.patch) add("patch");
     for (const std::string& each : variable.memory) add(each);
     switch (variable.storage) {
-        case Storage::none: break;
-        case Storage::constant: add("const"); break;
-        case Storage::input: add("in"); break;
-        case Storage::output: add("out"); break;
-        case Storage::inputOutput: add("inout"); break;
-        case Storage::uniform: add("uniform"); break;
-        case Storage::buffer: add("buffer"); break;
-        case Storage::shared: add("shared"); break;
+        case Storage::none:
+            break;
+        case Storage::constant:
+            add("const");
+            break;
+        case Storage::input:
+            add("in");
+            break;
+        case Storage::output:
+            add("out");
+            break;
+        case Storage::inputOutput:
+            add("inout");
+            break;
+        case Storage::uniform:
+            add("uniform");
+            break;
+        case Storage::buffer:
+            add("buffer");
+            break;
+        case Storage::shared:
+            add("shared");
+            break;
     }
     add(variable.precision);
     add(variable.type);

@@ -30,7 +30,8 @@ int leadingNumber(std::string_view text, std::string_view& rest) {
 
 }  // namespace
 
-Dialect readVersion(std::span<const std::string_view> words, const Place& place, int targetVersion, Report& report) {
+Dialect readVersion(std::span<const std::string_view> words, const Place& place, int targetVersion,
+                    Report& report) {
     Dialect dialect;
     dialect.given = true;
     dialect.place = place;
@@ -52,11 +53,13 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
     if (profile == "es" || number == 100) {
         dialect.version = number <= 100 ? 120 : (number < 310 ? 330 : (number < 320 ? 430 : 450));
         dialect.written = number;
-        report.warning("glsl-W03", "'" + joined(words) + "' treated as " + std::to_string(dialect.version), place);
+        report.warning("glsl-W03", "'" + joined(words) + "' treated as " + std::to_string(dialect.version),
+                       place);
         return dialect;
     }
     if (number > kHighest) {
-        report.error("glsl-E07", "#version " + std::to_string(number) + " is not supported, 460 is the highest", place);
+        report.error("glsl-E07",
+                     "#version " + std::to_string(number) + " is not supported, 460 is the highest", place);
         return dialect;
     }
     const auto* const above = std::upper_bound(kKnown.begin(), kKnown.end(), number);

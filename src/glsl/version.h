@@ -8,6 +8,7 @@
 namespace glibra::glsl {
 
 /// Reads the words of a #version line (after `version`). Reports what is tolerated or refused.
-Dialect readVersion(std::span<const std::string_view> words, const Place& place, int targetVersion, Report& report);
+Dialect readVersion(std::span<const std::string_view> words, const Place& place, int targetVersion,
+                    Report& report);
 
 }  // namespace glibra::glsl

@@ -32,8 +32,12 @@ TokenWalk::TokenWalk(const Unit& unit)
     }
 }
 
-std::uint32_t TokenWalk::next(std::uint32_t token) const { return token == kNone ? kNone : next_[token]; }
+std::uint32_t TokenWalk::next(std::uint32_t token) const {
+    return token == kNone ? kNone : next_[token];
+}
 
-std::uint32_t TokenWalk::previous(std::uint32_t token) const { return token == kNone ? kNone : previous_[token]; }
+std::uint32_t TokenWalk::previous(std::uint32_t token) const {
+    return token == kNone ? kNone : previous_[token];
+}
 
 }  // namespace glibra::glsl

@@ -1,6 +1,6 @@
 #pragma once
-// Moves among the tokens as they are written, so that a rule also works inside the body of a macro. A token of a
-// preprocessor line has its neighbours on that line; a token of the text has them in the text.
+// Moves among the tokens as they are written, so that a rule also works inside the body of a macro. A token
+// of a preprocessor line has its neighbours on that line; a token of the text has them in the text.
 
 #include <string_view>
 #include <vector>

@@ -27,7 +27,8 @@ constexpr std::array kFunctions = std::to_array<Function>({
     {"mix", 3, {4, 4}},
 });
 
-/// The vector size to widen to and the arguments (bits) that are scalars; nothing if the call is in order or not clear.
+/// The vector size to widen to and the arguments (bits) that are scalars; nothing if the call is in order or
+/// not clear.
 struct Widening {
     int size = 0;
     unsigned scalars = 0;
@@ -40,7 +41,8 @@ std::optional<Widening> wideningOf(const Function& function, const Call& call) {
         if (type.base != BaseType::floating && !type.integral()) return std::nullopt;
         if (type.scalar()) {
             result.scalars |= 1U << i;
-        } else if (!type.vector() || type.base != BaseType::floating || (result.size && result.size != type.rows)) {
+        } else if (!type.vector() || type.base != BaseType::floating ||
+                   (result.size && result.size != type.rows)) {
             return std::nullopt;
         } else {
             result.size = type.rows;
@@ -60,11 +62,14 @@ class Widener {
         for (const Call& call : unit_.bodies.calls) {
             const std::string_view name = unit_.text(call.name);
             const auto* const function =
-                std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& each) { return each.name == name; });
+                std::find_if(kFunctions.begin(), kFunctions.end(),
+                             [&](const Function& each) { return each.name == name; });
             if (function == kFunctions.end() || unit_.isDeclared(name)) continue;
             const auto widening = wideningOf(*function, call);
-            if (widening) decide(*function, call, *widening);
-            else cannotTell(call);
+            if (widening)
+                decide(*function, call, *widening);
+            else
+                cannotTell(call);
         }
         apply();
     }
@@ -86,7 +91,8 @@ class Widener {
         const ViewToken& last = unit_.view[range.end - 1];
         if (first.body != last.body) return std::nullopt;
         if (!first.body) return Span{first.raw, last.raw};
-        if (first.objectSite && first.site == last.site && wholeMacro(range)) return Span{first.site, first.site};
+        if (first.objectSite && first.site == last.site && wholeMacro(range))
+            return Span{first.site, first.site};
         // Both in the body of the same macro: all its uses have to agree.
         for (std::uint32_t i = first.raw; i <= last.raw && i < unit_.tokens.size(); ++i)
             if (unit_.tokens[i].kind == TokenKind::newline) return std::nullopt;
@@ -94,13 +100,16 @@ class Widener {
     }
     [[nodiscard]] bool wholeMacro(Range range) const {
         const std::uint32_t site = unit_.view[range.first].site;
-        const auto outside = [&](std::uint32_t at) { return at >= unit_.view.size() || unit_.view[at].site != site; };
+        const auto outside = [&](std::uint32_t at) {
+            return at >= unit_.view.size() || unit_.view[at].site != site;
+        };
         return outside(range.first - 1) && outside(range.end);
     }
 
     void cannotTell(const Call& call) {
         for (const Range& each : call.arguments)
-            if (const auto span = spanOf(each); span && unit_.view[each.first].body) wishes_[*span].conflicting = true;
+            if (const auto span = spanOf(each); span && unit_.view[each.first].body)
+                wishes_[*span].conflicting = true;
     }
 
     void decide(const Function& function, const Call& call, const Widening& widening) {
@@ -111,9 +120,12 @@ class Widener {
             const auto span = spanOf(call.arguments[i]);
             if (!span) continue;
             const std::string wanted = widening.scalars >> i & 1U ? type : std::string{};
-            const auto [found, isNew] = wishes_.emplace(*span, Wish{wanted, false, {}, call.name, wishes_.size()});
+            const auto [found, isNew] =
+                wishes_.emplace(*span, Wish{wanted, false, {}, call.name, wishes_.size()});
             if (!isNew && found->second.type != wanted) found->second.conflicting = true;
-            if (isNew) found->second.text = std::string(function.name) + "(" + shape + "): the scalar is widened to " + type;
+            if (isNew)
+                found->second.text =
+                    std::string(function.name) + "(" + shape + "): the scalar is widened to " + type;
         }
     }
 
@@ -122,7 +134,8 @@ class Widener {
         std::vector<std::pair<Span, const Wish*>> ordered;
         for (const auto& [span, wish] : wishes_)
             if (!wish.type.empty() && !wish.conflicting) ordered.emplace_back(span, &wish);
-        std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.second->order < b.second->order; });
+        std::sort(ordered.begin(), ordered.end(),
+                  [](const auto& a, const auto& b) { return a.second->order < b.second->order; });
         for (const auto& [span, wish] : ordered) {
             unit_.edits.before(span.first, wish->type + "(");
             unit_.edits.after(span.second, ")");
@@ -138,6 +151,8 @@ class Widener {
 
 }  // namespace
 
-void widenScalars(Unit& unit, Report& report) { Widener(unit, report).run(); }
+void widenScalars(Unit& unit, Report& report) {
+    Widener(unit, report).run();
+}
 
 }  // namespace glibra::glsl

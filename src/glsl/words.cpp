@@ -14,7 +14,8 @@ struct Row {
 };
 
 constexpr std::string_view kQualifiers =
-    " attribute varying const uniform in out inout buffer shared centroid flat smooth noperspective invariant precise "
+    " attribute varying const uniform in out inout buffer shared centroid flat smooth noperspective "
+    "invariant precise "
     "patch sample coherent volatile restrict readonly writeonly highp mediump lowp subroutine layout ";
 constexpr std::string_view kStatements =
     " if else for while do switch case default return break continue discard ";
@@ -30,9 +31,13 @@ constexpr std::array<Row, 17> kTypes = {{
     {140, "usamplerBuffer"},
     {150, "sampler2DMS isampler2DMS usampler2DMS sampler2DMSArray isampler2DMSArray usampler2DMSArray"},
     {400, "double dvec2 dvec3 dvec4 dmat2 dmat3 dmat4 dmat2x2 dmat2x3 dmat2x4 dmat3x2 dmat3x3 dmat3x4"},
-    {400, "dmat4x2 dmat4x3 dmat4x4 samplerCubeArray isamplerCubeArray usamplerCubeArray samplerCubeArrayShadow"},
-    {420, "image1D image2D image3D imageCube image2DRect imageBuffer image1DArray image2DArray imageCubeArray"},
-    {420, "image2DMS image2DMSArray iimage1D iimage2D iimage3D iimageCube iimage2DRect iimageBuffer iimage1DArray"},
+    {400,
+     "dmat4x2 dmat4x3 dmat4x4 samplerCubeArray isamplerCubeArray usamplerCubeArray samplerCubeArrayShadow"},
+    {420,
+     "image1D image2D image3D imageCube image2DRect imageBuffer image1DArray image2DArray imageCubeArray"},
+    {420,
+     "image2DMS image2DMSArray iimage1D iimage2D iimage3D iimageCube iimage2DRect iimageBuffer "
+     "iimage1DArray"},
     {420, "iimage2DArray iimageCubeArray iimage2DMS iimage2DMSArray uimage1D uimage2D uimage3D uimageCube"},
     {420, "uimage2DRect uimageBuffer uimage1DArray uimage2DArray uimageCubeArray uimage2DMS uimage2DMSArray"},
     {420, "atomic_uint"},
@@ -40,7 +45,8 @@ constexpr std::array<Row, 17> kTypes = {{
 }};
 
 constexpr std::array<Row, 11> kOthers = {{
-    {110, "attribute const uniform varying break continue do for while if else in out inout true false discard"},
+    {110,
+     "attribute const uniform varying break continue do for while if else in out inout true false discard"},
     {110, "return struct"},
     {120, "centroid invariant"},
     {130, "flat smooth noperspective switch case default lowp mediump highp precision"},
@@ -48,7 +54,8 @@ constexpr std::array<Row, 11> kOthers = {{
     {400, "patch sample subroutine precise"},
     {420, "coherent volatile restrict readonly writeonly"},
     {430, "buffer shared"},
-    {kReserved, "common partition active asm class union enum typedef template this resource goto inline noinline"},
+    {kReserved,
+     "common partition active asm class union enum typedef template this resource goto inline noinline"},
     {kReserved, "public static extern external interface long short half fixed unsigned superp input output"},
     {kReserved, "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 filter sizeof cast namespace using packed"},
 }};
@@ -96,19 +103,25 @@ int keywordSince(std::string_view word) {
     return found == otherTable().end() ? 0 : found->second;
 }
 
-bool isTypeWord(std::string_view word) { return typeTable().contains(word); }
+bool isTypeWord(std::string_view word) {
+    return typeTable().contains(word);
+}
 
-bool isQualifierWord(std::string_view word) { return otherTable().contains(word) && listed(kQualifiers, word); }
+bool isQualifierWord(std::string_view word) {
+    return otherTable().contains(word) && listed(kQualifiers, word);
+}
 
-bool isStatementWord(std::string_view word) { return otherTable().contains(word) && listed(kStatements, word); }
+bool isStatementWord(std::string_view word) {
+    return otherTable().contains(word) && listed(kStatements, word);
+}
 
 bool isImageTypeWord(std::string_view word) {
     return isTypeWord(word) && word.find("image") != std::string_view::npos;
 }
 
 bool isOpaqueTypeWord(std::string_view word) {
-    return isTypeWord(word) && (isImageTypeWord(word) || word == "atomic_uint" ||
-                                word.find("sampler") != std::string_view::npos);
+    return isTypeWord(word) &&
+           (isImageTypeWord(word) || word == "atomic_uint" || word.find("sampler") != std::string_view::npos);
 }
 
 }  // namespace glibra::glsl

@@ -5,15 +5,16 @@
 
 namespace glibra::glsl {
 
-/// The version in which the word became a keyword (110 ... 450); kReserved for words that 4.50 reserves without using
-/// them; 0 for all other words.
+/// The version in which the word became a keyword (110 ... 450); kReserved for words that 4.50 reserves
+/// without using them; 0 for all other words.
 int keywordSince(std::string_view word);
 inline constexpr int kReserved = 1000;
 
 /// "float", "vec3", "sampler2D", "void", ...: words that name a type by themselves.
 bool isTypeWord(std::string_view word);
 
-/// Words that may stand before the type of a declaration, including "attribute", "varying" and precision words.
+/// Words that may stand before the type of a declaration, including "attribute", "varying" and precision
+/// words.
 bool isQualifierWord(std::string_view word);
 
 /// "if", "for", "return", ...

@@ -16,6 +16,8 @@ class Backend {
   public:
     virtual ~Backend() = default;
     virtual bool makeCurrent() = 0;
+    /// Leaves the thread without a context, so that another thread can take it.
+    virtual void release() = 0;
     /// Address of a GL function, or null.
     virtual void* address(const char* function) = 0;
     [[nodiscard]] virtual Driver driver() const = 0;

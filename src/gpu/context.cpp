@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,7 @@ class AdoptedBackend final : public Backend {
   public:
     explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
     bool makeCurrent() override { return true; }
+    void release() override {}
     void* address(const char* function) override { return loader_(function); }
     [[nodiscard]] Driver driver() const override { return Driver::automatic; }
     [[nodiscard]] std::string description() const override { return "context of a window"; }
@@ -73,6 +75,12 @@ void setInitialState() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
+/// llvmpipe reads it when it is loaded, so it has to be there before. A value of the user's own is left
+/// alone.
+void prepareEnvironment(const ContextOptions& options) {
+    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
+}
+
 std::string joined(const std::vector<std::string>& phrases) {
     std::string text;
     for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
@@ -107,10 +115,7 @@ bool Context::makeCurrent() {
 }
 
 Result<Context> openContext(const ContextOptions& options) {
-    // llvmpipe reads it when it is loaded, so it has to be there before. A value of the user's own is left
-    // alone.
-    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
-
+    prepareEnvironment(options);
     std::vector<std::string> failures;
     for (const Opener open : openers(options.driver)) {
         Attempt attempt = open(options);
@@ -146,6 +151,30 @@ Result<Context> adopt(const std::function<void*(const char*)>& loader) {
     state->log.attach(state->capabilities.debugOutput);
     setInitialState();
     return Context(std::move(state));
+}
+
+ContextOpening::ContextOpening(const ContextOptions& options) : options_(options) {
+    // Before the thread exists: changing the environment beside another thread is not safe.
+    prepareEnvironment(options_);
+    const auto openAndRelease = [wanted = options_] {
+        Result<Context> opened = openContext(wanted);
+        if (opened) opened->state_->backend->release();
+        return opened;
+    };
+    try {
+        pending_ = std::async(std::launch::async, openAndRelease);
+    } catch (const std::system_error&) {
+        pending_ = {};  // No thread to be had: finish() opens it.
+    }
+}
+
+Result<Context> ContextOpening::finish() {
+    if (!pending_.valid()) return openContext(options_);
+    Result<Context> opened = pending_.get();
+    if (opened && !opened->state_->backend->makeCurrent())
+        return error("gpu-E01",
+                     "no usable OpenGL driver: " + opened->howOpened() + " does not change threads");
+    return opened;
 }
 
 namespace {

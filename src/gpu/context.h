@@ -9,6 +9,7 @@
 #include <glibra/result.h>
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ class Context {
     bool makeCurrent();
 
   private:
+    friend class ContextOpening;
     friend Result<Context> openContext(const ContextOptions& options);
     friend Result<Context> adopt(const std::function<void*(const char*)>& loader);
     struct State;
@@ -60,6 +62,24 @@ class Context {
 /// thread, with the state that every picture starts from: seamless cube maps, tightly packed pixel rows, no
 /// dithering. The error gpu-E01 is one sentence that names each way tried and why it failed.
 Result<Context> openContext(const ContextOptions& options = {});
+
+/// Opens a context in a thread of its own while the caller reads the scene: most of the time it takes (20 ms
+/// on llvmpipe) goes into loading the driver.
+///
+///     gpu::ContextOpening opening(options);
+///     ... parse, interpret, make meshes: anything without GL ...
+///     Result<gpu::Context> context = opening.finish();
+class ContextOpening {
+  public:
+    explicit ContextOpening(const ContextOptions& options = {});
+    /// The context, now current on the calling thread, or what openContext would have said. Call it once.
+    /// Without the call the destructor waits and closes the context.
+    Result<Context> finish();
+
+  private:
+    ContextOptions options_;
+    std::future<Result<Context>> pending_;
+};
 
 /// Takes over a context that is current on this thread (a window's). `loader` gives the address of a GL
 /// function or null. It is not destroyed with the Context. gpu-E01 if it is older than 4.1.

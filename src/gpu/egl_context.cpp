@@ -24,14 +24,16 @@ class EglBackend final : public Backend {
     EglBackend(const EglBackend&) = delete;
     EglBackend& operator=(const EglBackend&) = delete;
     ~EglBackend() override {
-        egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        EglBackend::release();
         egl_.destroyContext(display_, context_);
-        egl_.terminate(display_);
+        // The display stays initialised: there is one for the whole process, which somebody else may be using
+        // too.
     }
 
     bool makeCurrent() override {
         return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
     }
+    void release() override { egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
     void* address(const char* function) override {
         return reinterpret_cast<void*>(egl_.getProcAddress(function));
     }
@@ -86,36 +88,28 @@ EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig co
 /// Tries one display. The text is why not, without the candidate's name.
 std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary& egl,
                                                                const Candidate& candidate, bool debug) {
-    // A display of our own, so that terminating it does not touch what else in the process uses EGL.
-    static constexpr std::array<EGLint, 3> kTrackReferences{EGL_TRACK_REFERENCES_KHR, EGL_TRUE, EGL_NONE};
-    const bool canTrack = egl.hasClientExtension("EGL_KHR_display_reference");
-    EGLDisplay display = egl.getPlatformDisplay(candidate.platform, candidate.nativeDisplay,
-                                                canTrack ? kTrackReferences.data() : nullptr);
+    EGLDisplay display = egl.getPlatformDisplay(candidate.platform, candidate.nativeDisplay, nullptr);
     if (display == EGL_NO_DISPLAY) return "no display (" + egl.lastError() + ")";
     EGLint major = 0;
     EGLint minor = 0;
     if (!egl.initialize(display, &major, &minor)) return "eglInitialize failed (" + egl.lastError() + ")";
 
-    const auto fail = [&](std::string why) {
-        egl.terminate(display);
-        return why;
-    };
     const char* list = egl.queryString(display, EGL_EXTENSIONS);
     const std::string extensions = list ? list : "";
-    if (!listHas(extensions, "EGL_KHR_surfaceless_context")) return fail("it needs a surface");
-    if (!egl.bindApi(EGL_OPENGL_API)) return fail("it has OpenGL ES only");
+    if (!listHas(extensions, "EGL_KHR_surfaceless_context")) return "it needs a surface";
+    if (!egl.bindApi(EGL_OPENGL_API)) return "it has OpenGL ES only";
     EGLConfig config = nullptr;
     if (!listHas(extensions, "EGL_KHR_no_config_context") &&
         !listHas(extensions, "EGL_MESA_configless_context")) {
         config = anyConfig(egl, display);
-        if (!config) return fail("it has no config for OpenGL");
+        if (!config) return "it has no config for OpenGL";
     }
     const EGLContext context = createContext(egl, display, config, debug);
-    if (context == EGL_NO_CONTEXT) return fail("no OpenGL 4.1 core context (" + egl.lastError() + ")");
+    if (context == EGL_NO_CONTEXT) return "no OpenGL 4.1 core context (" + egl.lastError() + ")";
     if (!egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-        const std::string why = "eglMakeCurrent failed (" + egl.lastError() + ")";
+        std::string why = "eglMakeCurrent failed (" + egl.lastError() + ")";
         egl.destroyContext(display, context);
-        return fail(why);
+        return why;
     }
     return std::make_unique<EglBackend>(egl, display, context, candidate.driver,
                                         candidate.name + " (" + egl.name + ", EGL " + std::to_string(major) +

@@ -54,14 +54,13 @@ std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name) {
     egl.getError = library.function<PFNEGLGETERRORPROC>("eglGetError");
     egl.queryString = library.function<PFNEGLQUERYSTRINGPROC>("eglQueryString");
     egl.initialize = library.function<PFNEGLINITIALIZEPROC>("eglInitialize");
-    egl.terminate = library.function<PFNEGLTERMINATEPROC>("eglTerminate");
     egl.bindApi = library.function<PFNEGLBINDAPIPROC>("eglBindAPI");
     egl.chooseConfig = library.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
     egl.createContext = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
     egl.destroyContext = library.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext");
     egl.makeCurrent = library.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
-    if (!egl.getProcAddress || !egl.getError || !egl.queryString || !egl.initialize || !egl.terminate ||
-        !egl.bindApi || !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent)
+    if (!egl.getProcAddress || !egl.getError || !egl.queryString || !egl.initialize || !egl.bindApi ||
+        !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent)
         return name + " is no EGL library";
 
     // Null on EGL libraries from before client extensions.

@@ -41,13 +41,14 @@ class OsmesaBackend final : public Backend {
     OsmesaBackend(const OsmesaBackend&) = delete;
     OsmesaBackend& operator=(const OsmesaBackend&) = delete;
     ~OsmesaBackend() override {
-        library_.makeCurrent(nullptr, nullptr, 0, 0, 0);
+        OsmesaBackend::release();
         library_.destroyContext(context_);
     }
 
     bool makeCurrent() override {
         return library_.makeCurrent(context_, pixel_.data(), kUnsignedByte, 1, 1) != 0;
     }
+    void release() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
     void* address(const char* function) override { return library_.getProcAddress(function); }
     [[nodiscard]] Driver driver() const override { return Driver::osmesa; }
     [[nodiscard]] std::string description() const override { return "OSMesa (" + library_.name + ")"; }

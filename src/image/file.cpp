@@ -100,7 +100,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     return bytes;
 }
 
-TemporaryFile::TemporaryFile(fs::path target) : target_(resolved(target)) {
+TemporaryFile::TemporaryFile(const fs::path& target) : target_(resolved(target)) {
     // mkstemp would ignore the user's file mode; so the names are tried in turn, with the process to tell
     // runs apart.
     constexpr int kAttempts = 1000;

@@ -30,7 +30,7 @@ Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<con
 /// succeeds.
 class TemporaryFile {
   public:
-    explicit TemporaryFile(std::filesystem::path target);
+    explicit TemporaryFile(const std::filesystem::path& target);
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile();

@@ -8,9 +8,9 @@
 namespace glibra::image {
 
 /// The same picture without EXIF, XMP, ICC profiles, thumbnails and comments, which change no pixel here
-/// (8.2): only APP0 (JFIF) and APP14 (Adobe's colour transform) stay. OpenImageIO interprets EXIF and ends
-/// the process when that is damaged, so it must not get to see it. From the first segment that makes no
-/// sense, all is kept as it is.
+/// (8.2): only APP0 (JFIF) and APP14 (Adobe's colour transform) stay. So no decoder can turn the picture or
+/// convert its colours, and hostile metadata meet no parser. From the first segment that makes no sense, all
+/// is kept as it is.
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
 
 /// True if the file goes on to its end-of-image marker. Decoders fill a file that was cut off with grey and

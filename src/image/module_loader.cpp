@@ -37,7 +37,7 @@ std::optional<Module> loadModule(std::span<const fs::path> folders) {
         const auto version = functionOf<GlibraModuleVersion>(library, "glibraModuleVersion");
         const Module module{functionOf<GlibraReadPicture>(library, "glibraReadPicture"),
                             functionOf<GlibraWritePicture>(library, "glibraWritePicture")};
-        if (version != nullptr && version() == GLIBRA_MODULE_VERSION && module.read != nullptr &&
+        if (version != nullptr && version() == kGlibraModuleVersion && module.read != nullptr &&
             module.write != nullptr)
             return module;
     }

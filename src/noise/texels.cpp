@@ -120,6 +120,7 @@ void forEachIndex(int count, int threads, const Work& work) {
 
 std::vector<AxisWeights> axesOf(int n) {
     std::vector<AxisWeights> axes;
+    axes.reserve(kOctaves);
     for (int octave = 0; octave < kOctaves; ++octave) axes.emplace_back(n, cellsOf(octave));
     return axes;
 }

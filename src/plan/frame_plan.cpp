@@ -226,7 +226,7 @@ class FramePlanner {
         }
         for (const ActiveInput& input : interface.inputs) {
             const std::string name = userName(interface, input.name);
-            if (attributeOf(input) == nullptr && !isInternalName(name))
+            if (glsl::findBuiltinInput(input.name) == nullptr && !isInternalName(name))
                 once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1", name));
         }
         if (ignoresPointSize(draw, program, interface, submission)) {
@@ -244,12 +244,6 @@ class FramePlanner {
         const auto found = interface.facts.userNames.find(name);
         return found != interface.facts.userNames.end() ? found->second : name;
     }
-    static const glsl::BuiltinInput* attributeOf(const ActiveInput& input) {
-        for (const glsl::BuiltinInput& row : glsl::builtinInputs())
-            if (row.name == input.name) return &row;
-        return nullptr;
-    }
-
     /// The mesh of the draw's shape, and what this program reads of it.
     int meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
         const auto shape = static_cast<std::size_t>(draw.shape);
@@ -259,7 +253,7 @@ class FramePlanner {
             plan_.meshes.push_back({draw.shape, {}});
         }
         for (const ActiveInput& input : interface.inputs)
-            if (const glsl::BuiltinInput* row = attributeOf(input); row != nullptr)
+            if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name); row != nullptr)
                 reads_[shape].insert(row->attribute);
         // A window shows what an unusable program should have drawn in one colour, and needs to know where.
         if (!interface.usable) reads_[shape].insert(geometry::kPosition);

@@ -126,13 +126,14 @@ class SkipList {
         for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
             const scene::Texture& texture = scene_.textures[i];
             const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
+            const auto* noise = std::get_if<scene::NoiseSource>(&texture.source);
             if (textures_[i]) {
                 if (picture != nullptr)
                     for (const int file : picture->files) useFile(file);
+                if (noise != nullptr) useFile(noise->file);
                 continue;
             }
-            const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
-            add(isNoise ? "noise texture" : "texture",
+            add(noise != nullptr ? "noise texture" : "texture",
                 fmt::format("unit {}: no active sampler reads it", slotText(texture.unit, texture.target)),
                 texture.place);
         }

@@ -7,15 +7,6 @@
 namespace glibra::plan {
 namespace {
 
-/// True if `name`, as the user or the translated source spells it, is the table's `row`.
-bool isSpelling(std::string_view name, std::string_view row) {
-    constexpr std::string_view kEmitted = "glibra_";
-    constexpr std::string_view kCompatible = "gl_";
-    if (name == row) return true;
-    return row.starts_with(kEmitted) && name.starts_with(kCompatible) &&
-           row.substr(kEmitted.size()) == name.substr(kCompatible.size());
-}
-
 bool isTextureMatrix(glsl::Builtin value) {
     return value == glsl::Builtin::textureMatrix || value == glsl::Builtin::textureMatrixInverse ||
            value == glsl::Builtin::textureMatrixTranspose ||
@@ -66,21 +57,14 @@ std::vector<NamedUniform> UniformNames::find(std::string_view tag) const {
 }
 
 const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform) {
-    for (const glsl::BuiltinUniform& row : glsl::builtinUniforms()) {
-        if (!isSpelling(uniform.name, row.name)) continue;
-        const bool sameType = row.type.substr(0, row.type.find('[')) == uniform.type.word;
-        return sameType && uniform.isArray == isTextureMatrix(row.value) ? &row : nullptr;
-    }
-    return nullptr;
+    const glsl::BuiltinUniform* row = glsl::findBuiltinUniform(uniform.name);
+    const bool isSame =
+        row != nullptr && row->type == uniform.type.word && uniform.isArray == isTextureMatrix(row->value);
+    return isSame ? row : nullptr;
 }
 
 bool isSuppliedName(std::string_view name) {
-    const auto uniforms = glsl::builtinUniforms();
-    const auto inputs = glsl::builtinInputs();
-    return std::any_of(uniforms.begin(), uniforms.end(),
-                       [&](const glsl::BuiltinUniform& row) { return isSpelling(name, row.name); }) ||
-           std::any_of(inputs.begin(), inputs.end(),
-                       [&](const glsl::BuiltinInput& row) { return isSpelling(name, row.name); });
+    return glsl::findBuiltinUniform(name) != nullptr || glsl::findBuiltinInput(name) != nullptr;
 }
 
 bool isInternalName(std::string_view name) {

@@ -158,10 +158,6 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         }
         stats_.add("programs", 1);
     }
-    if (hasError(diagnostics) && variant.program != scene::kNone)
-        diagnostics.push_back(note("", "in program '" + scene_.programs[static_cast<std::size_t>(variant.program)].name +
-                                           "', stated here",
-                                   programPlace));
     translated.diagnostics = std::move(diagnostics);
     built.interface = describe(built.reflected, std::move(translated));
     built.interface.usable = built.program.has_value();

@@ -15,6 +15,8 @@
 namespace glibra::scene {
 namespace {
 
+constexpr double kRounding = 1e-9;
+
 glm::dmat4 perspectiveMatrix(const Perspective& view, double aspect) {
     const double half = view.fieldOfView / 2;
     const double scale = cosineOfDegrees(half) / sineOfDegrees(half);
@@ -179,7 +181,8 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     for (const SeenDraw& seen : draws) angle = std::min(angle, halfAngle(seen));
     const glm::dvec3 c = sphere->centre;
     const double distance = (sphere->radius + std::hypot(c.x, c.y) * std::cos(angle)) / std::sin(angle);
-    const double moved = std::ceil(16 * (distance + c.z)) / 16;
+    // A distance that is a sixteenth but for rounding errors stays one.
+    const double moved = std::ceil(16 * (distance + c.z) - kRounding) / 16;
     if (!(moved > 0) || !std::isfinite(moved)) return move;
     move.distance = moved;
     move.diagnostics.push_back(

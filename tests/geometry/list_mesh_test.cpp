@@ -65,8 +65,9 @@ TEST(ListMesh, TriangleStripsWithAdjacencyFollowTheTableOfOpenGL) {
 }
 
 TEST(ListMesh, StripTrianglesKeepOneWinding) {
-    std::vector<ListVertex> vertices;
-    for (int i = 0; i < 9; ++i) vertices.push_back({.position = {i * .5, i % 2 ? 0. : 1., 0, 1}});
+    std::vector<ListVertex> vertices(9);
+    for (std::size_t i = 0; i < 9; ++i)
+        vertices[i].position = {static_cast<double>(i) * .5, i % 2 ? 0. : 1., 0, 1};
     const Mesh mesh = meshFromList("triangle_strip", vertices, false, 3).mesh;
     forEachTriangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const glm::dvec3 p = positionAt(mesh, a);

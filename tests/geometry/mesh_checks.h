@@ -47,6 +47,11 @@ inline Counts countsOf(const Mesh& mesh) {
                                                           mesh.topology, mesh.patchVertices))};
 }
 
+/// Counts worked out by hand.
+inline Counts stated(int vertices, int primitives) {
+    return {static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(primitives)};
+}
+
 /// Arrays of one length, indices in range, finite numbers, unit normals and tangents at right angles, s and t
 /// in 0..1.
 inline void expectSound(const Mesh& mesh, bool texCoordsInRange = true) {

@@ -35,15 +35,22 @@ std::string generatedFile(std::uint32_t seed) {
     const std::string end = random(2) ? "\n" : "\r\n";
     std::string text = "# generated" + end;
     std::uint32_t v = 0, vt = 0, vn = 0;
+    // Statement by statement, so that the numbers come in one order whatever the compiler.
+    const auto putLine = [&](const char* word, int numbers) {
+        text += word;
+        for (; numbers > 0; --numbers) {
+            text += blanks();
+            text += number();
+        }
+        text += end;
+    };
     for (int block = 0; block < 12; ++block) {
-        if (random(2)) text += "o object" + std::to_string(block) + end;
-        for (std::uint32_t i = 0, n = 3 + random(20); i < n; ++i, ++v)
-            text += "v" + blanks() + number() + blanks() + number() + blanks() + number() + end;
-        for (std::uint32_t i = 0, n = 1 + random(9); i < n; ++i, ++vt)
-            text += "vt" + blanks() + number() + blanks() + number() + end;
-        for (std::uint32_t i = 0, n = 1 + random(9); i < n; ++i, ++vn)
-            text += "vn" + blanks() + number() + blanks() + number() + blanks() + number() + end;
-        if (random(2)) text += "g part" + std::to_string(block) + end + "s 1" + end;
+        if (random(2)) text.append("o object").append(std::to_string(block)).append(end);
+        for (std::uint32_t n = 3 + random(20); n > 0; --n, ++v) putLine("v", 3);
+        for (std::uint32_t n = 1 + random(9); n > 0; --n, ++vt) putLine("vt", 2);
+        for (std::uint32_t n = 1 + random(9); n > 0; --n, ++vn) putLine("vn", 3);
+        if (random(2))
+            text.append("g part").append(std::to_string(block)).append(end).append("s 1").append(end);
         for (std::uint32_t i = 0, n = random(30); i < n; ++i) {
             const std::uint32_t form = random(4);
             text += "f";
@@ -54,15 +61,17 @@ std::string generatedFile(std::uint32_t seed) {
                     return random(3) == 0 ? std::to_string(static_cast<int>(at) - static_cast<int>(count))
                                           : std::to_string(at + 1);
                 };
-                text += blanks() + index((first + c) % v, v);
-                if (form == 1) text += "/" + index(random(vt), vt);
-                if (form == 2) text += "//" + index(random(vn), vn);
-                if (form == 3) text += "/" + index(random(vt), vt) + "/" + index(random(vn), vn);
+                text += blanks();
+                text += index((first + c) % v, v);
+                if (form == 1 || form == 3) text += "/" + index(random(vt), vt);
+                if (form == 2) text += '/';
+                if (form >= 2) text += "/" + index(random(vn), vn);
             }
-            text += (random(5) ? "" : " ") + end;
+            if (random(5) == 0) text += ' ';
+            text += end;
         }
     }
-    return text + "f 1 2 3" + end;
+    return text.append("f 1 2 3").append(end);
 }
 
 void expectClose(float ours, float theirs) {

@@ -23,26 +23,26 @@ struct Solid {
 };
 
 std::vector<Solid> closedSolids() {
-    return {{"sphere", sphere(1.7, 60, 60), {61 * 59 + 120, 120 * 59}},
-            {"least sphere", sphere(1, 3, 2), {10, 6}},
-            {"odd sphere", sphere(.3, 7, 5), {8 * 4 + 14, 14 * 4}},
-            {"cylinder", cylinder(1, 1, 60, 20), {61 * 21 + 242, 2400 + 120}},
-            {"least cylinder", cylinder(2, .1, 3, 1), {8 + 14, 12}},
-            {"cone", cone(1, 1, 60, 20), {61 * 20 + 181, 2400}},
-            {"least cone", cone(.7, 3, 3, 1), {4 + 10, 6}},
-            {"odd cone", cone(.7, 3, 5, 3), {18 + 16, 30}},
-            {"torus", torus(1, .5, 20, 40), {41 * 21, 1600}},
-            {"least torus", torus(.25, 1, 3, 3), {16, 18}},
-            {"odd torus", torus(1, .3, 5, 7), {48, 70}},
-            {"box", box(2, 3, .1), {24, 12}},
-            {"arrow", xarrow(100), {2648, 4848}},
-            {"least arrow", xarrow(2), {198, 144}},
-            {"odd arrow", xarrow(3), {223, 192}}};
+    return {{"sphere", sphere(1.7, 60, 60), stated(61 * 59 + 120, 120 * 59)},
+            {"least sphere", sphere(1, 3, 2), stated(10, 6)},
+            {"odd sphere", sphere(.3, 7, 5), stated(8 * 4 + 14, 14 * 4)},
+            {"cylinder", cylinder(1, 1, 60, 20), stated(61 * 21 + 242, 2400 + 120)},
+            {"least cylinder", cylinder(2, .1, 3, 1), stated(8 + 14, 12)},
+            {"cone", cone(1, 1, 60, 20), stated(61 * 20 + 181, 2400)},
+            {"least cone", cone(.7, 3, 3, 1), stated(4 + 10, 6)},
+            {"odd cone", cone(.7, 3, 5, 3), stated(18 + 16, 30)},
+            {"torus", torus(1, .5, 20, 40), stated(41 * 21, 1600)},
+            {"least torus", torus(.25, 1, 3, 3), stated(16, 18)},
+            {"odd torus", torus(1, .3, 5, 7), stated(48, 70)},
+            {"box", box(2, 3, .1), stated(24, 12)},
+            {"arrow", xarrow(100), stated(2648, 4848)},
+            {"least arrow", xarrow(2), stated(198, 144)},
+            {"odd arrow", xarrow(3), stated(223, 192)}};
 }
 
 TEST(Solids, HaveTheStatedCounts) {
     for (const Solid& solid : closedSolids()) EXPECT_EQ(countsOf(solid.mesh), solid.expected) << solid.name;
-    EXPECT_EQ(countsOf(diskXY(0, 1, 60, 10)), (Counts{61 * 10 + 60, 60 * 19}));
+    EXPECT_EQ(countsOf(diskXY(0, 1, 60, 10)), stated(61 * 10 + 60, 60 * 19));
     EXPECT_EQ(countsOf(diskXY(0, 1, 3, 1)), (Counts{7, 3}));
 }
 

@@ -17,7 +17,7 @@ namespace {
 struct Wire {
     const char* name;
     Mesh wire;
-    std::size_t segments;
+    int segments;
 };
 
 std::vector<Wire> wires() {
@@ -34,7 +34,7 @@ std::vector<Wire> wires() {
 
 TEST(Wire, FormsHaveTheStatedSegments) {
     for (const Wire& each : wires()) {
-        EXPECT_EQ(countsOf(each.wire).primitives, each.segments) << each.name;
+        EXPECT_EQ(countsOf(each.wire).primitives, static_cast<std::uint64_t>(each.segments)) << each.name;
         EXPECT_EQ(each.wire.topology, Topology::lines);
         expectSound(each.wire);
     }
@@ -67,7 +67,7 @@ TEST(Wire, SegmentsAreTheSolidsEdgesWithoutDiagonalsAndCaps) {
         const auto bits = [&](std::uint32_t v) {
             PositionBits all;
             for (std::size_t c = 0; c < 3; ++c)
-                all[c] = std::bit_cast<std::uint32_t>(position.values[3 * v + c]);
+                all[c] = std::bit_cast<std::uint32_t>(position.values[3 * std::size_t{v} + c]);
             return all;
         };
         for (std::size_t i = 0; i < mesh.indices.size(); i += corners)

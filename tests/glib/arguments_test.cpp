@@ -48,7 +48,7 @@ TEST(Arguments, CoordinateIsNoSize) {
 }
 
 TEST(Arguments, SubdivisionIsRaisedToItsMinimum) {
-    const auto raised = [](std::string_view text, Numbers numbers, std::size_t warnings) {
+    const auto raised = [](std::string_view text, const Numbers& numbers, std::size_t warnings) {
         EXPECT_EQ(numbersOf(text), numbers) << text;
         EXPECT_EQ(idsOf(text), Ids(warnings, "glib-W28")) << text;
     };
@@ -73,7 +73,7 @@ TEST(Arguments, SubdivisionBeyondTheLimitIsRefused) {
 }
 
 TEST(Defaults, AreThoseOfTheLanguage) {
-    const auto check = [](std::string_view text, Numbers numbers) {
+    const auto check = [](std::string_view text, const Numbers& numbers) {
         EXPECT_EQ(numbersOf(text), numbers) << text;
         EXPECT_TRUE(idsOf(text).empty()) << text;
     };

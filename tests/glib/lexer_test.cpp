@@ -166,7 +166,7 @@ TEST(Tokens, UnclosedQuoteIsRefused) {
 
 TEST(Tokens, QuotedWordIsNoCommandAndNoNumber) {
     EXPECT_EQ(idsOf("\"Teapot\""), Ids{"glib-E01"});
-    EXPECT_EQ(idsOf("Sphere \"2\""), Ids{"glib-W05"});
+    EXPECT_EQ(idsOf("Translate \"2\" 0 0"), Ids{"glib-W05"});
     EXPECT_EQ(textOf("Texture2D 6 \"512\""), "512");
 }
 

@@ -98,6 +98,9 @@ TEST(OpenContext, CubeMapsAreSeamlessAndNothingIsDithered) {
 }
 
 TEST(OpenContext, LlvmpipeIsToldToFilterInFloatUnlessTheUserSaysOtherwise) {
+    // The driver reads it once: at the first context of the process, which is to have it whatever test comes
+    // first.
+    (void)openContext();
     ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
     (void)openContext({.floatFiltering = false});
     EXPECT_EQ(std::getenv("GALLIVM_PERF"), nullptr);
@@ -167,6 +170,38 @@ TEST(OpenContext, AMovedContextIsTheSameContext) {
     EXPECT_EQ(&second.debugLog(), log);
     EXPECT_TRUE(second.makeCurrent());
     EXPECT_FALSE(trianglePicture(second).empty());
+}
+
+TEST(ContextOpening, GivesTheSameContextAsOpeningItHere) {
+    for (const Driver driver : {Driver::egl, Driver::eglDevice, Driver::osmesa}) {
+        std::vector<std::byte> expected;
+        {
+            const auto here = openContext({.driver = driver});
+            if (!here) continue;
+            expected = trianglePicture(*here);
+        }
+        ContextOpening opening({.driver = driver});
+        const auto context = opening.finish();
+        ASSERT_TRUE(context) << text(context.diagnostics);
+        EXPECT_EQ(context->driver(), driver);
+        EXPECT_EQ(trianglePicture(*context), expected) << word(driver);
+        EXPECT_TRUE(context->debugLog().takeDiagnostics().empty());
+    }
+}
+
+TEST(ContextOpening, FailsWithTheSameWords) {
+    const ContextOptions options{.driver = Driver::egl, .eglLibrary = "libnosuchthing.so.1"};
+    const auto here = openContext(options);
+    ContextOpening opening(options);
+    const auto there = opening.finish();
+    ASSERT_FALSE(here || there);
+    EXPECT_EQ(text(there.diagnostics), text(here.diagnostics));
+}
+
+TEST(ContextOpening, CanBeGivenUp) {
+    { const ContextOpening opening; }
+    { const ContextOpening opening; }
+    EXPECT_TRUE(openContext());
 }
 
 TEST(Adopt, TakesOverACurrentContextAndLeavesItAlive) {

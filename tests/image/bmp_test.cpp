@@ -36,7 +36,7 @@ void expectSameElsewhere(const BmpMaker& maker) {
     EXPECT_TRUE(compare(decoded(maker), *other).identical);
 }
 
-std::vector<int> noise(std::size_t count, std::uint32_t seed = 0) {
+std::vector<int> noise(std::uint32_t count, std::uint32_t seed = 0) {
     std::vector<int> values(count);
     for (std::size_t i = 0; i < count; ++i)
         values[i] = static_cast<int>(testing::hash(seed + static_cast<std::uint32_t>(i)) >> 24);

@@ -37,8 +37,8 @@ TEST(CompareImages, EqualPicturesAreIdentical) {
 TEST(CompareImages, FindsNumberPlaceAndSizeOfDifferences) {
     const Image a = testing::noisyImage(5, 4, 3, Component::u8);
     Image b = a;
-    const auto set = [&](int x, int y, int c, int by) {
-        auto& byte = b.data[static_cast<std::size_t>((y * 5 + x) * 3 + c)];
+    const auto set = [&](std::size_t x, std::size_t y, std::size_t c, int by) {
+        auto& byte = b.data[(y * 5 + x) * 3 + c];
         const int value = std::to_integer<int>(byte);
         byte = static_cast<std::byte>(value >= by ? value - by : value + by);
     };

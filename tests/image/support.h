@@ -61,7 +61,8 @@ inline std::vector<int> pixelAt(const Image& image, int x, int y) {
     std::vector<int> values;
     const auto row = image.row(y);
     for (int c = 0; c < image.components; ++c) {
-        const auto index = static_cast<std::size_t>(x * image.components + c);
+        const auto index = static_cast<std::size_t>(x) * static_cast<std::size_t>(image.components) +
+                           static_cast<std::size_t>(c);
         if (image.type == Component::u8) {
             values.push_back(std::to_integer<int>(row[index]));
         } else {
@@ -142,6 +143,7 @@ inline void putLittle(std::vector<std::byte>& to, std::uint32_t value, int bytes
 
 inline std::vector<std::byte> bytesOf(const std::vector<int>& values) {
     std::vector<std::byte> bytes;
+    bytes.reserve(values.size());
     for (const int value : values) bytes.push_back(static_cast<std::byte>(value));
     return bytes;
 }

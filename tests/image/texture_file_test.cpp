@@ -238,8 +238,8 @@ TEST_F(CubeMapFiles, CountTheLastRowOfARawFileAsTop) {
     paths[2] = put("raw.tex", raw);
     const auto cube = readCubeMap(paths, kPlace);
     ASSERT_TRUE(cube);
-    EXPECT_TRUE(std::equal(raw.begin() + 16, raw.end(), cube->data.begin() + 2 * 16));
-    EXPECT_TRUE(std::equal(raw.begin() + 8, raw.begin() + 16, cube->data.begin() + 2 * 16 + 8));
+    EXPECT_TRUE(std::equal(raw.begin() + 16, raw.end(), cube->data.begin() + 32));
+    EXPECT_TRUE(std::equal(raw.begin() + 8, raw.begin() + 16, cube->data.begin() + 40));
 }
 
 TEST_F(CubeMapFiles, TakeTheWidestTypeOfTheFaces) {

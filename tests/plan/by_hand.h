@@ -111,7 +111,7 @@ class SceneByHand {
         window();
     }
 
-    int file(std::string name) {
+    int file(const std::string& name) {
         scene.files.push_back({name, name, {}, at(nextLine())});
         return static_cast<int>(scene.files.size()) - 1;
     }
@@ -135,7 +135,8 @@ class SceneByHand {
     int noise(int dimensions) {
         const auto target =
             dimensions == 2 ? scene::TextureTarget::texture2D : scene::TextureTarget::texture3D;
-        return addTexture({target, scene::NoiseSource{dimensions, 64}, at(nextLine()), dimensions});
+        return addTexture({target, scene::NoiseSource{.dimensions = dimensions, .remarks = {}},
+                           at(nextLine()), dimensions});
     }
     int emptyTexture(int unit) {
         return addTexture(

@@ -8,7 +8,6 @@
 namespace glibra::plan {
 namespace {
 
-using glsl::Stage;
 using test::drawn;
 using test::interfaceWith;
 using test::number;

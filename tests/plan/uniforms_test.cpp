@@ -149,6 +149,15 @@ TEST(SuppliedName, WithAnotherTypeIsAnOrdinaryUniform) {
     EXPECT_EQ(ids(result.diagnostics), "");
 }
 
+TEST(SuppliedName, OfTextureMatricesIsAnArray) {
+    const auto isSupplied = [](const char* type) {
+        return ids(resolve(interfaceWith({{"gl_TextureMatrix", type}}), {number("gl_TextureMatrix", 1)})
+                       .diagnostics) == "glib-W25";
+    };
+    EXPECT_TRUE(isSupplied("mat4[2]"));
+    EXPECT_FALSE(isSupplied("mat4"));
+}
+
 TEST(UnsetUniform, IsReported) {
     const UniformResolution result = resolve(interfaceWith({{"uTime", "float"}}), {});
     EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set, it is 0");

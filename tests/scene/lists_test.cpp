@@ -68,9 +68,9 @@ TEST(Lists, ANewListBeginsWithTheCurrentColourAndNoAttributes) {
 
 TEST(Lists, NormalsAndTexCoordsBelongToTheFollowingVertices) {
     const Scene scene = run(
-        "glBegin lines\nglNormal 0 1 0\nglTexCoord .25 .5 .75\nglVertex 0 0 0\nglTexCoord 1\nglVertex 1 0 0 2\nglEnd\n");
+        "glBegin lines\nglNormal 0 1 0\nglTexCoord .25 .5 .75\nglVertex 0 0 0\nglTexCoord 1 0 0 2\nglVertex 1 0 0 2\nglEnd\n");
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kNormal), (std::vector<float>{0, 1, 0, 0, 1, 0}));
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kTexCoord), (std::vector<float>{.25F, .5F, .75F, 1, 1, 0, 0, 1}));
+    EXPECT_EQ(valuesOf(listOf(scene), geometry::kTexCoord), (std::vector<float>{.25F, .5F, .75F, 1, 1, 0, 0, 2}));
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kPosition), (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
 }
 

@@ -9,7 +9,8 @@ constexpr int kStem = 1;
 constexpr int kCrate = 2;
 constexpr int kFirstApple = 100;
 
-// ---- Apples -------------------------------------------------------------------------------------------------
+// ---- Apples
+// -------------------------------------------------------------------------------------------------
 
 struct Apple {
     Vec3 centre;
@@ -70,7 +71,8 @@ Paint applesPaint(int paint, Vec3 p, Vec3) {
     const Vec3 q = inApple(a, p);
     const double around = std::atan2(q.z, q.x);
     const double streak = turbulence({2 * std::cos(around) * 5, q.y * 1.5, 2 * std::sin(around) * 5}, 3, 11);
-    const double blush = smooth(0.25, 0.75, 0.5 + 0.35 * std::sin(around + 6 * random(id, 1)) + 0.6 * (streak - 0.5));
+    const double blush =
+        smooth(0.25, 0.75, 0.5 + 0.35 * std::sin(around + 6 * random(id, 1)) + 0.6 * (streak - 0.5));
     Vec3 skin;
     if (a.kind == 0) skin = mix(Vec3{0.55, 0.26, 0.03}, Vec3{0.48, 0.012, 0.016}, 0.35 + 0.65 * blush);
     if (a.kind == 1) skin = mix(Vec3{0.27, 0.44, 0.03}, Vec3{0.38, 0.42, 0.06}, blush);
@@ -83,10 +85,12 @@ Paint applesPaint(int paint, Vec3 p, Vec3) {
 
 Vec3 studioSky(Vec3 d) {
     const double window = smooth(0.80, 0.92, dot(d, unit(Vec3{-0.5, 0.8, 0.3})));
-    return mix(Vec3{0.30, 0.31, 0.34}, Vec3{0.85, 0.88, 0.95}, 0.5 + 0.5 * d.y) + Vec3{1.2, 1.15, 1.05} * window;
+    return mix(Vec3{0.30, 0.31, 0.34}, Vec3{0.85, 0.88, 0.95}, 0.5 + 0.5 * d.y) +
+           Vec3{1.2, 1.15, 1.05} * window;
 }
 
-// ---- Cherries -----------------------------------------------------------------------------------------------
+// ---- Cherries
+// -----------------------------------------------------------------------------------------------
 
 enum CherryPaint { cloth, china, cherry, cherryStem, leaf };
 
@@ -141,7 +145,8 @@ Paint cherriesPaint(int paint, Vec3 p, Vec3) {
     return {mix(white, blue, 0.5 * a + 0.5 * b) * weave};
 }
 
-// ---- Toys ---------------------------------------------------------------------------------------------------
+// ---- Toys
+// ---------------------------------------------------------------------------------------------------
 
 enum ToyPaint { table, redBall, mirrorBall, blueBox, yellowCone, greenRing, violetBall, whitePillar };
 
@@ -159,23 +164,30 @@ Surface toysSurface(Vec3 p) {
 
 Paint toysPaint(int paint, Vec3 p, Vec3) {
     switch (paint) {
-        case redBall: return {{0.60, 0.03, 0.03}, 0.6, 60, 0.04};
-        case mirrorBall: return {{0.20, 0.20, 0.20}, 1.0, 300, 0.85};
+        case redBall:
+            return {{0.60, 0.03, 0.03}, 0.6, 60, 0.04};
+        case mirrorBall:
+            return {{0.20, 0.20, 0.20}, 1.0, 300, 0.85};
         case blueBox: {
             const bool stripe = fract(p.y * 2.5) < 0.22;
             return {stripe ? Vec3{0.7, 0.7, 0.7} : Vec3{0.02, 0.10, 0.55}, 0.3, 30};
         }
-        case yellowCone: return {{0.75, 0.50, 0.02}, 0.2, 20};
-        case greenRing: return {{0.05, 0.42, 0.09}, 0.7, 80, 0.04};
-        case violetBall: return {{0.30, 0.05, 0.45}, 0.7, 90, 0.05};
+        case yellowCone:
+            return {{0.75, 0.50, 0.02}, 0.2, 20};
+        case greenRing:
+            return {{0.05, 0.42, 0.09}, 0.7, 80, 0.04};
+        case violetBall:
+            return {{0.30, 0.05, 0.45}, 0.7, 90, 0.05};
         case whitePillar: {
             const double a = std::atan2(p.z + 1.9, p.x - 2.1) / 6.2831853;
             const bool check = (fract(a * 6) < 0.5) != (fract(p.y * 1.4) < 0.5);
             return {check ? Vec3{0.72, 0.68, 0.60} : Vec3{0.55, 0.14, 0.05}, 0.2, 30};
         }
-        default: break;
+        default:
+            break;
     }
-    const double ringShade = fract(9 * std::hypot(p.x * 0.25 + 3, p.z) + 2.5 * turbulence({p.x * 0.8, 0, p.z * 3}, 3, 5));
+    const double ringShade =
+        fract(9 * std::hypot(p.x * 0.25 + 3, p.z) + 2.5 * turbulence({p.x * 0.8, 0, p.z * 3}, 3, 5));
     const double grain = 0.8 + 0.3 * noise({p.x * 6, 0, p.z * 60}, 9);
     return {mix(Vec3{0.42, 0.22, 0.09}, Vec3{0.28, 0.13, 0.05}, ringShade) * grain, 0.15, 25, 0.03};
 }
@@ -183,14 +195,16 @@ Paint toysPaint(int paint, Vec3 p, Vec3) {
 }  // namespace
 
 Stage applesStage() {
-    return {applesSurface, applesPaint, studioSky, unit(Vec3{-0.5, 0.85, 0.35}), {2.6, 2.45, 2.2}, {0.55, 0.57, 0.62}};
+    return {applesSurface,    applesPaint,       studioSky, unit(Vec3{-0.5, 0.85, 0.35}),
+            {2.6, 2.45, 2.2}, {0.55, 0.57, 0.62}};
 }
 Stage cherriesStage() {
-    return {cherriesSurface, cherriesPaint, studioSky, unit(Vec3{-0.6, 0.75, 0.45}), {2.5, 2.35, 2.1},
-            {0.55, 0.58, 0.65}};
+    return {cherriesSurface,  cherriesPaint,     studioSky, unit(Vec3{-0.6, 0.75, 0.45}),
+            {2.5, 2.35, 2.1}, {0.55, 0.58, 0.65}};
 }
 Stage toysStage() {
-    return {toysSurface, toysPaint, studioSky, unit(Vec3{-0.55, 0.7, 0.6}), {2.3, 2.2, 2.0}, {0.50, 0.54, 0.62}};
+    return {toysSurface,     toysPaint,         studioSky, unit(Vec3{-0.55, 0.7, 0.6}),
+            {2.3, 2.2, 2.0}, {0.50, 0.54, 0.62}};
 }
 
 }  // namespace generate

@@ -64,9 +64,11 @@ Vec3 trace(const Stage& stage, Vec3 eye, Vec3 direction, int bounces) {
     const double sun = facing > 0 ? facing * sunlight(stage, start) : 0;
     const double open = openness(stage, start, n);
     const Vec3 bounceLight = Vec3{0.10, 0.08, 0.06} * (0.5 - 0.5 * n.y);
-    Vec3 light = paint.albedo * (stage.sunColour * sun + (stage.ambient * (0.55 + 0.45 * n.y) + bounceLight) * open);
+    Vec3 light =
+        paint.albedo * (stage.sunColour * sun + (stage.ambient * (0.55 + 0.45 * n.y) + bounceLight) * open);
     const Vec3 half = unit(stage.sunDirection - direction);
-    light = light + stage.sunColour * (paint.gloss * sun * std::pow(std::max(dot(n, half), 0.0), paint.exponent));
+    light =
+        light + stage.sunColour * (paint.gloss * sun * std::pow(std::max(dot(n, half), 0.0), paint.exponent));
     if (paint.mirror > 0 && bounces > 0) {
         const double grazing = std::pow(1 - std::max(-dot(n, direction), 0.0), 5);
         const double share = std::min(paint.mirror + (1 - paint.mirror) * grazing * 0.6, 1.0);
@@ -133,7 +135,8 @@ Picture photograph(const Stage& stage, const Camera& camera, int width, int heig
 
 Picture cubeFace(const Stage& stage, Vec3 eye, int face, int size, int samplesPerSide) {
     return expose(stage, size, size, samplesPerSide, [&](double u, double v) {
-        const Vec3 directions[] = {{1, -v, -u}, {-1, -v, u}, {u, 1, v}, {u, -1, -v}, {u, -v, 1}, {-u, -v, -1}};
+        const Vec3 directions[] = {{1, -v, -u}, {-1, -v, u}, {u, 1, v},
+                                   {u, -1, -v}, {u, -v, 1},  {-u, -v, -1}};
         return Ray{eye, unit(directions[face])};
     });
 }

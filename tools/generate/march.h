@@ -20,10 +20,10 @@ inline Surface nearer(Surface a, Surface b) {
 }
 
 struct Paint {
-    Vec3 albedo;          // linear, 0..1
-    double gloss = 0;     // strength of the highlight
+    Vec3 albedo;       // linear, 0..1
+    double gloss = 0;  // strength of the highlight
     double exponent = 40;
-    double mirror = 0;    // share of the mirrored ray
+    double mirror = 0;  // share of the mirrored ray
 };
 
 struct Stage {
@@ -32,7 +32,7 @@ struct Stage {
     Vec3 (*sky)(Vec3 direction);
     Vec3 sunDirection;  // unit, towards the sun
     Vec3 sunColour;
-    Vec3 ambient;       // sky light from above
+    Vec3 ambient;  // sky light from above
     double far = 60;
 };
 

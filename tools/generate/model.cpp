@@ -1,6 +1,7 @@
 // Makes the animals in scenes/models/: `model FOLDER [NAME]...`. A body is a sum of blended sticks and
-// ellipsoids; its surface is cut into quads by surface nets (S. Gibson 1998): one vertex a cell that the surface
-// crosses, one quad a lattice edge that it crosses, so the mesh is closed. Vertices are then moved onto the surface.
+// ellipsoids; its surface is cut into quads by surface nets (S. Gibson 1998): one vertex a cell that the
+// surface crosses, one quad a lattice edge that it crosses, so the mesh is closed. Vertices are then moved
+// onto the surface.
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -19,12 +20,13 @@ struct Model {
     const char* name;
     const char* title;
     double (*body)(Vec3 p);
-    Vec3 low, high;   // the lattice's box
-    double cell;      // its spacing; some spacings give a mesh that touches itself, which main refuses
-    double scale;     // the file's units a body unit
+    Vec3 low, high;  // the lattice's box
+    double cell;     // its spacing; some spacings give a mesh that touches itself, which main refuses
+    double scale;    // the file's units a body unit
 };
 
-// ---- Bodies: x forward, y up, z to the left, symmetric about z = 0 -----------------------------------------
+// ---- Bodies: x forward, y up, z to the left, symmetric about z = 0
+// -----------------------------------------
 
 // Sticks end to end through `joints`; no fillets between them, so that no joint bulges.
 template <std::size_t N>
@@ -39,13 +41,25 @@ double limb(Vec3 p, const std::array<Vec3, N>& joints, const std::array<double, 
 double dinosaur(Vec3 p) {
     const Vec3 q = {p.x, p.y, std::abs(p.z)};
     double d = ellipsoid(p - Vec3{-0.12, 1.06, 0}, {1.02, 0.50, 0.46});
-    const std::array<Vec3, 8> neck = {{{0.35, 1.16, 0}, {0.70, 1.33, 0}, {0.97, 1.55, 0}, {1.17, 1.82, 0},
-                                       {1.32, 2.10, 0}, {1.43, 2.38, 0}, {1.55, 2.60, 0}, {1.68, 2.72, 0}}};
+    const std::array<Vec3, 8> neck = {{{0.35, 1.16, 0},
+                                       {0.70, 1.33, 0},
+                                       {0.97, 1.55, 0},
+                                       {1.17, 1.82, 0},
+                                       {1.32, 2.10, 0},
+                                       {1.43, 2.38, 0},
+                                       {1.55, 2.60, 0},
+                                       {1.68, 2.72, 0}}};
     d = blend(d, limb(p, neck, {0.34, 0.27, 0.22, 0.185, 0.16, 0.145, 0.135, 0.13}), 0.3);
     d = blend(d, ellipsoid(turnZ(p - Vec3{1.86, 2.70, 0}, 18), {0.25, 0.125, 0.135}), 0.10);
     d = blend(d, sphere(q - Vec3{1.78, 2.80, 0.085}, 0.052), 0.05);
-    const std::array<Vec3, 8> tail = {{{-0.70, 1.08, 0}, {-1.05, 1.00, 0}, {-1.40, 0.86, 0}, {-1.75, 0.70, 0},
-                                       {-2.08, 0.56, 0}, {-2.40, 0.47, 0}, {-2.70, 0.46, 0}, {-2.98, 0.53, 0}}};
+    const std::array<Vec3, 8> tail = {{{-0.70, 1.08, 0},
+                                       {-1.05, 1.00, 0},
+                                       {-1.40, 0.86, 0},
+                                       {-1.75, 0.70, 0},
+                                       {-2.08, 0.56, 0},
+                                       {-2.40, 0.47, 0},
+                                       {-2.70, 0.46, 0},
+                                       {-2.98, 0.53, 0}}};
     d = blend(d, limb(p, tail, {0.34, 0.285, 0.23, 0.18, 0.14, 0.11, 0.088, 0.075}), 0.3);
     const auto leg = [&](double x, double thick) {
         const std::array<Vec3, 3> joints = {{{x, 0.95, 0.27}, {x + 0.02, 0.45, 0.31}, {x, 0.10, 0.31}}};
@@ -68,7 +82,8 @@ double cow(Vec3 p) {
     d = blend(d, stick(p, {1.10, 1.60, 0}, {1.48, 1.36, 0}, 0.20, 0.125), 0.10);
     d = blend(d, ellipsoid(turnZ(p - Vec3{1.50, 1.345, 0}, 32), {0.13, 0.13, 0.15}), 0.08);
     d = blend(d, ellipsoid(turnX(turnZ(q - Vec3{1.00, 1.66, 0.27}, 20), 25), {0.085, 0.065, 0.17}), 0.06);
-    const std::array<Vec3, 4> horn = {{{1.05, 1.70, 0.09}, {1.05, 1.82, 0.20}, {1.07, 1.92, 0.25}, {1.11, 2.03, 0.24}}};
+    const std::array<Vec3, 4> horn = {
+        {{1.05, 1.70, 0.09}, {1.05, 1.82, 0.20}, {1.07, 1.92, 0.25}, {1.11, 2.03, 0.24}}};
     d = blend(d, limb(q, horn, {0.065, 0.058, 0.05, 0.04}), 0.05);
     const auto leg = [&](double x, double knee, double thick) {
         const std::array<Vec3, 3> joints = {{{x, 1.0, 0.24}, {x + knee, 0.52, 0.24}, {x, 0.12, 0.24}}};
@@ -80,27 +95,35 @@ double cow(Vec3 p) {
     leg(-0.66, -0.07, 0.20);
     d = blend(d, ellipsoid(p - Vec3{-0.38, 0.66, 0}, {0.23, 0.14, 0.18}), 0.12);
     d = blend(d, stick(q, {-0.33, 0.60, 0.08}, {-0.33, 0.50, 0.09}, 0.04, 0.035), 0.03);
-    const std::array<Vec3, 4> tail = {{{-0.92, 1.42, 0}, {-1.08, 1.20, 0}, {-1.13, 0.95, 0}, {-1.14, 0.74, 0}}};
+    const std::array<Vec3, 4> tail = {
+        {{-0.92, 1.42, 0}, {-1.08, 1.20, 0}, {-1.13, 0.95, 0}, {-1.14, 0.74, 0}}};
     d = blend(d, limb(p, tail, {0.07, 0.055, 0.048, 0.045}), 0.08);
     d = blend(d, stick(p, {-1.14, 0.74, 0}, {-1.15, 0.55, 0}, 0.075, 0.045), 0.05);
     return std::max(d, -p.y);
 }
 
-const Model kModels[] = {
-    {"dinosaur", "a long-necked dinosaur, 4.9 long", dinosaur, {-3.2, -0.1, -0.75}, {2.3, 3.0, 0.75}, 0.072, 1},
-    {"cow", "a cow, 2.8 long", cow, {-1.35, -0.1, -0.65}, {1.8, 2.2, 0.65}, 0.066, 1}};
+const Model kModels[] = {{"dinosaur",
+                          "a long-necked dinosaur, 4.9 long",
+                          dinosaur,
+                          {-3.2, -0.1, -0.75},
+                          {2.3, 3.0, 0.75},
+                          0.072,
+                          1},
+                         {"cow", "a cow, 2.8 long", cow, {-1.35, -0.1, -0.65}, {1.8, 2.2, 0.65}, 0.066, 1}};
 
-// ---- Surface nets ------------------------------------------------------------------------------------------
+// ---- Surface nets
+// ------------------------------------------------------------------------------------------
 
 struct Mesh {
     std::vector<Vec3> points, normals, textures;
-    std::vector<std::array<int, 4>> quads;           // point = normal index, from 0
+    std::vector<std::array<int, 4>> quads;  // point = normal index, from 0
     std::vector<std::array<int, 4>> quadTextures;
 };
 
 Vec3 gradient(const Model& m, Vec3 p) {
     const double h = 0.12 * m.cell;
-    return {m.body(p + Vec3{h, 0, 0}) - m.body(p - Vec3{h, 0, 0}), m.body(p + Vec3{0, h, 0}) - m.body(p - Vec3{0, h, 0}),
+    return {m.body(p + Vec3{h, 0, 0}) - m.body(p - Vec3{h, 0, 0}),
+            m.body(p + Vec3{0, h, 0}) - m.body(p - Vec3{0, h, 0}),
             m.body(p + Vec3{0, 0, h}) - m.body(p - Vec3{0, 0, h})};
 }
 
@@ -176,13 +199,15 @@ class Net {
         return index;
     }
 
-    // The quad of the four cells around the lattice edge from `c` along `step` = u x v, counter-clockwise from outside.
+    // The quad of the four cells around the lattice edge from `c` along `step` = u x v, counter-clockwise
+    // from outside.
     void edge(Mesh& out, Index c, Index step, Index u, Index v) {
         const Index end = {c[0] + step[0], c[1] + step[1], c[2] + step[2]};
         const bool inside = value(c) < 0;
         if (inside == (value(end) < 0)) return;
         const auto shifted = [&](bool byU, bool byV) {
-            return Index{c[0] + byU * u[0] + byV * v[0], c[1] + byU * u[1] + byV * v[1], c[2] + byU * u[2] + byV * v[2]};
+            return Index{c[0] + byU * u[0] + byV * v[0], c[1] + byU * u[1] + byV * v[1],
+                         c[2] + byU * u[2] + byV * v[2]};
         };
         std::array<int, 4> quad = {vertex(out, shifted(false, false)), vertex(out, shifted(true, false)),
                                    vertex(out, shifted(true, true)), vertex(out, shifted(false, true))};
@@ -210,10 +235,12 @@ void addTextures(const Model& m, Mesh& mesh) {
         std::array<int, 4> textures{};
         for (std::size_t c = 0; c < 4; ++c) {
             const bool beyond = high - low > 0.5 && around(quad[c]) < 0.5;
-            const auto [place, isNew] = made.try_emplace({quad[c], beyond}, static_cast<int>(mesh.textures.size()));
+            const auto [place, isNew] =
+                made.try_emplace({quad[c], beyond}, static_cast<int>(mesh.textures.size()));
             if (isNew)
-                mesh.textures.push_back({around(quad[c]) + beyond,
-                                         (mesh.points[static_cast<std::size_t>(quad[c])].x - m.low.x) / (m.high.x - m.low.x), 0});
+                mesh.textures.push_back(
+                    {around(quad[c]) + beyond,
+                     (mesh.points[static_cast<std::size_t>(quad[c])].x - m.low.x) / (m.high.x - m.low.x), 0});
             textures[c] = place->second;
         }
         mesh.quadTextures.push_back(textures);
@@ -236,13 +263,15 @@ bool write(const Model& m, const Mesh& mesh, const std::string& path) {
     std::FILE* out = std::fopen(path.c_str(), "wb");
     if (out == nullptr) return false;
     std::fprintf(out, "# %s: %s, made by tools/generate/model.cpp\n", m.name, m.title);
-    for (const Vec3 p : mesh.points) std::fprintf(out, "v %.4f %.4f %.4f\n", p.x * m.scale, p.y * m.scale, p.z * m.scale);
+    for (const Vec3 p : mesh.points)
+        std::fprintf(out, "v %.4f %.4f %.4f\n", p.x * m.scale, p.y * m.scale, p.z * m.scale);
     for (const Vec3 t : mesh.textures) std::fprintf(out, "vt %.3f %.3f\n", t.x, t.y);
     for (const Vec3 n : mesh.normals) std::fprintf(out, "vn %.3f %.3f %.3f\n", n.x, n.y, n.z);
     for (std::size_t f = 0; f < mesh.quads.size(); ++f) {
         std::fputs("f", out);
         for (std::size_t c = 0; c < 4; ++c)
-            std::fprintf(out, " %d/%d/%d", mesh.quads[f][c] + 1, mesh.quadTextures[f][c] + 1, mesh.quads[f][c] + 1);
+            std::fprintf(out, " %d/%d/%d", mesh.quads[f][c] + 1, mesh.quadTextures[f][c] + 1,
+                         mesh.quads[f][c] + 1);
         std::fputc('\n', out);
     }
     return std::fclose(out) == 0;

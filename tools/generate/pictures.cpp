@@ -10,14 +10,16 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The planet's colours by longitude and latitude: s = 0 at -x as on glibra's Sphere, bottom row the south pole.
+// The planet's colours by longitude and latitude: s = 0 at -x as on glibra's Sphere, bottom row the south
+// pole.
 Picture planetMap(int width, int height) {
     Picture map{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height))};
     const Stage stage = planetStage();
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double turn = 2 * kPi * (x + 0.5) / width, up = kPi * (0.5 - (y + 0.5) / height);
-            const Vec3 c = stage.sky({-std::cos(turn) * std::cos(up), std::sin(up), std::sin(turn) * std::cos(up)});
+            const Vec3 c =
+                stage.sky({-std::cos(turn) * std::cos(up), std::sin(up), std::sin(turn) * std::cos(up)});
             std::uint8_t* out = &map.rgb[static_cast<std::size_t>(3 * (y * width + x))];
             out[0] = displayByte(c.x);
             out[1] = displayByte(c.y);
@@ -55,10 +57,14 @@ int main(int argc, char** argv) {
         if (wanted(argc, argv, name)) writePng(make(), folder + name + ".png");
     };
     save("apples", [] { return photograph(applesStage(), {{0, 12, 0.4}, {0, 0, 0}, 32}, 384, 384); });
-    save("cherries", [] { return photograph(cherriesStage(), {{0.3, 4.6, 6.2}, {0.1, 0.55, 0.1}, 36}, 400, 400); });
+    save("cherries", [] {
+        return photograph(cherriesStage(), {{0.3, 4.6, 6.2}, {0.1, 0.55, 0.1}, 36}, 400, 400);
+    });
     save("sample1", [] { return photograph(toysStage(), {{0.4, 3.2, 7.2}, {0, 0.75, 0}, 38}, 400, 400); });
     save("sample2", [] { return photograph(lakeStage(), {{0.6, 1.5, 7.0}, {-0.3, 1.75, 0}, 52}, 400, 400); });
-    save("village", [] { return photograph(villageStage(), {{0.4, 4.0, 11.5}, {0.1, 1.1, 0}, 44}, 400, 400); });
+    save("village", [] {
+        return photograph(villageStage(), {{0.4, 4.0, 11.5}, {0.1, 1.1, 0}, 44}, 400, 400);
+    });
     const Camera stereo{{0.2, 2.0, 7.6}, {0, 1.75, 0.2}, 46};
     for (const double side : {-1.0, 1.0}) {
         Camera eye = stereo;
@@ -67,8 +73,9 @@ int main(int argc, char** argv) {
     }
     const char* faces[] = {"posx", "negx", "posy", "negy", "posz", "negz"};
     for (int f = 0; f < 6; ++f)
-        save((std::string("courtyard_") + faces[f]).c_str(),
-             [&] { return cubeFace(courtyardStage(), {0, 1.9, 0}, f, 256); });
+        save((std::string("courtyard_") + faces[f]).c_str(), [&] {
+            return cubeFace(courtyardStage(), {0, 1.9, 0}, f, 256);
+        });
     save("planet", [] { return planetMap(512, 256); });
     save("random", [] { return randomMap(256); });
     return 0;

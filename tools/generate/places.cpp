@@ -12,7 +12,8 @@ Vec3 clouds(Vec3 d, Vec3 base, Vec3 cloud, double cover) {
     return mix(base, cloud, smooth(1 - cover, 1.25 - cover, c) * smooth(0.02, 0.2, d.y));
 }
 
-// ---- Lake ---------------------------------------------------------------------------------------------------
+// ---- Lake
+// ---------------------------------------------------------------------------------------------------
 
 enum LakePaint { water, rock, fir };
 
@@ -32,7 +33,8 @@ Surface lakeSurface(Vec3 p) {
     if (p.y < ground + 2.5 && p.z > -22)
         for (int i = i0 - 1; i <= i0 + 1; ++i)
             for (int j = j0 - 1; j <= j0 + 1; ++j) {
-                const double x = (i + 0.2 + 0.6 * random(i, j, 1)) * 0.9, z = (j + 0.2 + 0.6 * random(i, j, 2)) * 0.9;
+                const double x = (i + 0.2 + 0.6 * random(i, j, 1)) * 0.9,
+                             z = (j + 0.2 + 0.6 * random(i, j, 2)) * 0.9;
                 const double foot = mountains(x, z);
                 if (foot < 0.05 || foot > 2.4 || random(i, j, 3) < 0.25) continue;
                 const double tall = 0.9 + 0.8 * random(i, j, 4);
@@ -60,23 +62,26 @@ Paint lakePaint(int paint, Vec3 p, Vec3 n) {
     return {mix(c, Vec3{0.80, 0.82, 0.88}, snow)};
 }
 
-// ---- Village ------------------------------------------------------------------------------------------------
+// ---- Village
+// ------------------------------------------------------------------------------------------------
 
 enum VillagePaint { meadow, wall, roof, tree, path, spire };
 
 double meadowHeight(double x, double z) {
     const double hills = smooth(-6, -22, z);
-    return 0.25 * std::sin(x * 0.35 + 1) * std::cos(z * 0.3) + 7 * hills * turbulence({x * 0.12, 0.2, z * 0.12}, 4, 21);
+    return 0.25 * std::sin(x * 0.35 + 1) * std::cos(z * 0.3) +
+           7 * hills * turbulence({x * 0.12, 0.2, z * 0.12}, 4, 21);
 }
 
 struct House {
     double x, z, turn, wide, tall, deep;
 };
-constexpr House kHouses[] = {
-    {-3.4, 2.2, 18, 0.85, 0.75, 1.15}, {-1.5, 0.4, -25, 0.75, 0.70, 1.00}, {1.9, 1.7, 12, 0.95, 0.85, 1.25},
-    {3.9, -0.4, -30, 0.80, 0.75, 1.05}, {-4.6, -1.6, 40, 0.80, 0.70, 1.00}, {-2.6, -3.2, 5, 0.75, 0.75, 1.05},
-    {2.4, -3.0, 25, 0.85, 0.70, 1.10}, {5.4, -3.6, -10, 0.80, 0.80, 1.00}, {-6.6, 0.8, -15, 0.85, 0.75, 1.10},
-    {6.3, 1.4, 20, 0.85, 0.80, 1.10},  {-5.4, -5.2, 15, 0.80, 0.70, 1.0},  {4.6, -6.0, 35, 0.8, 0.7, 1.0}};
+constexpr House kHouses[] = {{-3.4, 2.2, 18, 0.85, 0.75, 1.15},  {-1.5, 0.4, -25, 0.75, 0.70, 1.00},
+                             {1.9, 1.7, 12, 0.95, 0.85, 1.25},   {3.9, -0.4, -30, 0.80, 0.75, 1.05},
+                             {-4.6, -1.6, 40, 0.80, 0.70, 1.00}, {-2.6, -3.2, 5, 0.75, 0.75, 1.05},
+                             {2.4, -3.0, 25, 0.85, 0.70, 1.10},  {5.4, -3.6, -10, 0.80, 0.80, 1.00},
+                             {-6.6, 0.8, -15, 0.85, 0.75, 1.10}, {6.3, 1.4, 20, 0.85, 0.80, 1.10},
+                             {-5.4, -5.2, 15, 0.80, 0.70, 1.0},  {4.6, -6.0, 35, 0.8, 0.7, 1.0}};
 
 Vec3 inHouse(const House& h, Vec3 p) {
     return turnY(p - Vec3{h.x, meadowHeight(h.x, h.z), h.z}, h.turn);
@@ -100,7 +105,8 @@ Surface villageSurface(Vec3 p) {
             const double slope = (std::abs(q.x) * 0.78 + (q.y - h.tall) * 0.62) - h.wide * 0.86;
             const double prism = std::max({slope, std::abs(q.z) - h.deep - 0.12, h.tall - 0.12 - q.y});
             const double under = (std::abs(q.x) * 0.78 + (q.y - h.tall) * 0.62) - h.wide * 0.74;
-            s = nearer(s, {std::max(prism, -std::max(under, std::abs(q.z) - h.deep + 0.05)) * 0.9, roof + 10 * index});
+            s = nearer(s, {std::max(prism, -std::max(under, std::abs(q.z) - h.deep + 0.05)) * 0.9,
+                           roof + 10 * index});
             s = nearer(s, {box(q - Vec3{0.4, h.tall + 0.75, 0.3}, {0.1, 0.4, 0.1}), wall + 10 * index});
         }
         ++index;
@@ -118,8 +124,10 @@ Surface villageSurface(Vec3 p) {
             for (int j = j0 - 1; j <= j0 + 1; ++j) {
                 const bool wood = j * cell < -8.5;
                 if (random(i, j, 1) > (wood ? 0.95 : 0.22)) continue;
-                const double x = (i + 0.25 + 0.5 * random(i, j, 2)) * cell, z = (j + 0.25 + 0.5 * random(i, j, 3)) * cell;
-                if (std::abs(x - pathCentre(z)) < 1.0 || std::hypot(x - 1.3, z + 5.4) < 2.2 || z > 4) continue;
+                const double x = (i + 0.25 + 0.5 * random(i, j, 2)) * cell,
+                             z = (j + 0.25 + 0.5 * random(i, j, 3)) * cell;
+                if (std::abs(x - pathCentre(z)) < 1.0 || std::hypot(x - 1.3, z + 5.4) < 2.2 || z > 4)
+                    continue;
                 bool free = true;
                 for (const House& h : kHouses) free = free && std::hypot(x - h.x, z - h.z) > 1.5;
                 if (!free) continue;
@@ -129,7 +137,8 @@ Surface villageSurface(Vec3 p) {
                     s = nearer(s, {length(t) - 1.5, tree});
                     continue;
                 }
-                const double leaves = ellipsoid(t, {r, r * 1.2, r}) + 0.22 * (noise(t * 5, 31) - 0.5) + 0.10 * (noise(t * 13, 32) - 0.5);
+                const double leaves = ellipsoid(t, {r, r * 1.2, r}) + 0.22 * (noise(t * 5, 31) - 0.5) +
+                                      0.10 * (noise(t * 13, 32) - 0.5);
                 s = nearer(s, {leaves * 0.6, tree});
             }
     return s;
@@ -161,7 +170,8 @@ Paint villagePaint(int paint, Vec3 p, Vec3 n) {
         }
         return {c * (0.9 + 0.15 * noise(p * 6, 3))};
     }
-    const double onPath = smooth(0.62, 0.48, std::abs(p.x - pathCentre(p.z)) + 0.15 * noise(p * 4, 8)) * smooth(-7, -5, p.z);
+    const double onPath =
+        smooth(0.62, 0.48, std::abs(p.x - pathCentre(p.z)) + 0.15 * noise(p * 4, 8)) * smooth(-7, -5, p.z);
     Vec3 grass = mix(Vec3{0.13, 0.21, 0.03}, Vec3{0.24, 0.27, 0.06}, turbulence(p * 0.8, 4, 18));
     grass = grass * (0.75 + 0.5 * noise(p * 14, 19));
     if (random(static_cast<int>(std::floor(p.x * 9)), static_cast<int>(std::floor(p.z * 9)), 0, 5) > 0.985)
@@ -170,11 +180,13 @@ Paint villagePaint(int paint, Vec3 p, Vec3 n) {
 }
 
 Vec3 daySky(Vec3 d) {
-    const Vec3 base = mix(Vec3{0.62, 0.74, 0.88}, Vec3{0.12, 0.28, 0.66}, std::sqrt(std::clamp(d.y * 1.3, 0.0, 1.0)));
+    const Vec3 base =
+        mix(Vec3{0.62, 0.74, 0.88}, Vec3{0.12, 0.28, 0.66}, std::sqrt(std::clamp(d.y * 1.3, 0.0, 1.0)));
     return clouds(d, base, {0.98, 0.98, 1.0}, 0.60);
 }
 
-// ---- Planet -------------------------------------------------------------------------------------------------
+// ---- Planet
+// -------------------------------------------------------------------------------------------------
 
 Surface nothing(Vec3) {
     return {1e3, 0};
@@ -197,10 +209,12 @@ Vec3 planetColour(Vec3 d) {
 }  // namespace
 
 Stage lakeStage() {
-    return {lakeSurface, lakePaint, lakeSky, unit(Vec3{-0.75, 0.38, -0.35}), {2.6, 1.75, 1.05}, {0.34, 0.38, 0.50}, 60};
+    return {lakeSurface,       lakePaint,          lakeSky, unit(Vec3{-0.75, 0.38, -0.35}),
+            {2.6, 1.75, 1.05}, {0.34, 0.38, 0.50}, 60};
 }
 Stage villageStage() {
-    return {villageSurface, villagePaint, daySky, unit(Vec3{-0.55, 0.6, 0.55}), {2.5, 2.3, 1.95}, {0.42, 0.52, 0.68}, 70};
+    return {villageSurface,   villagePaint,       daySky, unit(Vec3{-0.55, 0.6, 0.55}),
+            {2.5, 2.3, 1.95}, {0.42, 0.52, 0.68}, 70};
 }
 Stage planetStage() {
     return {nothing, noPaint, planetColour, {0, 1, 0}, {}, {}, 10};

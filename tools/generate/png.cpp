@@ -81,7 +81,8 @@ void writePng(const Picture& picture, const std::string& path) {
     appendChunk(file, "IDAT", packed);
     appendChunk(file, "IEND", {});
     std::FILE* out = std::fopen(path.c_str(), "wb");
-    if (out == nullptr || std::fwrite(file.data(), 1, file.size(), out) != file.size() || std::fclose(out) != 0) {
+    if (out == nullptr || std::fwrite(file.data(), 1, file.size(), out) != file.size() ||
+        std::fclose(out) != 0) {
         std::fprintf(stderr, "cannot write %s\n", path.c_str());
         std::exit(1);
     }

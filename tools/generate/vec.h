@@ -57,7 +57,8 @@ inline double fract(double x) {
 
 // A well-mixed 32-bit number for three lattice indices and a stream number.
 inline std::uint32_t hash(int i, int j, int k, std::uint32_t stream = 0) {
-    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x8da6b343U ^ static_cast<std::uint32_t>(j) * 0xd8163841U ^
+    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x8da6b343U ^
+                      static_cast<std::uint32_t>(j) * 0xd8163841U ^
                       static_cast<std::uint32_t>(k) * 0xcb1ab31fU ^ stream * 0x9e3779b9U;
     h = (h ^ (h >> 16)) * 0x7feb352dU;
     h = (h ^ (h >> 15)) * 0x846ca68bU;

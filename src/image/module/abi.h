@@ -9,13 +9,13 @@
 extern "C" {
 
 /// Raised whenever anything below changes; the program refuses a module with another number.
-#define GLIBRA_MODULE_VERSION 1
+constexpr int kGlibraModuleVersion = 1;
 
 enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
 enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
 
 /// Gives room for width x height RGBA pixels of a type, or null to refuse the picture. Must not throw.
-typedef void* (*GlibraAllocate)(void* context, uint64_t width, uint64_t height, int type);
+using GlibraAllocate = void* (*)(void* context, uint64_t width, uint64_t height, int type);
 
 struct GlibraReadRequest {
     const char* format;  ///< OpenImageIO's name of the format, which the caller has told by the content
@@ -39,12 +39,12 @@ struct GlibraWriteRequest {
     size_t messageSize;
 };
 
-typedef int (*GlibraModuleVersion)();
-typedef int (*GlibraReadPicture)(const struct GlibraReadRequest*);
-typedef int (*GlibraWritePicture)(const struct GlibraWriteRequest*);
+using GlibraModuleVersion = int (*)();
+using GlibraReadPicture = int (*)(const GlibraReadRequest*);
+using GlibraWritePicture = int (*)(const GlibraWriteRequest*);
 
 /// The module's functions, by these names.
 int glibraModuleVersion();
-int glibraReadPicture(const struct GlibraReadRequest* request);
-int glibraWritePicture(const struct GlibraWriteRequest* request);
+int glibraReadPicture(const GlibraReadRequest* request);
+int glibraWritePicture(const GlibraWriteRequest* request);
 }

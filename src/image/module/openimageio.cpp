@@ -199,7 +199,7 @@ int guarded(const Request* request, const Work& work) {
 extern "C" {
 
 int glibraModuleVersion() {
-    return GLIBRA_MODULE_VERSION;
+    return kGlibraModuleVersion;
 }
 
 int glibraReadPicture(const GlibraReadRequest* request) {

@@ -1,0 +1,106 @@
+#include "glsl/translate.h"
+
+#include <algorithm>
+
+#include "glsl/emit.h"
+#include "glsl/facts.h"
+#include "glsl/rules.h"
+#include "glsl/source.h"
+#include "glsl/usage.h"
+
+namespace glibra::glsl {
+namespace {
+
+void read(const ProgramRequest& request, ProgramUnits& program) {
+    std::vector<const StageSource*> ordered;
+    for (const StageSource& each : request.stages) ordered.push_back(&each);
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const StageSource* a, const StageSource* b) { return a->stage < b->stage; });
+    program.units.reserve(ordered.size());  // tokens point into a unit's text: it must not move
+    for (const StageSource* each : ordered) {
+        if (each->text.empty()) {
+            const std::size_t slash = each->path.find_last_of("/\\");
+            program.report.error(
+                "file-E02",
+                "'" + (slash == std::string::npos ? each->path : each->path.substr(slash + 1)) + "' is empty",
+                {each->path, 1, 1});
+            continue;
+        }
+        Unit& unit = program.units.emplace_back();
+        unit.request = &request;
+        readSource(*each, unit, program.report);
+    }
+}
+
+void parse(Unit& unit) {
+    unit.syntax = parseSyntax(unit.view);
+    unit.bodies = walkBodies(unit.view, unit.syntax);
+    unit.variables = collectVariables(unit);
+    findUsage(unit);
+}
+
+/// Emitted names are told apart from the user's in messages and for tags.
+void recordUserNames(const Unit& unit, TranslatedProgram& result) {
+    for (const auto& [user, emitted] : unit.renames)
+        if (emitted.starts_with("glibra_")) result.userNames[emitted] = user;
+}
+
+void applyRules(ProgramUnits& program) {
+    std::vector<TokenWalk> walks;
+    walks.reserve(program.units.size());
+    for (const Unit& unit : program.units) walks.emplace_back(unit);
+    Report& report = program.report;
+
+    modernizeQualifiers(program);
+    renameTakenWords(program);
+    refuse(program);
+    for (Unit& unit : program.units) resolveSubroutines(unit, report);
+    retypeSamplers(program);
+    for (std::size_t i = 0; i < walks.size(); ++i) modernizeFunctions(program.units[i], walks[i]);
+    supplyBuiltins(program);
+    for (Unit& unit : program.units) supplyFixedState(unit, report);
+    connectBuiltinVaryings(program, walks);
+    placeFragmentOutputs(program);
+    for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
+    checkTessellation(program);
+    completeGeometryLayout(program);
+    collectFacts(program);
+    connectStages(program);
+    for (std::size_t i = 0; i < walks.size(); ++i)
+        repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+        Unit& unit = program.units[i];
+        widenScalars(unit, report);
+        adaptToTarget(unit);
+        renderVariables(unit);
+        applyRenames(unit, walks[i]);
+        recordUserNames(unit, *program.result);
+    }
+}
+
+}  // namespace
+
+TranslatedProgram translate(const ProgramRequest& request) {
+    TranslatedProgram result;
+    result.name = request.name;
+    result.place = request.place;
+    ProgramUnits program;
+    program.request = &request;
+    program.result = &result;
+    read(request, program);
+    if (!program.report.failed()) {
+        for (Unit& unit : program.units) parse(unit);
+        if (request.shim) {
+            applyRules(program);
+        } else {
+            checkTessellation(program);
+            collectFacts(program);
+        }
+    }
+    if (!program.report.failed())
+        for (Unit& unit : program.units) result.stages.push_back(request.shim ? emit(unit) : emitAsIs(unit));
+    result.diagnostics = program.report.take();
+    return result;
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,256 @@
+// Where files are found (language, 8.6).
+
+#include "scene/file_lookup.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "scene/near_files.h"
+#include "support.h"
+
+namespace glibra::scene {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::idsOf;
+using tests::TemporaryFolder;
+
+FileReference find(std::string_view name, const fs::path& scene, const InterpretOptions& options = {}) {
+    FolderListings listings;
+    return findFile(name, {"a.glib", 3, 5}, searchFolders(scene, options), listings);
+}
+
+std::string textOf(const FileReference& file) {
+    return file.remarks.empty() ? "" : file.remarks.front().id + " " + file.remarks.front().text;
+}
+
+class FileLookup : public testing::Test {
+  protected:
+    FileReference find(std::string_view name) const { return scene::find(name, folder.path() / "scene.glib"); }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(FileLookup, AFileBesideTheSceneIsFoundSilently) {
+    const fs::path path = folder.write("cow.obj");
+    const FileReference file = find("cow.obj");
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(file.name, "cow.obj");
+    EXPECT_TRUE(file.remarks.empty());
+}
+
+TEST_F(FileLookup, PathsMayBeRelativeOrAbsolute) {
+    const fs::path path = folder.write("sub/cow.obj");
+    EXPECT_EQ(find("sub/cow.obj").path, path);
+    EXPECT_EQ(find("./sub//cow.obj").path, path);
+    EXPECT_EQ(fs::canonical(find("sub/../sub/cow.obj").path), fs::canonical(path));
+    EXPECT_EQ(find(path.string()).path, path);
+    EXPECT_TRUE(find(path.string()).remarks.empty());
+}
+
+TEST_F(FileLookup, BackslashesAreSlashesEvenIfDoubled) {
+    const fs::path path = folder.write("sub/deep/cow.obj");
+    EXPECT_EQ(find("sub\\deep\\cow.obj").path, path);
+    EXPECT_EQ(find("sub\\\\deep\\\\cow.obj").path, path);
+    EXPECT_TRUE(find("sub\\deep\\cow.obj").remarks.empty());
+}
+
+TEST_F(FileLookup, AnotherCaseIsFoundAndTold) {
+    const fs::path path = folder.write("giraffe.obj");
+    const FileReference file = find("Giraffe.OBJ");
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(textOf(file), "file-W01 'Giraffe.OBJ' found as 'giraffe.obj'");
+    EXPECT_EQ(file.remarks.at(0).place.line, 3);
+    EXPECT_EQ(file.remarks.at(0).place.column, 5);
+}
+
+TEST_F(FileLookup, EveryPartMayDifferInCase) {
+    const fs::path path = folder.write("Textures/Wood/a.bmp");
+    const FileReference file = find("textures\\wood\\A.bmp");
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(textOf(file), "file-W01 'textures\\wood\\A.bmp' found as 'Textures/Wood/a.bmp'");
+}
+
+TEST_F(FileLookup, TheRightCaseIsPreferredWithoutRemark) {
+    folder.write("COW.obj");
+    const fs::path path = folder.write("cow.obj");
+    EXPECT_EQ(find("cow.obj").path, path);
+    EXPECT_TRUE(find("cow.obj").remarks.empty());
+}
+
+TEST_F(FileLookup, OfSeveralCasesTheFirstInByteOrderIsTaken) {
+    folder.write("cow.obj");
+    const fs::path path = folder.write("COW.obj");
+    const FileReference file = find("Cow.obj");
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj', 'COW.obj' taken");
+}
+
+TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {
+    folder.write("MODELS/horse.obj");
+    const fs::path path = folder.write("Models/cow.obj");
+    EXPECT_EQ(find("models/cow.obj").path, path);
+    EXPECT_EQ(idsOf(find("models/cow.obj").remarks), "file-W01");
+}
+
+TEST_F(FileLookup, OfAForeignPathTheLastPartIsFoundBesideTheScene) {
+    const fs::path path = folder.write("cow.obj");
+    for (const char* name : {"C:\\models\\cow.obj", "C:/models/cow.obj", "C:cow.obj", "../models/cow.obj", "/no/such/cow.obj",
+                             "\\\\server\\share\\cow.obj"}) {
+        const FileReference file = find(name);
+        EXPECT_EQ(file.path, path) << name;
+        EXPECT_EQ(textOf(file), "file-W02 '" + std::string(name) + "' found as 'cow.obj' beside the scene");
+    }
+    EXPECT_EQ(idsOf(find("C:\\models\\COW.obj").remarks), "file-W02") << "case does not matter there either";
+}
+
+TEST_F(FileLookup, WithoutFoldersThereIsNoLastPart) { EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01"); }
+
+TEST_F(FileLookup, WhatIsNotThereIsAnErrorWithTheNearestNames) {
+    folder.write("cows.obj");
+    folder.write("bow.obj");
+    folder.write("dragon.obj");
+    const FileReference file = find("cow.obj");
+    EXPECT_TRUE(file.path.empty());
+    EXPECT_EQ(textOf(file), "file-E01 cannot find 'cow.obj'; nearest: 'bow.obj', 'cows.obj'");
+    EXPECT_EQ(textOf(find("elephant.ply")), "file-E01 cannot find 'elephant.ply'");
+    EXPECT_EQ(file.remarks.at(0).severity, Severity::error);
+}
+
+TEST_F(FileLookup, NearNamesAreLookedForInTheFolderOfTheName) {
+    folder.write("sub/cows.obj");
+    EXPECT_EQ(textOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");
+    folder.write("sub2/cows.obj");
+    EXPECT_EQ(textOf(find((folder.path() / "sub2/cow.obj").string())),
+              "file-E01 cannot find '" + (folder.path() / "sub2/cow.obj").string() + "'; nearest: 'cows.obj'");
+}
+
+TEST_F(FileLookup, FoldersPipesAndDevicesAreNoFiles) {
+    fs::create_directories(folder.path() / "cow.obj");
+    ASSERT_EQ(mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
+    EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
+    EXPECT_EQ(idsOf(find("pipe.obj").remarks), "file-E01");
+    EXPECT_EQ(idsOf(find("PIPE.obj").remarks), "file-E01");
+    EXPECT_EQ(idsOf(find("/dev/zero").remarks), "file-E01");
+    EXPECT_EQ(idsOf(find("/dev/stdin").remarks), "file-E01");
+}
+
+TEST_F(FileLookup, LinksAreFollowedAndBrokenOnesAreAbsent) {
+    folder.write("cow.obj");
+    fs::create_symlink("cow.obj", folder.path() / "link.obj");
+    fs::create_symlink("nowhere.obj", folder.path() / "broken.obj");
+    fs::create_symlink("loop.obj", folder.path() / "loop.obj");
+    EXPECT_EQ(find("link.obj").path, folder.path() / "link.obj");
+    EXPECT_EQ(idsOf(find("broken.obj").remarks), "file-E01");
+    EXPECT_EQ(idsOf(find("loop.obj").remarks), "file-E01");
+}
+
+TEST_F(FileLookup, StrangeNamesFindNothing) {
+    const std::string longName(100'000, 'x');
+    std::string deep;
+    for (int i = 0; i < 1000; ++i) deep += "a/";
+    for (const std::string& name : {std::string(), std::string("."), std::string(".."), std::string("/"), std::string("\\"),
+                                    std::string("C:"), std::string("a\0b", 3), longName, deep + "x", std::string("//")})
+        EXPECT_EQ(idsOf(find(name).remarks), "file-E01") << name.substr(0, 20);
+}
+
+TEST_F(FileLookup, TheCurrentFolderIsNeverSearched) {
+    const TemporaryFolder current;
+    current.write("only-here.obj");
+    const fs::path before = fs::current_path();
+    fs::current_path(current.path());
+    EXPECT_EQ(idsOf(find("only-here.obj").remarks), "file-E01");
+    EXPECT_EQ(find("only-here.obj").path, "");
+    EXPECT_EQ(scene::find("only-here.obj", "scene.glib").path, "only-here.obj") << "a scene in the current folder";
+    fs::current_path(before);
+}
+
+TEST_F(FileLookup, LibraryRootsComeLastInTheOrderOfTheirFolders) {
+    const fs::path scene = folder.path() / "scenes" / "noise" / "a.glib";
+    const InterpretOptions options{{folder.path() / "library"}};
+    const auto found = [&](std::string_view name) { return scene::find(name, scene, options).path; };
+    const fs::path model = folder.write("library/scenes/models/thing");
+    EXPECT_EQ(found("thing"), model);
+    const fs::path texture = folder.write("library/textures/thing");
+    EXPECT_EQ(found("thing"), texture);
+    const fs::path shader = folder.write("library/shaders/thing");
+    EXPECT_EQ(found("thing"), shader);
+    const fs::path topic = folder.write("library/shaders/noise/thing");
+    EXPECT_EQ(found("thing"), topic);
+    EXPECT_TRUE(scene::find("thing", scene, options).remarks.empty());
+    EXPECT_EQ(found("noise/thing"), topic);
+    const fs::path beside = folder.write("scenes/noise/thing");
+    EXPECT_EQ(found("thing"), beside);
+    EXPECT_EQ(idsOf(scene::find("noise/thing", scene, options).remarks), "file-W02") << "its last part lies beside";
+}
+
+TEST_F(FileLookup, CaseIsForgivenInLibraryRootsToo) {
+    const fs::path path = folder.write("library/textures/Wood.bmp");
+    const FileReference file =
+        scene::find("wood.BMP", folder.path() / "s" / "a.glib", InterpretOptions{{folder.path() / "library"}});
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(textOf(file), "file-W01 'wood.BMP' found as 'Wood.bmp'");
+}
+
+TEST_F(FileLookup, TheNearestFolderAboveWithShadersOrTexturesIsALibraryRoot) {
+    const fs::path scene = folder.path() / "project" / "glib" / "noise" / "a.glib";
+    const fs::path shader = folder.write("project/shaders/noise/a.vert");
+    folder.write("shaders/noise/a.vert");
+    const fs::path texture = folder.write("project/textures/a.bmp");
+    EXPECT_EQ(scene::find("a.vert", scene).path, shader);
+    EXPECT_EQ(scene::find("a.bmp", scene).path, texture);
+    folder.write("textures/far.bmp");
+    EXPECT_EQ(idsOf(scene::find("far.bmp", scene).remarks), "file-E01") << "only the nearest one";
+}
+
+TEST_F(FileLookup, ATopicMayHaveTopicsInIt) {
+    const fs::path shader = folder.write("shaders/light/phong/a.vert");
+    EXPECT_EQ(scene::find("a.vert", folder.path() / "glib" / "light" / "phong" / "a.glib").path, shader);
+}
+
+TEST_F(FileLookup, GivenRootsComeBeforeTheFolderAbove) {
+    const fs::path given = folder.write("given/textures/a.bmp");
+    folder.write("project/textures/a.bmp");
+    EXPECT_EQ(scene::find("a.bmp", folder.path() / "project" / "a.glib", InterpretOptions{{folder.path() / "given"}}).path,
+              given);
+}
+
+TEST_F(FileLookup, IncludesAreLookedForBesideTheIncludingFileFirst) {
+    const fs::path scene = folder.path() / "scene.glib";
+    const fs::path including = folder.write("shaders/a.vert");
+    const fs::path besideScene = folder.write("light.glsl");
+    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string()).path, besideScene);
+    const fs::path beside = folder.write("shaders/light.glsl");
+    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string()).path, beside);
+    const FileReference absent = findInclude("no.glsl", including.string(), scene.string());
+    EXPECT_EQ(idsOf(absent.remarks), "file-E01");
+    EXPECT_EQ(absent.place.file, including.string());
+}
+
+TEST(FolderListing, NamesAreInByteOrderAndReadOnce) {
+    const TemporaryFolder folder;
+    for (const char* name : {"b", "B", "a", "_"}) folder.write(name);
+    FolderListings listings;
+    EXPECT_EQ(listings.names(folder.path()), (std::vector<std::string>{"B", "_", "a", "b"}));
+    folder.write("c");
+    EXPECT_EQ(listings.names(folder.path()).size(), 4U);
+    EXPECT_TRUE(listings.names(folder.path() / "absent").empty());
+    EXPECT_TRUE(listings.names(folder.path() / "a").empty()) << "a file has no names in it";
+}
+
+TEST(NearFiles, TheNearestComeFirstAndThreeAtMost) {
+    const TemporaryFolder folder;
+    for (const char* name : {"texture1.bmp", "texture22.bmp", "texture333.bmp", "texturexy.bmp", "other.png"})
+        folder.write(name);
+    fs::create_directories(folder.path() / "texture.bmp");
+    FolderListings listings;
+    const std::vector<fs::path> folders{folder.path()};
+    EXPECT_EQ(nearestFiles("TEXTURE.bmp", folders, listings),
+              (std::vector<std::string>{"texture1.bmp", "texture22.bmp", "texturexy.bmp"}))
+        << "a folder is no file";
+    EXPECT_TRUE(nearestFiles("", folders, listings).empty());
+    EXPECT_TRUE(nearestFiles(std::string(300, 't'), folders, listings).empty());
+}
+
+}  // namespace
+}  // namespace glibra::scene
