@@ -1,9 +1,8 @@
-// The axes of --axes: each in its own colour.
+// The axes of --axes, in white as in the original.
 #version 410 core
 
-in vec3 vColor;
 out vec4 fColor;
 
 void main() {
-    fColor = vec4(vColor, 1.0);
+    fColor = vec4(1.0);
 }

@@ -47,7 +47,8 @@ int run(CheckArguments& arguments) {
         const Diagnostics diagnostics = render::checkScene(*context, scene, arguments.options);
         if (hasError(diagnostics)) status = kSceneIsWrong;
         if (arguments.json)
-            report.push_back({{"scene", scene}, {"good", !hasError(diagnostics)}, {"diagnostics", toJson(diagnostics)}});
+            report.push_back(
+                {{"scene", scene}, {"good", !hasError(diagnostics)}, {"diagnostics", toJson(diagnostics)}});
         else
             print(diagnostics);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The subcommands, one file each. Each adds itself to the command line and leaves its exit status in `status`.
+// The subcommands, one file each. Each adds itself to the command line and leaves its exit status in
+// `status`.
 
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>

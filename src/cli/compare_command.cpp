@@ -41,15 +41,18 @@ int run(const CompareArguments& arguments) {
                                           {"rmse", found.rootMeanSquare * 255}};
         std::printf("%s\n", json.dump(2).c_str());
     } else if (!found.sameSize) {
-        std::printf("different sizes: %d x %d and %d x %d\n", first->width, first->height, second->width, second->height);
+        std::printf("different sizes: %d x %d and %d x %d\n", first->width, first->height, second->width,
+                    second->height);
     } else if (found.identical) {
         std::printf("identical\n");
     } else {
-        std::printf("%s", fmt::format("{}: largest difference {:.4g} of 255 at pixel {}, {}; {} pixels differ ({:.3g} %); "
-                                      "RMSE {:.4g}\n",
-                                      same ? "within tolerance" : "different", found.largest * 255, found.x, found.y,
-                                      found.differingPixels, fraction * 100, found.rootMeanSquare * 255)
-                              .c_str());
+        std::printf(
+            "%s",
+            fmt::format("{}: largest difference {:.4g} of 255 at pixel {}, {}; {} pixels differ ({:.3g} %); "
+                        "RMSE {:.4g}\n",
+                        same ? "within tolerance" : "different", found.largest * 255, found.x, found.y,
+                        found.differingPixels, fraction * 100, found.rootMeanSquare * 255)
+                .c_str());
     }
     return same ? kDone : kDiffers;
 }
@@ -61,7 +64,8 @@ void addCompare(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand("compare", "two images; exit status 1 if they differ");
     command->add_option("A", arguments->first, "image file")->required();
     command->add_option("B", arguments->second, "image file")->required();
-    command->add_option("--max", arguments->largest, "largest difference of a component that passes, in 255ths")
+    command
+        ->add_option("--max", arguments->largest, "largest difference of a component that passes, in 255ths")
         ->check(CLI::Range(0.0, 255.0));
     command->add_option("--fraction", arguments->fraction, "fraction of pixels that may differ by any amount")
         ->check(CLI::Range(0.0, 1.0));

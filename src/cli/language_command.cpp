@@ -33,7 +33,8 @@ std::string reference(const glib::CommandRow& row) {
     std::string head(row.name());
     if (!row.names[1].empty()) head += fmt::format(", {}", row.names[1]);
     std::string arguments;
-    for (const glib::Argument& each : row.arguments) arguments += (arguments.empty() ? "" : "  ") + shown(each);
+    for (const glib::Argument& each : row.arguments)
+        arguments += (arguments.empty() ? "" : "  ") + shown(each);
     return fmt::format("{:<38} {}\n{:<38} {}\n", head, row.summary, "", arguments);
 }
 

@@ -37,7 +37,8 @@ std::vector<std::filesystem::path> libraryRoots() {
     std::string_view rest = variable ? variable : "";
     while (!rest.empty()) {
         const std::size_t colon = rest.find(':');
-        if (const std::string_view folder = rest.substr(0, colon); !folder.empty()) roots.emplace_back(folder);
+        if (const std::string_view folder = rest.substr(0, colon); !folder.empty())
+            roots.emplace_back(folder);
         if (colon == std::string_view::npos) break;
         rest.remove_prefix(colon + 1);
     }

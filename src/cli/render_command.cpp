@@ -42,14 +42,15 @@ std::optional<std::pair<int, int>> parseSize(const std::string& text) {
     int width = 0;
     int height = 0;
     char rest = 0;
-    // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is bounded
+    // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is
+    // bounded
     if (std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) != 2) return std::nullopt;
     if (width < 1 || height < 1 || width > 65536 || height > 65536) return std::nullopt;
     return std::pair(width, height);
 }
 
-/// The file each scene is written to. Without -o the scene's name in the current folder; several scenes of one name keep the
-/// folders in which they differ.
+/// The file each scene is written to. Without -o the scene's name in the current folder; several scenes of
+/// one name keep the folders in which they differ.
 std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     std::vector<fs::path> names;
     std::set<std::string> distinct;
@@ -62,17 +63,21 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
         for (const std::string& scene : arguments.scenes) {
             const fs::path folder = fs::absolute(scene).lexically_normal().parent_path();
             while (!common.empty() && common != common.parent_path() &&
-                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first != common.end())
+                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first !=
+                       common.end())
                 common = common.parent_path();
         }
         for (std::size_t i = 0; i < names.size(); ++i)
-            names[i] = fs::absolute(arguments.scenes[i]).lexically_normal().lexically_relative(common).replace_extension(
-                ".png");
+            names[i] = fs::absolute(arguments.scenes[i])
+                           .lexically_normal()
+                           .lexically_relative(common)
+                           .replace_extension(".png");
     }
     if (arguments.output.empty()) return names;
-    const bool isFolder = arguments.scenes.size() > 1 || fs::is_directory(arguments.output) ||
-                          arguments.output.back() == '/';
-    for (fs::path& name : names) name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
+    const bool isFolder =
+        arguments.scenes.size() > 1 || fs::is_directory(arguments.output) || arguments.output.back() == '/';
+    for (fs::path& name : names)
+        name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
     return names;
 }
 
@@ -85,8 +90,8 @@ struct Answer {
 };
 
 std::string pack(const Answer& answer) {
-    return fmt::format("{} {} {}\n", answer.status, answer.text.size(), answer.explanation.size()) + answer.text +
-           answer.explanation + answer.statsJson;
+    return fmt::format("{} {} {}\n", answer.status, answer.text.size(), answer.explanation.size()) +
+           answer.text + answer.explanation + answer.statsJson;
 }
 
 Answer unpack(const std::string& packed) {
@@ -201,10 +206,12 @@ int renderAll(RenderArguments& arguments) {
             const std::string text =
                 outcome.end == render::Outcome::End::timedOut
                     ? fmt::format("not drawn within {:g} seconds (--timeout)", arguments.timeout)
-                    : fmt::format("the process that drew it ended with signal {}; the other scenes go on", outcome.signal);
-            answer.text = printable({error(outcome.end == render::Outcome::End::timedOut ? "draw-E07" : "draw-E06", text,
-                                           {scene, 1, 1})},
-                                    terminal);
+                    : fmt::format("the process that drew it ended with signal {}; the other scenes go on",
+                                  outcome.signal);
+            answer.text =
+                printable({error(outcome.end == render::Outcome::End::timedOut ? "draw-E07" : "draw-E06",
+                                 text, {scene, 1, 1})},
+                          terminal);
             // The worker could not remove what it had half written.
             removeLeftovers(outputs[index].parent_path(), outcome.process);
         }
@@ -240,7 +247,8 @@ int renderAll(RenderArguments& arguments) {
             if (!each.empty()) all += (all.empty() ? "" : ",\n") + each;
         if (arguments.scenes.size() > 1) all = "[" + all + "]";
         all += '\n';
-        const Diagnostics problems = image::writeFileAtomically(arguments.statsFile, std::as_bytes(std::span(all)));
+        const Diagnostics problems =
+            image::writeFileAtomically(arguments.statsFile, std::as_bytes(std::span(all)));
         print(problems);
         if (hasError(problems)) status = std::max(status, kSceneIsWrong);
     }
@@ -252,7 +260,8 @@ int run(RenderArguments& arguments) {
     if (!arguments.size.empty()) {
         const auto size = parseSize(arguments.size);
         if (!size) {
-            std::fprintf(stderr, "glibra: error: --size %s is not WxH with 1 to 65536 pixels a side, as 800x600\n",
+            std::fprintf(stderr,
+                         "glibra: error: --size %s is not WxH with 1 to 65536 pixels a side, as 800x600\n",
                          arguments.size.c_str());
             return kWrongUsage;
         }
@@ -274,20 +283,25 @@ void addRender(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand("render", "scenes to images, without a window or a display");
     RenderArguments& to = *arguments;
     command->add_option("SCENE", to.scenes, "scene files (.glib)")->required();
-    command->add_option("-o,--output", to.output,
-                        "image file, or folder for several; the name's ending decides the format; - is standard output");
+    command->add_option(
+        "-o,--output", to.output,
+        "image file, or folder for several; the name's ending decides the format; - is standard output");
     command->add_option("--size", to.size, "WxH in pixels instead of the scene's WindowSize");
-    command->add_option("--time", to.options.time, "seconds since the start of the scene")->check(CLI::Range(-1e9, 1e9));
-    command->add_option("--frames", to.frames, "number of frames of an animation, written as NAME_0000.png ...")
+    command->add_option("--time", to.options.time, "seconds since the start of the scene")
+        ->check(CLI::Range(-1e9, 1e9));
+    command
+        ->add_option("--frames", to.frames, "number of frames of an animation, written as NAME_0000.png ...")
         ->check(CLI::Range(1, 1'000'000));
     command->add_option("--fps", to.framesPerSecond, "frames a second of an animation")
         ->check(CLI::Range(1e-3, 1e6))
         ->capture_default_str();
     command->add_option("--set", to.options.set, "NAME=VALUE sets a uniform, as uKd=.5 or uColor=1,.5,0")
         ->allow_extra_args(false);
-    command->add_option("--view", to.options.view, "auto moves the eye out of a scene, glman leaves it where it is")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic}, {"glman", ViewPolicy::glman}}));
+    command
+        ->add_option("--view", to.options.view,
+                     "auto moves the eye out of a scene, glman leaves it where it is")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic},
+                                                                              {"glman", ViewPolicy::glman}}));
     command->add_option("--samples", to.options.samples, "samples a pixel")->check(CLI::Range(1, 64));
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
@@ -300,7 +314,8 @@ void addRender(CLI::App& app, int& status) {
     command->add_option("--tile", to.options.tileSize, "side of the tiles of large pictures in pixels")
         ->check(CLI::Range(16, 16384));
     command->add_flag("--strict", to.options.strict, "warnings are errors");
-    command->add_flag("--no-shim", to.noShim, "compile the shaders as they are, without translating their dialect");
+    command->add_flag("--no-shim", to.noShim,
+                      "compile the shaders as they are, without translating their dialect");
     command->add_flag("--explain", to.explain, "say what was made, what was skipped and why");
     command->add_option("--stats", to.statsFile, "write times and counts of every stage as JSON");
     command->callback([arguments, &status] { status = run(*arguments); });

@@ -17,6 +17,7 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const StageSource* a, const StageSource* b) { return a->stage < b->stage; });
     program.units.reserve(ordered.size());  // tokens point into a unit's text: it must not move
+    program.units.reserve(ordered.size());
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
             const std::size_t slash = each->path.find_last_of("/\\");

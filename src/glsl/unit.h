@@ -31,6 +31,13 @@ struct Dialect {
 };
 
 struct Unit {
+    Unit() = default;
+    Unit(Unit&&) = default;  // not copied: tokens point into `storage`
+    Unit& operator=(Unit&&) = default;
+    Unit(const Unit&) = delete;
+    Unit& operator=(const Unit&) = delete;
+    ~Unit() = default;
+
     const ProgramRequest* request = nullptr;
     Stage stage = Stage::vertex;
     std::string path;

@@ -1,7 +1,7 @@
 #include "render/axes.h"
 
-#include <array>
 #include <embedded/builtin_shaders.h>
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
@@ -13,10 +13,9 @@
 namespace glibra::render {
 namespace {
 
-/// Position and colour of one end of a line.
+/// One end of a line.
 struct Vertex {
     std::array<float, 3> position;
-    std::array<float, 3> color;
 };
 
 using Stroke = std::pair<std::array<float, 2>, std::array<float, 2>>;
@@ -33,22 +32,21 @@ const std::array<std::vector<Stroke>, 3> kLetters{
 std::vector<Vertex> vertices() {
     std::vector<Vertex> lines;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<float, 3> color{.25F, .25F, .25F};
-        color[axis] = 1;
         std::array<float, 3> end{};
         end[axis] = kLength;
-        lines.push_back({{0, 0, 0}, color});
-        lines.push_back({end, color});
+        lines.push_back({{0, 0, 0}});
+        lines.push_back({end});
         // The letter stands upright in a plane parallel to XY, just past the end.
         end[axis] += kLetter / 2;
         const auto corner = [&](const std::array<float, 2>& at) {
             const float shift = axis == 1 ? -kLetter / 2 : 0;
             const float rise = axis == 1 ? 0 : -kLetter / 2;
-            return std::array<float, 3>{end[0] + shift + at[0] * kLetter, end[1] + rise + at[1] * kLetter, end[2]};
+            return std::array<float, 3>{end[0] + shift + at[0] * kLetter, end[1] + rise + at[1] * kLetter,
+                                        end[2]};
         };
         for (const auto& [from, to] : kLetters[axis]) {
-            lines.push_back({corner(from), color});
-            lines.push_back({corner(to), color});
+            lines.push_back({corner(from)});
+            lines.push_back({corner(to)});
         }
     }
     return lines;
@@ -67,30 +65,35 @@ scene::Projection lastProjection(const scene::Scene& scene) {
 
 }  // namespace
 
-Axes::Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines, int count)
-    : program_(std::move(program)), matrix_(std::move(matrix)), vertices_(std::move(vertices)), lines_(std::move(lines)),
+Axes::Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,
+           int count)
+    : program_(std::move(program)),
+      matrix_(std::move(matrix)),
+      vertices_(std::move(vertices)),
+      lines_(std::move(lines)),
       count_(count) {}
 
 Result<Axes> Axes::create(const gpu::Context& context) {
     const std::array<gpu::StageSource, 2> stages{{{GL_VERTEX_SHADER, builtin_shaders::axes_vert()},
                                                   {GL_FRAGMENT_SHADER, builtin_shaders::axes_frag()}}};
-    gpu::BuildOutcome built = gpu::buildProgram(
-        context.capabilities(),
-        {.stages = stages, .vertexInputs = {{"aPosition", 0}, {"aColor", 1}}, .fragmentOutputs = {}});
-    if (!built.program) return error("gpu-E02", "the driver refuses the program of the axes: " + built.linkLog);
+    gpu::BuildOutcome built =
+        gpu::buildProgram(context.capabilities(),
+                          {.stages = stages, .vertexInputs = {{"aPosition", 0}}, .fragmentOutputs = {}});
+    if (!built.program)
+        return error("gpu-E02", "the driver refuses the program of the axes: " + built.linkLog);
     const gpu::ProgramInterface interface = gpu::reflect(*built.program);
     const std::vector<Vertex> lines = vertices();
     Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(lines)));
     if (!buffer) return std::move(buffer.diagnostics);
-    const std::array<gpu::AttributeSource, 2> sources{
-        {{.buffer = &*buffer, .location = 0, .components = 3, .stride = sizeof(Vertex)},
-         {.buffer = &*buffer, .location = 1, .components = 3, .offset = sizeof(Vertex::position), .stride = sizeof(Vertex)}}};
+    const std::array<gpu::AttributeSource, 1> sources{
+        {{.buffer = &*buffer, .location = 0, .components = 3, .stride = sizeof(Vertex)}}};
     gpu::VertexArray array(sources);
     return Axes(std::move(*built.program), interface.uniforms.front(), std::move(*buffer), std::move(array),
                 static_cast<int>(lines.size()));
 }
 
-void Axes::draw(const scene::Scene& scene, double eyeDistance, const Tile& tile, int width, int height) const {
+void Axes::draw(const scene::Scene& scene, double eyeDistance, const Tile& tile, int width,
+                int height) const {
     const double aspect = static_cast<double>(width) / height;
     // The tile's part of clip space, as for the scene's own programs.
     glm::dmat4 part(1.0);

@@ -52,11 +52,12 @@ const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostic
     return entry->second ? &*entry->second : nullptr;
 }
 
-Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs) {
+Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
+                                const ProgramLibrary& programs) {
     Diagnostics diagnostics;
     const plan::PlannedMesh& wanted = plan.meshes[planned];
-    const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(), geometry::kTangent) !=
-                              wanted.attributes.end();
+    const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(),
+                                        geometry::kTangent) != wanted.attributes.end();
     const geometry::Mesh* source = mesh(wanted.shape, withTangents, diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
@@ -69,7 +70,8 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     if (!indices) return diagnostics;
     uploaded->indices = std::move(indices.value);
     for (const geometry::Attribute& each : source->attributes) {
-        if (std::find(wanted.attributes.begin(), wanted.attributes.end(), each.name) == wanted.attributes.end())
+        if (std::find(wanted.attributes.begin(), wanted.attributes.end(), each.name) ==
+            wanted.attributes.end())
             continue;
         Result<gpu::Buffer> floats = gpu::Buffer::create(std::as_bytes(std::span(each.values)));
         append(diagnostics, std::move(floats.diagnostics));
@@ -108,13 +110,15 @@ const gpu::VertexArray& DeviceScene::vertexArray(int planned, int program, const
             gpu::AttributeSource source;
             const bool integer = input.integer && each.integers;
             source.buffer = integer ? &*each.integers : &each.floats;
-            source.type = integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;
+            source.type =
+                integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;
             source.location = static_cast<GLuint>(input.location);
             source.components = each.components;
             sources.push_back(source);
         }
     }
-    return vertexArrays_.try_emplace({planned, program}, gpu::VertexArray(sources, &*mesh.indices)).first->second;
+    return vertexArrays_.try_emplace({planned, program}, gpu::VertexArray(sources, &*mesh.indices))
+        .first->second;
 }
 
 }  // namespace glibra::render

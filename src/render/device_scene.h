@@ -24,7 +24,8 @@ struct DeviceMesh {
         std::string name;
         int components = 0;
         gpu::Buffer floats;
-        std::optional<gpu::Buffer> integers;  ///< the same values as ints, where a program declares the input so
+        std::optional<gpu::Buffer>
+            integers;  ///< the same values as ints, where a program declares the input so
     };
     std::vector<Attribute> attributes;
     std::optional<gpu::Buffer> indices;
@@ -40,7 +41,8 @@ class DeviceScene {
     /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
-    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in `diagnostics`.
+    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in
+    /// `diagnostics`.
     const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics& diagnostics);
     /// Frees the CPU's copies.
     void releaseMeshes() { meshes_.clear(); }

@@ -11,48 +11,65 @@ namespace {
 
 gpu::TextureShape shapeOf(scene::TextureTarget target) {
     switch (target) {
-        case scene::TextureTarget::texture1D: return gpu::TextureShape::texture1D;
-        case scene::TextureTarget::texture2D: return gpu::TextureShape::texture2D;
-        case scene::TextureTarget::texture3D: return gpu::TextureShape::texture3D;
-        case scene::TextureTarget::cube: break;
+        case scene::TextureTarget::texture1D:
+            return gpu::TextureShape::texture1D;
+        case scene::TextureTarget::texture2D:
+            return gpu::TextureShape::texture2D;
+        case scene::TextureTarget::texture3D:
+            return gpu::TextureShape::texture3D;
+        case scene::TextureTarget::cube:
+            break;
     }
     return gpu::TextureShape::cube;
 }
 
 int dimensionsOf(scene::TextureTarget target) {
     switch (target) {
-        case scene::TextureTarget::texture1D: return 1;
-        case scene::TextureTarget::texture3D: return 3;
+        case scene::TextureTarget::texture1D:
+            return 1;
+        case scene::TextureTarget::texture3D:
+            return 3;
         case scene::TextureTarget::texture2D:
-        case scene::TextureTarget::cube: break;
+        case scene::TextureTarget::cube:
+            break;
     }
     return 2;
 }
 
 gpu::TexelFormat formatOf(scene::TexelFormat format) {
     switch (format) {
-        case scene::TexelFormat::rgba16f: return gpu::TexelFormat::rgba16f;
-        case scene::TexelFormat::rgba32f: return gpu::TexelFormat::rgba32f;
-        case scene::TexelFormat::r32f: return gpu::TexelFormat::r32f;
-        case scene::TexelFormat::rgba8: break;
+        case scene::TexelFormat::rgba16f:
+            return gpu::TexelFormat::rgba16f;
+        case scene::TexelFormat::rgba32f:
+            return gpu::TexelFormat::rgba32f;
+        case scene::TexelFormat::r32f:
+            return gpu::TexelFormat::r32f;
+        case scene::TexelFormat::rgba8:
+            break;
     }
     return gpu::TexelFormat::rgba8;
 }
 
 gpu::TexelFormat formatOf(image::Component type) {
     switch (type) {
-        case image::Component::u8: return gpu::TexelFormat::rgba8;
-        case image::Component::u16: return gpu::TexelFormat::rgba16;
-        case image::Component::f32: break;
+        case image::Component::u8:
+            return gpu::TexelFormat::rgba8;
+        case image::Component::u16:
+            return gpu::TexelFormat::rgba16;
+        case image::Component::f32:
+            break;
     }
     return gpu::TexelFormat::rgba32f;
 }
 
 gpu::TexelType typeOf(image::Component type) {
     switch (type) {
-        case image::Component::u8: return gpu::TexelType::u8;
-        case image::Component::u16: return gpu::TexelType::u16;
-        case image::Component::f32: break;
+        case image::Component::u8:
+            return gpu::TexelType::u8;
+        case image::Component::u16:
+            return gpu::TexelType::u16;
+        case image::Component::f32:
+            break;
     }
     return gpu::TexelType::f32;
 }
@@ -93,7 +110,8 @@ Diagnostics DeviceScene::makeTexture(int index) {
     if (made) {
         const gpu::TextureSize size = made->size();
         stats_.add("textures", 1);
-        stats_.add("texels", static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+        stats_.add("texels", static_cast<std::uint64_t>(size.width) *
+                                 static_cast<std::uint64_t>(size.height) *
                                  static_cast<std::uint64_t>(size.depth) *
                                  (texture.target == scene::TextureTarget::cube ? 6U : 1U));
         textures_.emplace(index, std::move(*made));
@@ -114,7 +132,8 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
         if (!bytes) return std::move(bytes.diagnostics);
         const std::vector<std::uint16_t> wide = widened(*bytes);
         const int depth = noise->dimensions == 3 ? noise->size : 1;
-        return gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
+        return gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16,
+                                    {noise->size, noise->size, depth},
                                     {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
     }
 
@@ -136,9 +155,9 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
     }
     append(diagnostics, std::move(block.diagnostics));
     if (!block) return diagnostics;
-    Result<gpu::Texture> made =
-        gpu::Texture::create(capabilities, shape, formatOf(block->type), {block->width, block->height, block->depth},
-                             {block->data, block->components, typeOf(block->type)});
+    Result<gpu::Texture> made = gpu::Texture::create(capabilities, shape, formatOf(block->type),
+                                                     {block->width, block->height, block->depth},
+                                                     {block->data, block->components, typeOf(block->type)});
     append(diagnostics, std::move(made.diagnostics));
     made.diagnostics = std::move(diagnostics);
     return made;
@@ -156,15 +175,17 @@ const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
     const std::size_t faces = target == scene::TextureTarget::cube ? 6 : 1;
     std::vector<std::uint8_t> texels(faces * 4);
     for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
-    Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8,
-                                                     {1, 1, 1}, {std::as_bytes(std::span(texels)), 4});
+    Result<gpu::Texture> made =
+        gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8, {1, 1, 1},
+                             {std::as_bytes(std::span(texels)), 4});
     return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;
 }
 
 const gpu::Sampler& DeviceScene::sampler(bool clamp) {
     const auto known = samplers_.find(clamp);
     if (known != samplers_.end()) return known->second;
-    return samplers_.emplace(clamp, gpu::Sampler(clamp ? gpu::Wrap::clampToEdge : gpu::Wrap::repeat)).first->second;
+    return samplers_.emplace(clamp, gpu::Sampler(clamp ? gpu::Wrap::clampToEdge : gpu::Wrap::repeat))
+        .first->second;
 }
 
 Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {

@@ -20,17 +20,25 @@ std::array<float, 4> asFloats(const glm::dvec4& color) {
 
 GLenum glMode(geometry::Topology topology) {
     switch (topology) {
-        case geometry::Topology::points: return GL_POINTS;
-        case geometry::Topology::lines: return GL_LINES;
-        case geometry::Topology::linesAdjacency: return GL_LINES_ADJACENCY;
-        case geometry::Topology::triangles: return GL_TRIANGLES;
-        case geometry::Topology::trianglesAdjacency: return GL_TRIANGLES_ADJACENCY;
-        case geometry::Topology::patches: break;
+        case geometry::Topology::points:
+            return GL_POINTS;
+        case geometry::Topology::lines:
+            return GL_LINES;
+        case geometry::Topology::linesAdjacency:
+            return GL_LINES_ADJACENCY;
+        case geometry::Topology::triangles:
+            return GL_TRIANGLES;
+        case geometry::Topology::trianglesAdjacency:
+            return GL_TRIANGLES_ADJACENCY;
+        case geometry::Topology::patches:
+            break;
     }
     return GL_PATCHES;
 }
 
-GLenum imageFormat(gpu::TexelFormat format) { return gpu::internalFormat(format); }
+GLenum imageFormat(gpu::TexelFormat format) {
+    return gpu::internalFormat(format);
+}
 
 void enable(GLenum capability, bool on) {
     if (on)
@@ -43,7 +51,12 @@ void enable(GLenum capability, bool on) {
 
 FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
                          const ProgramLibrary& programs, DeviceScene& device, Stats& stats)
-    : context_(context), scene_(scene), plan_(plan), programs_(programs), device_(device), stats_(stats),
+    : context_(context),
+      scene_(scene),
+      plan_(plan),
+      programs_(programs),
+      device_(device),
+      stats_(stats),
       states_(plan.programs.size()) {}
 
 void FrameDrawer::setPictureSize(int width, int height) {
@@ -96,7 +109,8 @@ void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& ta
     context_.debugLog().setPlace(pass.pass->place);
     target.bind();
     for (std::size_t i = 0; i < pass.pass->clearColors.size(); ++i)
-        if (const auto& color = pass.pass->clearColors[i]) target.clearColor(static_cast<int>(i), asFloats(*color));
+        if (const auto& color = pass.pass->clearColors[i])
+            target.clearColor(static_cast<int>(i), asFloats(*color));
     if (pass.pass->clearDepth) target.clearDepth();
 }
 
@@ -116,7 +130,8 @@ void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
     for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(program)].values) {
         const auto* literal = std::get_if<plan::Literal>(&binding.value);
         if (!literal) continue;
-        const gpu::ActiveUniform& uniform = built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const gpu::ActiveUniform& uniform =
+            built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
         if (uniform.block >= 0)
             gpu::writeBlockMember(blocks[static_cast<std::size_t>(uniform.block)], uniform, literal->values,
                                   binding.firstElement);
@@ -125,12 +140,13 @@ void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
     }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         glUniformBlockBinding(built.program->id(), built.reflected.blocks[i].index, static_cast<GLuint>(i));
-        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i])) state.blocks.push_back(std::move(*buffer));
+        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i]))
+            state.blocks.push_back(std::move(*buffer));
     }
 }
 
-void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw,
-                              double aspect, bool isWindow, double time) {
+void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                              const scene::Draw& draw, double aspect, bool isWindow, double time) {
     DrawFacts facts;
     facts.projection = scene::projectionMatrix(draw.projection, aspect);
     facts.modelView = draw.modelView;
@@ -139,10 +155,12 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
     facts.timer = time / draw.timerPeriod - std::floor(time / draw.timerPeriod);
     facts.color = draw.color;
     facts.pointSize = draw.raster.pointSize;
-    for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(planned.program)].values) {
+    for (const plan::UniformBinding& binding :
+         plan_.programs[static_cast<std::size_t>(planned.program)].values) {
         const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
         if (!supplied) continue;
-        const gpu::ActiveUniform& uniform = built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const gpu::ActiveUniform& uniform =
+            built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
         gpu::setUniform(*built.program, uniform, suppliedValue(supplied->value, facts, uniform.arraySize));
     }
     // The names below are the translator's; a program that is not tiled has no such uniforms.
@@ -151,7 +169,8 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
             const std::array<double, 4> whole{1, 1, 0, 0};
             const double width = tile_.width;
             const double height = tile_.height;
-            const std::array<double, 4> part{width_ / width, height_ / height, (width_ - 2.0 * tile_.x - width) / width,
+            const std::array<double, 4> part{width_ / width, height_ / height,
+                                             (width_ - 2.0 * tile_.x - width) / width,
                                              (height_ - 2.0 * tile_.y - height) / height};
             gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
         } else if (uniform.name == "glibra_TileOrigin") {
@@ -169,8 +188,9 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
         std::string_view attribute;
         for (const glsl::BuiltinInput& each : glsl::builtinInputs())
             if (each.name == input.name) attribute = each.attribute;
-        const bool fed = std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
-                                     [&](const DeviceMesh::Attribute& each) { return each.name == attribute; });
+        const bool fed =
+            std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
+                        [&](const DeviceMesh::Attribute& each) { return each.name == attribute; });
         if (fed) continue;
         std::array<double, 4> value{0, 0, 0, 1};
         if (attribute == geometry::kColor) value = {draw.color.r, draw.color.g, draw.color.b, draw.color.a};
@@ -183,8 +203,8 @@ void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProg
         const gpu::Texture* texture = use.texture == scene::kNone ? nullptr : device_.texture(use.texture);
         if (!texture) texture = &device_.emptyTexture(use.target);
         if (use.isImage) {
-            glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0, GL_READ_WRITE,
-                               imageFormat(texture->format()));
+            glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0,
+                               GL_READ_WRITE, imageFormat(texture->format()));
         } else {
             texture->bind(use.driverUnit);
             device_.sampler(use.clamp).bind(use.driverUnit);
@@ -204,14 +224,16 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     const double width = std::clamp(raster.lineWidth, capabilities.minLineWidth, widest);
     if (raster.lineWidth > widest && !lineWidthTold_) {
         lineWidthTold_ = true;
-        diagnostics.push_back(warning(
-            "draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest), planned.draw->place));
+        diagnostics.push_back(warning("draw-W04",
+                                      fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
+                                      planned.draw->place));
     }
     glLineWidth(static_cast<float>(width));
     const bool sizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
     enable(GL_PROGRAM_POINT_SIZE, sizeFromShader);
     if (!sizeFromShader)
-        glPointSize(static_cast<float>(std::clamp(raster.pointSize, capabilities.minPointSize, capabilities.maxPointSize)));
+        glPointSize(static_cast<float>(
+            std::clamp(raster.pointSize, capabilities.minPointSize, capabilities.maxPointSize)));
     const int distances = built.interface.facts.clipDistances;
     for (int i = 0; i < std::max(distances, clipDistances_); ++i)
         enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < distances);
@@ -226,7 +248,8 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
     if (!mesh) return diagnostics;
     const scene::Draw& draw = *planned.draw;
-    const BuiltProgram& built = *programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    const BuiltProgram& built =
+        *programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
     context_.debugLog().setPlace(draw.place);
     built.program->use();
     setLiterals(planned.program, built);
@@ -234,7 +257,8 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
                                    : static_cast<double>(target.width()) / target.height();
     setSupplied(planned, built, draw, aspect, isWindow, time);
     const std::vector<gpu::Buffer>& blocks = states_[static_cast<std::size_t>(planned.program)].blocks;
-    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
     setConstantInputs(planned, built, draw);
     bindTextures(planned, built);
     setRaster(planned, built, isWindow, diagnostics);

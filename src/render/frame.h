@@ -28,10 +28,12 @@ class FrameDrawer {
     /// Distance the view policy moves the eye back, for draws with a perspective projection.
     void setEyeDistance(double distance) { eyeDistance_ = distance; }
 
-    /// Draws one frame into `window`, which shows `tile`. With `texturePasses` false only the window's passes are drawn.
+    /// Draws one frame into `window`, which shows `tile`. With `texturePasses` false only the window's passes
+    /// are drawn.
     Diagnostics draw(const gpu::Target& window, const Tile& tile, double time, bool texturePasses);
 
-    /// True if every pass into textures comes before every pass into the window, so that tiles can share them.
+    /// True if every pass into textures comes before every pass into the window, so that tiles can share
+    /// them.
     [[nodiscard]] bool texturesComeFirst() const;
 
   private:
@@ -43,13 +45,16 @@ class FrameDrawer {
 
     void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
     void clear(const gpu::Target& target, const scene::Clear& clear) const;
-    Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow, double time);
+    Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
+                        double time);
     void setLiterals(int program, const BuiltProgram& built);
-    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw, double aspect,
-                     bool isWindow, double time);
-    void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw) const;
+    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw,
+                     double aspect, bool isWindow, double time);
+    void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                           const scene::Draw& draw) const;
     void bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built);
-    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow, Diagnostics& diagnostics);
+    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+                   Diagnostics& diagnostics);
 
     const gpu::Context& context_;
     const scene::Scene& scene_;

@@ -16,8 +16,8 @@
 namespace glibra::render {
 namespace {
 
-/// Encodes and writes pictures on a thread of its own, in order, while the next one is drawn. At most two wait, so that memory
-/// stays bounded when encoding is the slower part.
+/// Encodes and writes pictures on a thread of its own, in order, while the next one is drawn. At most two
+/// wait, so that memory stays bounded when encoding is the slower part.
 class PictureWriter {
   public:
     explicit PictureWriter(const std::function<void(int)>& written) : written_(written) {
@@ -97,10 +97,11 @@ void remarkOnPicture(const image::Image& picture, const std::string& scene, Diag
         diagnostics.push_back(note("draw-N02", "the picture has only one colour", {scene, 1, 1}));
     const image::NonFinite bad = image::countNonFinite(picture);
     if (bad.nan + bad.infinite > 0)
-        diagnostics.push_back(warning("draw-W06",
-                                      fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
-                                                  bad.nan, bad.infinite, bad.x, bad.y),
-                                      {scene, 1, 1}));
+        diagnostics.push_back(warning(
+            "draw-W06",
+            fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
+                        bad.nan, bad.infinite, bad.x, bad.y),
+            {scene, 1, 1}));
 }
 
 Diagnostics writeToStandardOutput(const image::Image& picture) {

@@ -29,12 +29,13 @@ struct JobResult {
     std::string statsJson;    ///< --stats
 };
 
-/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next. Called with the number of
-/// frames written so far, as soon as each is.
-JobResult runJob(gpu::Context& context, const Job& job, const std::function<void(int framesWritten)>& frameWritten);
+/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next. Called with
+/// the number of frames written so far, as soon as each is.
+JobResult runJob(gpu::Context& context, const Job& job,
+                 const std::function<void(int framesWritten)>& frameWritten);
 
-/// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the last frame needs, at
-/// least four.
+/// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the
+/// last frame needs, at least four.
 std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames);
 
 }  // namespace glibra::render

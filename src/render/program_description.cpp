@@ -5,25 +5,38 @@ namespace {
 
 plan::BaseType baseType(gpu::BaseType base) {
     switch (base) {
-        case gpu::BaseType::floating: return plan::BaseType::floating;
-        case gpu::BaseType::doublePrecision: return plan::BaseType::doublePrecision;
-        case gpu::BaseType::integer: return plan::BaseType::integer;
-        case gpu::BaseType::unsignedInteger: return plan::BaseType::unsignedInteger;
-        case gpu::BaseType::boolean: return plan::BaseType::boolean;
-        case gpu::BaseType::sampler: return plan::BaseType::sampler;
-        case gpu::BaseType::image: return plan::BaseType::image;
-        case gpu::BaseType::atomicCounter: break;
+        case gpu::BaseType::floating:
+            return plan::BaseType::floating;
+        case gpu::BaseType::doublePrecision:
+            return plan::BaseType::doublePrecision;
+        case gpu::BaseType::integer:
+            return plan::BaseType::integer;
+        case gpu::BaseType::unsignedInteger:
+            return plan::BaseType::unsignedInteger;
+        case gpu::BaseType::boolean:
+            return plan::BaseType::boolean;
+        case gpu::BaseType::sampler:
+            return plan::BaseType::sampler;
+        case gpu::BaseType::image:
+            return plan::BaseType::image;
+        case gpu::BaseType::atomicCounter:
+            break;
     }
     return plan::BaseType::other;
 }
 
 std::optional<scene::TextureTarget> textureTarget(GLenum target) {
     switch (target) {
-        case GL_TEXTURE_1D: return scene::TextureTarget::texture1D;
-        case GL_TEXTURE_2D: return scene::TextureTarget::texture2D;
-        case GL_TEXTURE_3D: return scene::TextureTarget::texture3D;
-        case GL_TEXTURE_CUBE_MAP: return scene::TextureTarget::cube;
-        default: return std::nullopt;
+        case GL_TEXTURE_1D:
+            return scene::TextureTarget::texture1D;
+        case GL_TEXTURE_2D:
+            return scene::TextureTarget::texture2D;
+        case GL_TEXTURE_3D:
+            return scene::TextureTarget::texture3D;
+        case GL_TEXTURE_CUBE_MAP:
+            return scene::TextureTarget::cube;
+        default:
+            return std::nullopt;
     }
 }
 
@@ -37,9 +50,11 @@ plan::ValueType valueType(const gpu::ValueType& type) {
     return described;
 }
 
-/// The emitted name is "glibra_x" or "block.glibra_x[2].y"; the part that the translator renamed becomes the user's again.
+/// The emitted name is "glibra_x" or "block.glibra_x[2].y"; the part that the translator renamed becomes the
+/// user's again.
 std::string userName(const std::string& emitted, const glsl::TranslatedProgram& facts) {
-    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end()) return whole->second;
+    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end())
+        return whole->second;
     const std::size_t end = emitted.find_first_of(".[");
     if (end == std::string::npos) return emitted;
     const auto first = facts.userNames.find(emitted.substr(0, end));
@@ -50,7 +65,8 @@ std::string userName(const std::string& emitted, const glsl::TranslatedProgram& 
 
 plan::ProgramInterface describe(const gpu::ProgramInterface& reflected, glsl::TranslatedProgram facts) {
     plan::ProgramInterface described;
-    for (const gpu::UniformBlock& each : reflected.blocks) described.blocks.push_back({each.name, each.bytes});
+    for (const gpu::UniformBlock& each : reflected.blocks)
+        described.blocks.push_back({each.name, each.bytes});
     for (const gpu::ActiveUniform& each : reflected.uniforms) {
         plan::ActiveUniform uniform;
         uniform.name = userName(each.name, facts);

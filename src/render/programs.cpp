@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <embedded/builtin_shaders.h>
+#include <algorithm>
 
 #include "image/file.h"
 #include "scene/file_lookup.h"
@@ -15,11 +15,16 @@ constexpr std::uint64_t kLargestSource = 4ULL << 20;
 
 GLenum glStage(glsl::Stage stage) {
     switch (stage) {
-        case glsl::Stage::vertex: return GL_VERTEX_SHADER;
-        case glsl::Stage::tessControl: return GL_TESS_CONTROL_SHADER;
-        case glsl::Stage::tessEvaluation: return GL_TESS_EVALUATION_SHADER;
-        case glsl::Stage::geometry: return GL_GEOMETRY_SHADER;
-        case glsl::Stage::fragment: break;
+        case glsl::Stage::vertex:
+            return GL_VERTEX_SHADER;
+        case glsl::Stage::tessControl:
+            return GL_TESS_CONTROL_SHADER;
+        case glsl::Stage::tessEvaluation:
+            return GL_TESS_EVALUATION_SHADER;
+        case glsl::Stage::geometry:
+            return GL_GEOMETRY_SHADER;
+        case glsl::Stage::fragment:
+            break;
     }
     return GL_FRAGMENT_SHADER;
 }
@@ -43,18 +48,22 @@ glsl::Target targetOf(const gpu::Capabilities& capabilities) {
 
 glsl::SamplerKind samplerKind(scene::TextureTarget target) {
     switch (target) {
-        case scene::TextureTarget::texture1D: return glsl::SamplerKind::sampler1D;
-        case scene::TextureTarget::texture2D: return glsl::SamplerKind::sampler2D;
-        case scene::TextureTarget::texture3D: return glsl::SamplerKind::sampler3D;
-        case scene::TextureTarget::cube: break;
+        case scene::TextureTarget::texture1D:
+            return glsl::SamplerKind::sampler1D;
+        case scene::TextureTarget::texture2D:
+            return glsl::SamplerKind::sampler2D;
+        case scene::TextureTarget::texture3D:
+            return glsl::SamplerKind::sampler3D;
+        case scene::TextureTarget::cube:
+            break;
     }
     return glsl::SamplerKind::samplerCube;
 }
 
 }  // namespace
 
-ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
-                               bool tiled, Stats& stats)
+ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
+                               const RenderOptions& options, bool tiled, Stats& stats)
     : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats) {}
 
 const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
@@ -108,7 +117,8 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
         append(diagnostics, source.diagnostics);
         if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
     }
-    request.include = [this](std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
+    request.include = [this](std::string_view name,
+                             std::string_view from) -> std::optional<glsl::IncludedFile> {
         const scene::FileReference found =
             scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
         if (found.path.empty()) return std::nullopt;
@@ -125,8 +135,9 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
 void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
     Diagnostics diagnostics;
     glsl::TranslatedProgram translated;
-    const Place programPlace =
-        variant.program == scene::kNone ? Place{} : scene_.programs[static_cast<std::size_t>(variant.program)].place;
+    const Place programPlace = variant.program == scene::kNone
+                                   ? Place{}
+                                   : scene_.programs[static_cast<std::size_t>(variant.program)].place;
     {
         const StageTimer timer(stats_, "translate");
         const glsl::ProgramRequest asked = request(variant, diagnostics);
@@ -138,10 +149,11 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         std::vector<gpu::StageSource> stages;
         for (const glsl::TranslatedStage& each : translated.stages)
             stages.push_back({glStage(each.stage), each.source});
-        gpu::BuildOutcome outcome =
-            gpu::buildProgram(context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+        gpu::BuildOutcome outcome = gpu::buildProgram(
+            context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
         for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
-            Diagnostics said = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+            Diagnostics said =
+                glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
             if (!outcome.stages[i].compiled && !hasError(said))
                 said.push_back(error("glsl-E01", "the driver refuses it: " + outcome.stages[i].log,
                                      {translated.stages[i].path, 1, 1}));
@@ -150,7 +162,8 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         if (!outcome.program && !hasError(diagnostics)) {
             append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
             if (!hasError(diagnostics))
-                diagnostics.push_back(error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
+                diagnostics.push_back(
+                    error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
         }
         if (outcome.program) {
             built.reflected = gpu::reflect(*outcome.program);

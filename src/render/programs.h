@@ -18,8 +18,8 @@
 
 namespace glibra::render {
 
-/// A program of the driver with its two descriptions: `reflected` is GL's, `interface` the plan's. Their uniforms, blocks and
-/// inputs stand in the same order.
+/// A program of the driver with its two descriptions: `reflected` is GL's, `interface` the plan's. Their
+/// uniforms, blocks and inputs stand in the same order.
 struct BuiltProgram {
     std::optional<gpu::Program> program;  ///< nothing if it did not translate, compile or link
     gpu::ProgramInterface reflected;
@@ -29,8 +29,8 @@ struct BuiltProgram {
 class ProgramLibrary {
   public:
     /// `tiled`: programs are made so that a part of a larger picture can be drawn.
-    ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options, bool tiled,
-                   Stats& stats);
+    ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
+                   bool tiled, Stats& stats);
 
     /// Translates, compiles and links at the first call for a variant.
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);

@@ -26,7 +26,8 @@ Result<Renderer> Renderer::open(Driver driver) {
 
 Result<Picture> Renderer::render(const std::filesystem::path& scene, const RenderOptions& options) {
     render::Stats stats;
-    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(state_->context, scene, options, stats);
+    Result<render::SceneRenderer> loaded =
+        render::SceneRenderer::load(state_->context, scene, options, stats);
     Diagnostics diagnostics = std::move(loaded.diagnostics);
     if (!loaded) return diagnostics;
     Result<image::Image> image = loaded->draw(options.time, stats);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "gpu/readback.h"
 #include "image/file.h"
@@ -25,7 +27,8 @@ Result<std::string> readScene(const std::filesystem::path& path) {
     const Place place{path.string(), 1, 1};
     std::error_code failure;
     // An empty scene is legal, unlike every other empty file.
-    if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure)) return std::string();
+    if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
+        return std::string();
     const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const Diagnostic& why = bytes.diagnostics.front();
@@ -33,7 +36,8 @@ Result<std::string> readScene(const std::filesystem::path& path) {
 }
 
 /// A scene's text to a Scene, with the diagnostics of both steps in the scene's.
-Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options, Stats& stats) {
+Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
+                                   Stats& stats) {
     Result<std::string> text = readScene(path);
     if (!text) return std::move(text.diagnostics);
     glib::Script script;
@@ -47,6 +51,17 @@ Result<scene::Scene> interpretFile(const std::filesystem::path& path, const Rend
     append(diagnostics, std::move(scene.diagnostics));
     scene.diagnostics.clear();
     return {std::move(scene), std::move(diagnostics)};
+}
+
+/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
+void removeRepeats(Diagnostics& diagnostics) {
+    std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        const bool byPlace = each.id == "glib-W15";
+        return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
+                             byPlace ? "" : each.text)
+                    .second;
+    });
 }
 
 Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {
@@ -63,16 +78,22 @@ Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string
 }  // namespace
 
 void applyStrict(Diagnostics& diagnostics, bool strict) {
+    removeRepeats(diagnostics);
     if (!strict) return;
     for (Diagnostic& each : diagnostics)
         if (each.severity == Severity::warning) each.severity = Severity::error;
 }
 
-/// Everything that refers to something else here lies on the heap behind one pointer, in the order of dependence.
+/// Everything that refers to something else here lies on the heap behind one pointer, in the order of
+/// dependence.
 struct SceneRenderer::State {
-    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled, Stats& stats)
-        : context(usedContext), options(std::move(usedOptions)), scene(std::move(interpreted)),
-          programs(context, scene, options, tiled, stats), device(context, scene, stats) {}
+    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled,
+          Stats& stats)
+        : context(usedContext),
+          options(std::move(usedOptions)),
+          scene(std::move(interpreted)),
+          programs(context, scene, options, tiled, stats),
+          device(context, scene, stats) {}
 
     gpu::Context& context;
     RenderOptions options;
@@ -118,7 +139,8 @@ Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return diagnostics;
     const StageTimer timer(stats, "view");
     const scene::ViewMove move = scene::autoView(
-        scene, [&](int shape) { return device.mesh(shape, false, diagnostics); }, static_cast<double>(width) / height);
+        scene, [&](int shape) { return device.mesh(shape, false, diagnostics); },
+        static_cast<double>(width) / height);
     eyeDistance = move.distance;
     drawer->setEyeDistance(eyeDistance);
     append(diagnostics, move.diagnostics);
@@ -130,10 +152,18 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
-const scene::Scene& SceneRenderer::scene() const { return state_->scene; }
-const plan::FramePlan& SceneRenderer::plan() const { return state_->plan; }
-int SceneRenderer::width() const { return state_->width; }
-int SceneRenderer::height() const { return state_->height; }
+const scene::Scene& SceneRenderer::scene() const {
+    return state_->scene;
+}
+const plan::FramePlan& SceneRenderer::plan() const {
+    return state_->plan;
+}
+int SceneRenderer::width() const {
+    return state_->width;
+}
+int SceneRenderer::height() const {
+    return state_->height;
+}
 
 Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
                                           const RenderOptions& options, Stats& stats) {
@@ -149,16 +179,18 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
     const int width = options.width > 0 ? options.width : interpreted->width;
     const int height = options.height > 0 ? options.height : interpreted->height;
     if (static_cast<std::int64_t>(width) * height > kMostPixels) {
-        diagnostics.push_back(error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
-                                    {path.string(), 1, 1}));
+        diagnostics.push_back(
+            error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
+                  {path.string(), 1, 1}));
         return refuse(std::move(diagnostics));
     }
     const gpu::Capabilities& capabilities = context.capabilities();
-    const int largest = std::min({capabilities.maxRenderbufferSide, capabilities.maxViewportWidth,
-                                  capabilities.maxViewportHeight});
+    const int largest = std::min(
+        {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
     const TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
 
-    auto state = std::make_unique<State>(context, options, std::move(*interpreted), grid.tiles.size() > 1, stats);
+    auto state =
+        std::make_unique<State>(context, options, std::move(*interpreted), grid.tiles.size() > 1, stats);
     state->width = width;
     state->height = height;
     state->tiles = grid.tiles;
@@ -172,9 +204,9 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
     append(diagnostics, state->placeEye(stats));
     state->device.releaseMeshes();
 
-    Result<gpu::Target> window =
-        gpu::Target::window(capabilities, state->tiles.front().width, state->tiles.front().height,
-                            options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, options.samples);
+    Result<gpu::Target> window = gpu::Target::window(
+        capabilities, state->tiles.front().width, state->tiles.front().height,
+        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, options.samples);
     append(diagnostics, std::move(window.diagnostics));
     if (!window) return refuse(std::move(diagnostics));
     state->window = std::move(window.value);
@@ -189,7 +221,8 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};
 }
 
-Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture, Stats& stats) {
+Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture,
+                                           Stats& stats) {
     const Tile& tile = tiles[index];
     const Tile& part = parts[index];
     Diagnostics diagnostics;
@@ -201,11 +234,12 @@ Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image
         window->resolve();
     }
     const StageTimer timer(stats, "readback");
-    const gpu::PixelLayout layout{picture.components,
-                                  picture.type == image::Component::f32 ? gpu::TexelType::f32 : gpu::TexelType::u8};
+    const gpu::PixelLayout layout{
+        picture.components, picture.type == image::Component::f32 ? gpu::TexelType::f32 : gpu::TexelType::u8};
     const gpu::PixelRectangle rectangle{part.x - tile.x, part.y - tile.y, part.width, part.height};
     if (tiles.size() == 1) {
-        append(diagnostics, gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout, picture.data));
+        append(diagnostics, gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout,
+                                            picture.data));
         return diagnostics;
     }
     const auto pixels = gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, layout);
@@ -232,7 +266,8 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     return {std::move(picture), std::move(diagnostics)};
 }
 
-Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options) {
+Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& path,
+                       const RenderOptions& options) {
     Stats stats;
     Result<scene::Scene> interpreted = interpretFile(path, options, stats);
     Diagnostics diagnostics = std::move(interpreted.diagnostics);

@@ -1,5 +1,6 @@
 #pragma once
-// One scene, loaded: draws its picture for any time. Programs, meshes and textures stay on the device between frames.
+// One scene, loaded: draws its picture for any time. Programs, meshes and textures stay on the device between
+// frames.
 
 #include <glibra/render.h>
 
@@ -16,8 +17,8 @@ namespace glibra::render {
 
 class SceneRenderer {
   public:
-    /// Parses, interprets, plans, compiles and uploads what a picture needs. Diagnostics of all that are in the result;
-    /// with an error among them (or a warning, if strict) there is no value.
+    /// Parses, interprets, plans, compiles and uploads what a picture needs. Diagnostics of all that are in
+    /// the result; with an error among them (or a warning, if strict) there is no value.
     static Result<SceneRenderer> load(gpu::Context& context, const std::filesystem::path& scene,
                                       const RenderOptions& options, Stats& stats);
 
@@ -40,10 +41,12 @@ class SceneRenderer {
     std::unique_ptr<State> state_;
 };
 
-/// glibra check: parses, resolves and reads every file, compiles and links every program; draws nothing, skips nothing.
-Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options);
+/// glibra check: parses, resolves and reads every file, compiles and links every program; draws nothing,
+/// skips nothing.
+Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& scene,
+                       const RenderOptions& options);
 
-/// With `strict` every warning becomes an error with the same id and text.
+/// Removes repeated messages; with `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);
 
 }  // namespace glibra::render

@@ -25,7 +25,8 @@ void Stats::add(std::string_view count, std::uint64_t value) {
     counts.push_back({std::string(count), value});
 }
 
-std::string toJson(const Stats& stats, std::string_view scene, int width, int height, std::string_view driver) {
+std::string toJson(const Stats& stats, std::string_view scene, int width, int height,
+                   std::string_view driver) {
     nlohmann::ordered_json json;
     json["scene"] = scene;
     json["size"] = {width, height};
@@ -48,7 +49,8 @@ std::string toText(const Stats& stats) {
         total += each.milliseconds;
     }
     text += fmt::format("  {:<12} {:9.2f} ms\nmade and drawn\n", "together", total);
-    for (const Stats::Count& each : stats.counts) text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
+    for (const Stats::Count& each : stats.counts)
+        text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
     text += stats.skipped.empty() ? "skipped: nothing\n" : "skipped\n";
     for (const plan::Skipped& each : stats.skipped)
         text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);

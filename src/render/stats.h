@@ -48,7 +48,8 @@ class StageTimer {
 };
 
 /// For --stats: one JSON object, with the scene, the picture's size and the driver.
-std::string toJson(const Stats& stats, std::string_view scene, int width, int height, std::string_view driver);
+std::string toJson(const Stats& stats, std::string_view scene, int width, int height,
+                   std::string_view driver);
 /// For --explain: the same for people.
 std::string toText(const Stats& stats);
 

@@ -28,29 +28,46 @@ std::vector<double> suppliedValue(glsl::Builtin builtin, const DrawFacts& facts,
     const auto inverse = [](const glm::dmat4& m) { return scene::inverseOrZero(m); };
     const auto modelViewProjection = [&] { return facts.projection * facts.modelView; };
     switch (builtin) {
-        case Builtin::timer: return {facts.timer};
+        case Builtin::timer:
+            return {facts.timer};
         case Builtin::noise2:
-        case Builtin::noise3: return {};  // samplers: the plan chose their units
-        case Builtin::modelView: return numbers<4>(facts.modelView);
-        case Builtin::projection: return numbers<4>(facts.projection);
-        case Builtin::modelViewProjection: return numbers<4>(modelViewProjection());
-        case Builtin::normalMatrix: return numbers<3>(scene::normalMatrix(facts.modelView));
-        case Builtin::modelViewInverse: return numbers<4>(inverse(facts.modelView));
-        case Builtin::modelViewTranspose: return numbers<4>(glm::transpose(facts.modelView));
-        case Builtin::modelViewInverseTranspose: return numbers<4>(glm::transpose(inverse(facts.modelView)));
-        case Builtin::projectionInverse: return numbers<4>(inverse(facts.projection));
-        case Builtin::projectionTranspose: return numbers<4>(glm::transpose(facts.projection));
-        case Builtin::projectionInverseTranspose: return numbers<4>(glm::transpose(inverse(facts.projection)));
-        case Builtin::modelViewProjectionInverse: return numbers<4>(inverse(modelViewProjection()));
-        case Builtin::modelViewProjectionTranspose: return numbers<4>(glm::transpose(modelViewProjection()));
+        case Builtin::noise3:
+            return {};  // samplers: the plan chose their units
+        case Builtin::modelView:
+            return numbers<4>(facts.modelView);
+        case Builtin::projection:
+            return numbers<4>(facts.projection);
+        case Builtin::modelViewProjection:
+            return numbers<4>(modelViewProjection());
+        case Builtin::normalMatrix:
+            return numbers<3>(scene::normalMatrix(facts.modelView));
+        case Builtin::modelViewInverse:
+            return numbers<4>(inverse(facts.modelView));
+        case Builtin::modelViewTranspose:
+            return numbers<4>(glm::transpose(facts.modelView));
+        case Builtin::modelViewInverseTranspose:
+            return numbers<4>(glm::transpose(inverse(facts.modelView)));
+        case Builtin::projectionInverse:
+            return numbers<4>(inverse(facts.projection));
+        case Builtin::projectionTranspose:
+            return numbers<4>(glm::transpose(facts.projection));
+        case Builtin::projectionInverseTranspose:
+            return numbers<4>(glm::transpose(inverse(facts.projection)));
+        case Builtin::modelViewProjectionInverse:
+            return numbers<4>(inverse(modelViewProjection()));
+        case Builtin::modelViewProjectionTranspose:
+            return numbers<4>(glm::transpose(modelViewProjection()));
         case Builtin::modelViewProjectionInverseTranspose:
             return numbers<4>(glm::transpose(inverse(modelViewProjection())));
         case Builtin::textureMatrix:
         case Builtin::textureMatrixInverse:
         case Builtin::textureMatrixTranspose:
-        case Builtin::textureMatrixInverseTranspose: return identities(elements);
-        case Builtin::currentColor: return {facts.color.r, facts.color.g, facts.color.b, facts.color.a};
-        case Builtin::pointSize: return {facts.pointSize};
+        case Builtin::textureMatrixInverseTranspose:
+            return identities(elements);
+        case Builtin::currentColor:
+            return {facts.color.r, facts.color.g, facts.color.b, facts.color.a};
+        case Builtin::pointSize:
+            return {facts.pointSize};
     }
     return {};
 }

@@ -13,7 +13,8 @@ constexpr int kUsualSide = 4096;
 
 TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t mostPixels) {
     TileGrid grid;
-    const bool fits = width <= largest && height <= largest && static_cast<std::int64_t>(width) * height <= mostPixels;
+    const bool fits =
+        width <= largest && height <= largest && static_cast<std::int64_t>(width) * height <= mostPixels;
     if (fits && (wanted <= 0 || (wanted >= width && wanted >= height))) {
         grid.tiles = grid.parts = {{0, 0, width, height}};
         return grid;
@@ -33,13 +34,15 @@ TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t m
 }
 
 void pasteTile(std::span<const std::byte> pixels, const Tile& part, image::Image& picture) {
-    const std::size_t pixelBytes = static_cast<std::size_t>(picture.components) * image::bytesOf(picture.type);
+    const std::size_t pixelBytes =
+        static_cast<std::size_t>(picture.components) * image::bytesOf(picture.type);
     const std::size_t partBytes = static_cast<std::size_t>(part.width) * pixelBytes;
     const int top = picture.height - part.y - part.height;
     for (int row = 0; row < part.height; ++row) {
         const std::size_t to = static_cast<std::size_t>(top + row) * picture.rowBytes() +
                                static_cast<std::size_t>(part.x) * pixelBytes;
-        std::memcpy(picture.data.data() + to, pixels.data() + static_cast<std::size_t>(row) * partBytes, partBytes);
+        std::memcpy(picture.data.data() + to, pixels.data() + static_cast<std::size_t>(row) * partBytes,
+                    partBytes);
     }
 }
 

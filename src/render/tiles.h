@@ -11,14 +11,16 @@
 
 namespace glibra::render {
 
-/// Tiles of one size in pixels from the picture's lower left corner, and the parts of them that make up the picture. A tile is
-/// larger than its part by a margin inside the picture: points and lines that begin outside the part still reach into it.
+/// Tiles of one size in pixels from the picture's lower left corner, and the parts of them that make up the
+/// picture. A tile is larger than its part by a margin inside the picture: points and lines that begin
+/// outside the part still reach into it.
 struct TileGrid {
     std::vector<Tile> tiles;
     std::vector<Tile> parts;
 };
 
-/// One tile if the picture fits `largest` (side in pixels) and `mostPixels`, and `wanted` (side of a part) is 0.
+/// One tile if the picture fits `largest` (side in pixels) and `mostPixels`, and `wanted` (side of a part) is
+/// 0.
 TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t mostPixels);
 
 /// Copies a part's pixels (top row first) to its place in the picture.

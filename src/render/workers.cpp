@@ -85,7 +85,8 @@ struct Worker {
     Clock::time_point deadline = Clock::time_point::max();
 };
 
-std::optional<Worker> start(const WorkerOptions& options, const Work& work, const std::vector<Worker>& others) {
+std::optional<Worker> start(const WorkerOptions& options, const Work& work,
+                            const std::vector<Worker>& others) {
     std::array<int, 2> requests{};
     std::array<int, 2> answers{};
     if (::pipe(requests.data()) != 0) return std::nullopt;
@@ -158,8 +159,8 @@ class Pool {
 
   private:
     [[nodiscard]] std::size_t busy() const {
-        return static_cast<std::size_t>(
-            std::count_if(workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
+        return static_cast<std::size_t>(std::count_if(
+            workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
     }
 
     void beginStep(Worker& worker) const {
@@ -226,7 +227,8 @@ class Pool {
         }
         int milliseconds = -1;
         if (first != Clock::time_point::max()) {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
             milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
         }
         if (::poll(files.data(), files.size(), milliseconds) < 0) return;

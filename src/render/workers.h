@@ -12,8 +12,8 @@ struct Outcome {
     enum class End { finished, timedOut, crashed };
     End end = End::finished;
     std::string answer{};  ///< what the work returned, if it finished
-    int signal = 0;      ///< that ended it, if it crashed; 0: it exited by itself
-    int process = 0;     ///< number of the process, if it crashed or was ended
+    int signal = 0;        ///< that ended it, if it crashed; 0: it exited by itself
+    int process = 0;       ///< number of the process, if it crashed or was ended
 };
 
 struct WorkerOptions {
@@ -22,13 +22,15 @@ struct WorkerOptions {
     std::size_t memory = 0;  ///< bytes of address space a worker may reserve; 0: no limit
 };
 
-/// Tells the parent that a step is done (a frame, say): its time limit begins anew. The text reaches `progress`.
+/// Tells the parent that a step is done (a frame, say): its time limit begins anew. The text reaches
+/// `progress`.
 using Step = std::function<void(const std::string& text)>;
 /// Does piece `index`; runs in a worker, which keeps its state from piece to piece.
 using Work = std::function<std::string(std::size_t index, const Step& step)>;
 
-/// Does pieces 0..count-1, each exactly once, in forked workers; a worker that ends is replaced. `done` and `progress` run in
-/// the calling process, in the order in which things happen. Call it before any thread or GL context exists.
+/// Does pieces 0..count-1, each exactly once, in forked workers; a worker that ends is replaced. `done` and
+/// `progress` run in the calling process, in the order in which things happen. Call it before any thread or
+/// GL context exists.
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t index, const Outcome&)>& done,
                   const std::function<void(std::size_t index, const std::string& text)>& progress);

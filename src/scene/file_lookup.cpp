@@ -51,8 +51,8 @@ CleanName clean(std::string_view written) {
     }
     name.last = name.parts.empty() ? std::string() : name.parts.back();
     name.hasFolders = name.path.find('/') != std::string::npos;
-    const bool hasDrive =
-        name.path.size() > 1 && name.path[1] == ':' && std::isalpha(static_cast<unsigned char>(name.path[0])) != 0;
+    const bool hasDrive = name.path.size() > 1 && name.path[1] == ':' &&
+                          std::isalpha(static_cast<unsigned char>(name.path[0])) != 0;
     if (hasDrive) {
         name.hasFolders = true;
         if (name.parts.size() == 1) name.last.erase(0, 2);
@@ -61,12 +61,12 @@ CleanName clean(std::string_view written) {
 }
 
 bool equalWithoutCase(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Ordinary files below a folder whose path equals `parts` without regard to case, in byte order of the paths.
+/// Ordinary files below a folder whose path equals `parts` without regard to case, in byte order of the
+/// paths.
 class CaselessSearch {
   public:
     explicit CaselessSearch(FolderListings& listings) : listings_(listings) {}
@@ -101,7 +101,8 @@ class CaselessSearch {
 /// Rules 2 and 3 of 8.6 in some folders, rule by rule: the path as given, then without regard to case.
 class FolderSearch {
   public:
-    FolderSearch(FileReference& reference, FolderListings& listings) : reference_(reference), listings_(listings) {}
+    FolderSearch(FileReference& reference, FolderListings& listings)
+        : reference_(reference), listings_(listings) {}
 
     bool find(const std::vector<fs::path>& folders, const std::vector<std::string>& parts) {
         if (parts.empty()) return false;
@@ -185,7 +186,8 @@ std::string notFound(const CleanName& name, std::string_view written, const Sear
     searched.insert(searched.end(), folders.library.begin(), folders.library.end());
     std::string text = fmt::format("cannot find '{}'", written);
     const std::vector<std::string> near = nearestFiles(name.last, searched, listings);
-    for (std::size_t i = 0; i < near.size(); ++i) text += fmt::format("{} '{}'", i == 0 ? "; nearest:" : ",", near[i]);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        text += fmt::format("{} '{}'", i == 0 ? "; nearest:" : ",", near[i]);
     return text;
 }
 
@@ -202,7 +204,8 @@ const std::vector<std::string>& FolderListings::names(const fs::path& folder) {
     if (!isNew) return names;
     std::error_code failure;
     fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
-    for (; !failure && each != fs::directory_iterator() && names.size() < kLargestFolder; each.increment(failure))
+    for (; !failure && each != fs::directory_iterator() && names.size() < kLargestFolder;
+         each.increment(failure))
         names.push_back(each->path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -225,7 +228,8 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
     FileReference reference{std::string(written), {}, {}, place};
     if (written.size() > kLongestName) {
         reference.remarks.push_back(
-            error("file-E01", fmt::format("cannot find '{}...': the name is too long", written.substr(0, 64)), place));
+            error("file-E01", fmt::format("cannot find '{}...': the name is too long", written.substr(0, 64)),
+                  place));
         return reference;
     }
     const CleanName name = clean(written);
@@ -236,10 +240,10 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
         FileReference beside = reference;
         if (FolderSearch(beside, listings).find(folders.beside, {name.last})) {
             reference.path = beside.path;
-            reference.remarks.push_back(
-                warning("file-W02",
-                        fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
-                        place));
+            reference.remarks.push_back(warning(
+                "file-W02",
+                fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
+                place));
             return reference;
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
-// Where the files are that a scene names (language, 8.6). Only ordinary files are ever found: folders, pipes and devices
-// count as absent, and nothing is opened. Nothing here throws; what cannot be looked at is not there.
+// Where the files are that a scene names (language, 8.6). Only ordinary files are ever found: folders, pipes
+// and devices count as absent, and nothing is opened. Nothing here throws; what cannot be looked at is not
+// there.
 
 #include <filesystem>
 #include <map>
@@ -16,7 +17,8 @@ namespace glibra::scene {
 /// Names in folders, listed once each and then kept. Pass one along with every look-up of a scene.
 class FolderListings {
   public:
-    /// The names in the folder ("" is the current one) in byte order, kLargestFolder at most; none if it cannot be read.
+    /// The names in the folder ("" is the current one) in byte order, kLargestFolder at most; none if it
+    /// cannot be read.
     const std::vector<std::string>& names(const std::filesystem::path& folder);
 
     static constexpr std::size_t kLargestFolder = 65'536;
@@ -27,19 +29,22 @@ class FolderListings {
 
 /// The folders that names are relative to, in the order in which they are tried.
 struct SearchFolders {
-    std::vector<std::filesystem::path> beside;   ///< of the including file (if any), then of the scene
-    std::vector<std::filesystem::path> library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
+    std::vector<std::filesystem::path> beside;  ///< of the including file (if any), then of the scene
+    std::vector<std::filesystem::path>
+        library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
 };
 
-/// The folders of a scene: its own, the given library roots, then the nearest folder from the scene's own upwards that
-/// has `shaders` or `textures` in it. TOPIC is the scene's folder below `glib` of that root, else the last part of its
-/// name. The path of the scene is as the user gave it; what it is relative to is the current folder.
+/// The folders of a scene: its own, the given library roots, then the nearest folder from the scene's own
+/// upwards that has `shaders` or `textures` in it. TOPIC is the scene's folder below `glib` of that root,
+/// else the last part of its name. The path of the scene is as the user gave it; what it is relative to is
+/// the current folder.
 SearchFolders searchFolders(const std::filesystem::path& scenePath, const InterpretOptions& options = {});
 
-/// Looks a file up. In the result: file-E01 with the nearest existing names if there is none, file-W01 if only case
-/// differs, file-W02 if only the last part of the name was found beside the scene, file-W12 if several names differ in
-/// case only.
-FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders, FolderListings& listings);
+/// Looks a file up. In the result: file-E01 with the nearest existing names if there is none, file-W01 if
+/// only case differs, file-W02 if only the last part of the name was found beside the scene, file-W12 if
+/// several names differ in case only.
+FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
+                       FolderListings& listings);
 
 /// What #include finds: the same, but first beside the including file.
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <utility>
 
 #include "glib/number.h"
@@ -123,7 +124,8 @@ void execute(Interpreter& in, const glib::Command& command) {
     if (index >= std::size(kActions)) return;
     const CommandAction& action = kActions[index];
     if (in.list && action.inList == InList::isWrong) {
-        in.reportError(command, "glib-E07", fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
+        in.reportError(command, "glib-E07",
+                       fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
         return;
     }
     if (in.list && action.inList == InList::goesFirst)
@@ -131,7 +133,8 @@ void execute(Interpreter& in, const glib::Command& command) {
                          fmt::format("{} inside glBegin {} before the list", command.word,
                                      isGeometry(command.id) ? "is drawn" : "is carried out"));
     if (action.inList != InList::isPart) in.isOrphan = false;
-    if (in.scene.verbose && !isGeometry(command.id)) in.report(note("glib-N02", textOf(command), in.place(command)));
+    if (in.scene.verbose && !isGeometry(command.id))
+        in.report(note("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);
 }
 
@@ -167,18 +170,24 @@ Scene interpret(const glib::Script& script, const InterpretOptions& options) {
                    .clearedDepths = {},
                    .windowSize = {}};
     in.scene.path = script.path;
-    in.scene.verbose = std::any_of(script.commands.begin(), script.commands.end(), [](const glib::Command& command) {
-        return command.id == CommandId::verbose;
-    });
-    addNoiseTextures(in);
-    for (const glib::Command& command : script.commands) execute(in, command);
-    checkList(in);
-    checkStack(in);
-    finishPasses(in);
-    finishNoise(in);
+    in.scene.verbose =
+        std::any_of(script.commands.begin(), script.commands.end(),
+                    [](const glib::Command& command) { return command.id == CommandId::verbose; });
+    try {
+        addNoiseTextures(in);
+        for (const glib::Command& command : script.commands) execute(in, command);
+        checkList(in);
+        checkStack(in);
+        finishPasses(in);
+        finishNoise(in);
+    } catch (const std::exception& problem) {
+        in.report(
+            error("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()), script.place({})));
+    }
     std::stable_sort(in.scene.diagnostics.begin(), in.scene.diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+                         return std::pair(a.place.line, a.place.column) <
+                                std::pair(b.place.line, b.place.column);
                      });
     return std::move(in.scene);
 }

@@ -35,12 +35,18 @@ int shareShape(Interpreter& in, Shape shape) {
 
 std::string_view primitiveWord(geometry::Topology topology) {
     switch (topology) {
-        case geometry::Topology::points: return "points";
-        case geometry::Topology::lines: return "lines";
-        case geometry::Topology::linesAdjacency: return "lines with adjacency";
-        case geometry::Topology::triangles: return "triangles";
-        case geometry::Topology::trianglesAdjacency: return "triangles with adjacency";
-        case geometry::Topology::patches: break;
+        case geometry::Topology::points:
+            return "points";
+        case geometry::Topology::lines:
+            return "lines";
+        case geometry::Topology::linesAdjacency:
+            return "lines with adjacency";
+        case geometry::Topology::triangles:
+            return "triangles";
+        case geometry::Topology::trianglesAdjacency:
+            return "triangles with adjacency";
+        case geometry::Topology::patches:
+            break;
     }
     return "patches";
 }
@@ -134,8 +140,10 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
         const std::string program =
             state.program == kNone
                 ? "built-in program"
-                : fmt::format("program '{}'", in.scene.programs[static_cast<std::size_t>(state.program)].name);
-        in.report(note("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
+                : fmt::format("program '{}'",
+                              in.scene.programs[static_cast<std::size_t>(state.program)].name);
+        in.report(
+            note("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
     }
     currentPass(in).steps.emplace_back(std::move(made));
 }
@@ -151,12 +159,14 @@ void doPrimitive(Interpreter& in, const glib::Command& command) {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
-        in.reportError(command, "glib-E09",
-                       fmt::format("{} without a file name is only possible in the interactive program", command.word));
+        in.reportError(
+            command, "glib-E09",
+            fmt::format("{} without a file name is only possible in the interactive program", command.word));
         return;
     }
     Shape shape{command.id, {}, fileOf(in, command.text, in.script.place(command.textPosition)), nullptr};
-    draw(in, command, {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text), {}});
+    draw(in, command,
+         {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text), {}});
 }
 
 void doPointGroups(Interpreter& in, const glib::Command& command) {
@@ -170,9 +180,10 @@ void doPointGroups(Interpreter& in, const glib::Command& command) {
         points.push_back(point);
     }
     points.resize(points.size() - points.size() % (isTriangles ? 3 : 4));
-    geometry::Mesh mesh = isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
-    const std::string size = fmt::format("{} vertices, {} {}", points.size(), points.size() / (isTriangles ? 3 : 4),
-                                         primitiveWord(mesh.topology));
+    geometry::Mesh mesh =
+        isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
+    const std::string size = fmt::format("{} vertices, {} {}", points.size(),
+                                         points.size() / (isTriangles ? 3 : 4), primitiveWord(mesh.topology));
     draw(in, command, {shapeOfMesh(in, command.id, std::move(mesh)), command.word, size, {}});
 }
 
@@ -188,7 +199,11 @@ void doPointSizeMode(Interpreter& in, const glib::Command& command) {
 void doNumPatchVertices(Interpreter& in, const glib::Command& command) {
     if (!command.numbers.empty()) in.state.patchVertices = static_cast<int>(command.numbers[0]);
 }
-void doFlat(Interpreter& in, const glib::Command&) { in.state.flatColors = true; }
-void doSmooth(Interpreter& in, const glib::Command&) { in.state.flatColors = false; }
+void doFlat(Interpreter& in, const glib::Command&) {
+    in.state.flatColors = true;
+}
+void doSmooth(Interpreter& in, const glib::Command&) {
+    in.state.flatColors = false;
+}
 
 }  // namespace glibra::scene

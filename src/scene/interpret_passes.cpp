@@ -13,7 +13,8 @@ namespace {
 int emptyTextureOn(const Interpreter& in, int unit) {
     for (const Slot& slot : in.state.slots)
         if (slot.unit == unit && slot.target == TextureTarget::texture2D &&
-            std::holds_alternative<EmptySource>(in.scene.textures[static_cast<std::size_t>(slot.texture)].source))
+            std::holds_alternative<EmptySource>(
+                in.scene.textures[static_cast<std::size_t>(slot.texture)].source))
             return slot.texture;
     return kNone;
 }
@@ -34,7 +35,8 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
         const int unit = static_cast<int>(number);
         const int texture = emptyTextureOn(in, unit);
         if (texture == kNone)
-            return refuse(fmt::format("unit {0} holds no empty 2D texture; write 'Texture2D {0} 1024 1024' first", unit));
+            return refuse(fmt::format(
+                "unit {0} holds no empty 2D texture; write 'Texture2D {0} 1024 1024' first", unit));
         if (std::find(list.units.begin(), list.units.end(), unit) != list.units.end())
             return refuse(fmt::format("unit {} stands there twice", unit));
         const EmptySource& source = sourceOf(in, texture);

@@ -9,11 +9,16 @@ namespace {
 
 glsl::Stage stageOf(glib::CommandId id) {
     switch (id) {
-        case glib::CommandId::tessControl: return glsl::Stage::tessControl;
-        case glib::CommandId::tessEvaluation: return glsl::Stage::tessEvaluation;
-        case glib::CommandId::geometry: return glsl::Stage::geometry;
-        case glib::CommandId::fragment: return glsl::Stage::fragment;
-        default: break;
+        case glib::CommandId::tessControl:
+            return glsl::Stage::tessControl;
+        case glib::CommandId::tessEvaluation:
+            return glsl::Stage::tessEvaluation;
+        case glib::CommandId::geometry:
+            return glsl::Stage::geometry;
+        case glib::CommandId::fragment:
+            return glsl::Stage::fragment;
+        default:
+            break;
     }
     return glsl::Stage::vertex;
 }
@@ -41,8 +46,12 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     in.scene.programs.push_back(std::move(program));
 }
 
-void doGeometryInput(Interpreter& in, const glib::Command& command) { in.state.geometryInput = command.text; }
-void doGeometryOutput(Interpreter& in, const glib::Command& command) { in.state.geometryOutput = command.text; }
+void doGeometryInput(Interpreter& in, const glib::Command& command) {
+    in.state.geometryInput = command.text;
+}
+void doGeometryOutput(Interpreter& in, const glib::Command& command) {
+    in.state.geometryOutput = command.text;
+}
 void doGeometryVerticesOut(Interpreter& in, const glib::Command& command) {
     in.state.geometryVerticesOut = command.numbers.empty() ? 0 : static_cast<int>(command.numbers[0]);
 }

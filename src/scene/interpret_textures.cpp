@@ -22,7 +22,8 @@ constexpr int kNoise2Texture = 0;
 constexpr int kNoise3Texture = 1;
 
 /// TexelFormat in the order of glib's table of formats.
-constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f, TexelFormat::r32f};
+constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f,
+                              TexelFormat::r32f};
 
 /// Index of the format with that word; the first without one.
 std::size_t formatOf(std::string_view word) {
@@ -80,10 +81,14 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
 /// How many dimensions the command itself says; 0: none.
 std::size_t dimensionsOf(glib::CommandId id) {
     switch (id) {
-        case glib::CommandId::texture1D: return 1;
-        case glib::CommandId::texture2D: return 2;
-        case glib::CommandId::texture3D: return 3;
-        default: break;
+        case glib::CommandId::texture1D:
+            return 1;
+        case glib::CommandId::texture2D:
+            return 2;
+        case glib::CommandId::texture3D:
+            return 3;
+        default:
+            break;
     }
     return 0;
 }
@@ -118,8 +123,10 @@ void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t ind
 
 void addNoiseTextures(Interpreter& in) {
     const Place place = in.script.place({});
-    in.scene.textures.push_back({TextureTarget::texture2D, NoiseSource{.dimensions = 2, .remarks = {}}, place, kNoise2Unit});
-    in.scene.textures.push_back({TextureTarget::texture3D, NoiseSource{.dimensions = 3, .remarks = {}}, place, kNoise3Unit});
+    in.scene.textures.push_back(
+        {TextureTarget::texture2D, NoiseSource{.dimensions = 2, .remarks = {}}, place, kNoise2Unit});
+    in.scene.textures.push_back(
+        {TextureTarget::texture3D, NoiseSource{.dimensions = 3, .remarks = {}}, place, kNoise3Unit});
     in.state.slots = {{kNoise2Unit, TextureTarget::texture2D, kNoise2Texture},
                       {kNoise3Unit, TextureTarget::texture3D, kNoise3Texture}};
 }
@@ -143,7 +150,8 @@ void doTexture(Interpreter& in, const glib::Command& command) {
 void doCubeMap(Interpreter& in, const glib::Command& command) {
     if (command.numbers.empty()) return;
     PictureSource source;
-    for (const std::string& name : command.files) source.files.push_back(fileOf(in, name, in.script.place(command.textPosition)));
+    for (const std::string& name : command.files)
+        source.files.push_back(fileOf(in, name, in.script.place(command.textPosition)));
     store(in, command,
           {TextureTarget::cube, std::move(source), in.place(command), static_cast<int>(command.numbers[0])});
 }
@@ -152,8 +160,12 @@ void doClamp(Interpreter& in, const glib::Command& command) {
     in.state.sampling.clamp = command.numbers.empty() || command.numbers[0] != 0;
 }
 
-void doNoise2D(Interpreter& in, const glib::Command& command) { setNoiseSize(in, command, 0); }
-void doNoise3D(Interpreter& in, const glib::Command& command) { setNoiseSize(in, command, 1); }
+void doNoise2D(Interpreter& in, const glib::Command& command) {
+    setNoiseSize(in, command, 0);
+}
+void doNoise3D(Interpreter& in, const glib::Command& command) {
+    setNoiseSize(in, command, 1);
+}
 
 void finishNoise(Interpreter& in) {
     for (const int index : {kNoise2Texture, kNoise3Texture}) {

@@ -51,7 +51,7 @@ void doPerspective(Interpreter& in, const glib::Command& command) {
 
 void doOrtho(Interpreter& in, const glib::Command& command) {
     in.state.projection = Orthographic{at(command, 0, -3), at(command, 1, 3),     at(command, 2, -3),
-                             at(command, 3, 3),  at(command, 4, -1000), at(command, 5, 1000)};
+                                       at(command, 3, 3),  at(command, 4, -1000), at(command, 5, 1000)};
 }
 
 void doLookAt(Interpreter& in, const glib::Command& command) {
@@ -104,7 +104,8 @@ void doScale(Interpreter& in, const glib::Command& command) {
 
 void doPushMatrix(Interpreter& in, const glib::Command& command) {
     if (in.state.stack.size() == kDeepestStack) {
-        in.reportError(command, "glib-E15", fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
+        in.reportError(command, "glib-E15",
+                       fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
         return;
     }
     in.state.stack.push_back({in.state.modelView, in.place(command)});

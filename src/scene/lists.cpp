@@ -15,7 +15,8 @@ namespace {
 /// True if a list is open; else glib-E07, once for a run of such statements.
 bool isInside(Interpreter& in, const glib::Command& command) {
     if (in.list) return true;
-    if (!in.isOrphan) in.reportError(command, "glib-E07", fmt::format("{} outside glBegin ... glEnd", command.word));
+    if (!in.isOrphan)
+        in.reportError(command, "glib-E07", fmt::format("{} outside glBegin ... glEnd", command.word));
     in.isOrphan = true;
     return false;
 }
@@ -29,21 +30,29 @@ void copy(const glib::Command& command, std::array<double, N>& values) {
 std::string_view primitiveOf(geometry::ListTopology topology) {
     using geometry::ListTopology;
     switch (topology) {
-        case ListTopology::points: return "point";
+        case ListTopology::points:
+            return "point";
         case ListTopology::lines:
         case ListTopology::lineStrip:
-        case ListTopology::lineLoop: return "line";
+        case ListTopology::lineLoop:
+            return "line";
         case ListTopology::quads:
-        case ListTopology::quadStrip: return "quad";
-        case ListTopology::polygon: return "polygon";
+        case ListTopology::quadStrip:
+            return "quad";
+        case ListTopology::polygon:
+            return "polygon";
         case ListTopology::linesAdjacency:
-        case ListTopology::lineStripAdjacency: return "line with adjacency";
+        case ListTopology::lineStripAdjacency:
+            return "line with adjacency";
         case ListTopology::trianglesAdjacency:
-        case ListTopology::triangleStripAdjacency: return "triangle with adjacency";
-        case ListTopology::patches: return "patch";
+        case ListTopology::triangleStripAdjacency:
+            return "triangle with adjacency";
+        case ListTopology::patches:
+            return "patch";
         case ListTopology::triangles:
         case ListTopology::triangleStrip:
-        case ListTopology::triangleFan: break;
+        case ListTopology::triangleFan:
+            break;
     }
     return "triangle";
 }
@@ -103,8 +112,9 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
         geometry::meshFromList(list.topology, list.vertices, list.hasNormals, in.state.patchVertices);
     const std::string_view primitive = primitiveOf(list.topology);
     if (made.mesh.indices.empty()) {
-        in.reportError(command, "glib-E07",
-                       fmt::format("glEnd: {} vertices make no complete {}", list.vertices.size(), primitive));
+        in.reportError(
+            command, "glib-E07",
+            fmt::format("glEnd: {} vertices make no complete {}", list.vertices.size(), primitive));
         return;
     }
     if (made.dropped > 0)
@@ -114,7 +124,8 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
     Drawing drawing;
     drawing.word = list.word;
     drawing.size = fmt::format("{} vertices", list.vertices.size());
-    if (made.color) drawing.color = glm::dvec4((*made.color)[0], (*made.color)[1], (*made.color)[2], (*made.color)[3]);
+    if (made.color)
+        drawing.color = glm::dvec4((*made.color)[0], (*made.color)[1], (*made.color)[2], (*made.color)[3]);
     drawing.shape = shapeOfMesh(in, glib::CommandId::glBegin, std::move(made.mesh));
     draw(in, command, drawing);
 }

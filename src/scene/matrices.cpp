@@ -11,17 +11,25 @@ namespace {
 
 constexpr double kSmallestDeterminant = 1e-14;
 
-double length(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
-double length(const glm::dvec4& v) { return std::hypot(std::hypot(v.x, v.y, v.z), v.w); }
+double length(const glm::dvec3& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+double length(const glm::dvec4& v) {
+    return std::hypot(std::hypot(v.x, v.y, v.z), v.w);
+}
 
 /// Sine of 90 degrees times `quarters` plus `rest` degrees, |rest| <= 45.
 double sineOf(int quarters, double rest) {
     const double radians = rest * (glm::pi<double>() / 180);
     switch (quarters & 3) {
-        case 0: return std::sin(radians);
-        case 1: return std::cos(radians);
-        case 2: return -std::sin(radians);
-        default: break;
+        case 0:
+            return std::sin(radians);
+        case 1:
+            return std::cos(radians);
+        case 2:
+            return -std::sin(radians);
+        default:
+            break;
     }
     return -std::cos(radians);
 }
@@ -46,8 +54,12 @@ bool isSingularMatrix(const Matrix& matrix) {
 
 }  // namespace
 
-double sineOfDegrees(double degrees) { return sineOfTurned(degrees, 0); }
-double cosineOfDegrees(double degrees) { return sineOfTurned(degrees, 1); }
+double sineOfDegrees(double degrees) {
+    return sineOfTurned(degrees, 0);
+}
+double cosineOfDegrees(double degrees) {
+    return sineOfTurned(degrees, 1);
+}
 
 glm::dmat4 translation(const glm::dvec3& offset) {
     glm::dmat4 matrix(1.0);
@@ -75,12 +87,14 @@ glm::dmat4 rotation(double degrees, const glm::dvec3& axis) {
     return matrix;
 }
 
-std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3& centre, const glm::dvec3& up) {
+std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3& centre,
+                                        const glm::dvec3& up) {
     constexpr double kParallel = 1e-12;
     const glm::dvec3 view = centre - eye;
     const double distance = length(view);
     const double upLength = length(up);
-    if (!(distance > 0) || !(upLength > 0) || !std::isfinite(distance) || !std::isfinite(upLength)) return std::nullopt;
+    if (!(distance > 0) || !(upLength > 0) || !std::isfinite(distance) || !std::isfinite(upLength))
+        return std::nullopt;
     const glm::dvec3 forward = view / distance;
     const glm::dvec3 across = glm::cross(forward, up / upLength);
     if (!(length(across) > kParallel)) return std::nullopt;
@@ -92,12 +106,17 @@ std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3&
     return matrix;
 }
 
-bool isSingular(const glm::dmat3& matrix) { return isSingularMatrix(matrix); }
-bool isSingular(const glm::dmat4& matrix) { return isSingularMatrix(matrix); }
+bool isSingular(const glm::dmat3& matrix) {
+    return isSingularMatrix(matrix);
+}
+bool isSingular(const glm::dmat4& matrix) {
+    return isSingularMatrix(matrix);
+}
 
 glm::dmat4 inverseOrZero(const glm::dmat4& matrix) {
     if (isSingular(matrix)) return glm::dmat4(0.0);
-    // Columns are brought to length one first, so that determinants of very small or large scales stay in range.
+    // Columns are brought to length one first, so that determinants of very small or large scales stay in
+    // range.
     glm::dmat4 scaled = matrix;
     glm::dvec4 sizes(1.0);
     for (int i = 0; i < 4; ++i) {

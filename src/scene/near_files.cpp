@@ -22,7 +22,8 @@ std::vector<std::string> nearestFiles(std::string_view name, std::span<const std
     const std::size_t most = std::max<std::size_t>(2, name.size() / 3);
     for (const std::filesystem::path& folder : folders)
         for (const std::string& each : listings.names(folder)) {
-            const std::size_t difference = std::max(name.size(), each.size()) - std::min(name.size(), each.size());
+            const std::size_t difference =
+                std::max(name.size(), each.size()) - std::min(name.size(), each.size());
             if (difference > most) continue;
             const std::size_t distance = glib::editDistance(name, each);
             if (distance <= most && distance < each.size()) candidates.push_back({distance, folder / each});
@@ -32,7 +33,8 @@ std::vector<std::string> nearestFiles(std::string_view name, std::span<const std
     std::vector<std::string> names;
     for (const Candidate& each : candidates) {
         std::string text = each.path.filename().string();
-        if (std::find(names.begin(), names.end(), text) != names.end() || !isOrdinaryFile(each.path)) continue;
+        if (std::find(names.begin(), names.end(), text) != names.end() || !isOrdinaryFile(each.path))
+            continue;
         names.push_back(std::move(text));
         if (names.size() == kMostNames) break;
     }

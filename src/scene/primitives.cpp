@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -36,20 +37,23 @@ using geo::Mesh;
 using geo::Topology;
 using glib::CommandId;
 
-/// The arguments of a shape in the order of the command's row in glib's table. Sizes and counts are limited once more
-/// here, so that no script made by hand can ask a factory for what its contract excludes.
+/// The arguments of a shape in the order of the command's row in glib's table. Sizes and counts are limited
+/// once more here, so that no script made by hand can ask a factory for what its contract excludes.
 class Arguments {
   public:
     explicit Arguments(std::span<const double> numbers) : numbers_(numbers) {}
 
-    [[nodiscard]] double number(std::size_t index) const { return index < numbers_.size() ? numbers_[index] : 0; }
+    [[nodiscard]] double number(std::size_t index) const {
+        return index < numbers_.size() ? numbers_[index] : 0;
+    }
     [[nodiscard]] double size(std::size_t index) const { return std::abs(number(index)); }
     [[nodiscard]] int count(std::size_t index, int least = 1) const {
         constexpr double kMost = kMostCommandVertices;
         return static_cast<int>(std::clamp(number(index), static_cast<double>(least), kMost));
     }
     [[nodiscard]] std::uint32_t seed(std::size_t index) const {
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(number(index), -0x1p31, 0x1p32 - 1)));
+        return static_cast<std::uint32_t>(
+            static_cast<std::int64_t>(std::clamp(number(index), -0x1p31, 0x1p32 - 1)));
     }
 
   private:
@@ -71,25 +75,33 @@ constexpr unsigned kNone3 = 0, kFirst = 1, kSecond = 2, kFirstTwo = 3, kFirstThr
 constexpr PrimitiveRow kPrimitives[] = {
     {CommandId::box, Topology::triangles, kFirstThree, [](A) { return geo::boxCounts(); },
      [](A a) { return geo::box(a.size(0), a.size(1), a.size(2)); }},
-    {CommandId::sphere, Topology::triangles, kFirst, [](A a) { return geo::sphereCounts(a.count(1, 3), a.count(2, 2)); },
+    {CommandId::sphere, Topology::triangles, kFirst,
+     [](A a) { return geo::sphereCounts(a.count(1, 3), a.count(2, 2)); },
      [](A a) { return geo::sphere(a.size(0), a.count(1, 3), a.count(2, 2)); }},
-    {CommandId::cylinder, Topology::triangles, kFirstTwo, [](A a) { return geo::cylinderCounts(a.count(2, 3), a.count(3)); },
+    {CommandId::cylinder, Topology::triangles, kFirstTwo,
+     [](A a) { return geo::cylinderCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::cylinder(a.size(0), a.size(1), a.count(2, 3), a.count(3)); }},
-    {CommandId::cone, Topology::triangles, kFirstTwo, [](A a) { return geo::coneCounts(a.count(2, 3), a.count(3)); },
+    {CommandId::cone, Topology::triangles, kFirstTwo,
+     [](A a) { return geo::coneCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::cone(a.size(0), a.size(1), a.count(2, 3), a.count(3)); }},
-    {CommandId::torus, Topology::triangles, kFirstTwo, [](A a) { return geo::torusCounts(a.count(2, 3), a.count(3, 3)); },
+    {CommandId::torus, Topology::triangles, kFirstTwo,
+     [](A a) { return geo::torusCounts(a.count(2, 3), a.count(3, 3)); },
      [](A a) { return geo::torus(a.size(0), a.size(1), a.count(2, 3), a.count(3, 3)); }},
     {CommandId::teapot, Topology::triangles, kNone3, [](A) { return geo::teapotCounts(); },
      [](A) { return geo::teapot(); }},
     {CommandId::soccerball, Topology::triangles, kFirst, [](A) { return geo::soccerballCounts(); },
      [](A a) { return geo::soccerball(a.size(0)); }},
-    {CommandId::diskXY, Topology::triangles, kSecond, [](A a) { return geo::diskXYCounts(a.count(2, 3), a.count(3)); },
+    {CommandId::diskXY, Topology::triangles, kSecond,
+     [](A a) { return geo::diskXYCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::diskXY(a.number(0), a.size(1), a.count(2, 3), a.count(3)); }},
-    {CommandId::quadXY, Topology::triangles, kSecond, [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
+    {CommandId::quadXY, Topology::triangles, kSecond,
+     [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
      [](A a) { return geo::quadXY(a.number(0), a.size(1), a.count(2), a.count(3)); }},
-    {CommandId::quadXZ, Topology::triangles, kSecond, [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
+    {CommandId::quadXZ, Topology::triangles, kSecond,
+     [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
      [](A a) { return geo::quadXZ(a.number(0), a.size(1), a.count(2), a.count(3)); }},
-    {CommandId::quadYZ, Topology::triangles, kSecond, [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
+    {CommandId::quadYZ, Topology::triangles, kSecond,
+     [](A a) { return geo::quadCounts(a.count(2), a.count(3)); },
      [](A a) { return geo::quadYZ(a.number(0), a.size(1), a.count(2), a.count(3)); }},
     {CommandId::quadBox, Topology::triangles, kNone3, [](A a) { return geo::quadBoxCounts(a.count(0)); },
      [](A a) { return geo::quadBox(a.count(0)); }},
@@ -110,7 +122,8 @@ constexpr PrimitiveRow kPrimitives[] = {
     {CommandId::wireCylinder, Topology::lines, kFirstTwo,
      [](A a) { return geo::wireCylinderCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::wireCylinder(a.size(0), a.size(1), a.count(2, 3), a.count(3)); }},
-    {CommandId::wireCone, Topology::lines, kFirstTwo, [](A a) { return geo::wireConeCounts(a.count(2, 3), a.count(3)); },
+    {CommandId::wireCone, Topology::lines, kFirstTwo,
+     [](A a) { return geo::wireConeCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::wireCone(a.size(0), a.size(1), a.count(2, 3), a.count(3)); }},
     {CommandId::wireCube, Topology::lines, kFirst, [](A) { return geo::wireBoxCounts(); },
      [](A a) { return geo::wireBox(a.size(0), a.size(0), a.size(0)); }},
@@ -128,27 +141,37 @@ const PrimitiveRow* rowOf(CommandId command) {
 
 std::string_view wordOf(CommandId command) {
     switch (command) {
-        case CommandId::wireObj: return "WireObj";
-        case CommandId::objAdj: return "ObjAdj";
-        case CommandId::objPatch: return "ObjPatch";
-        case CommandId::shp: return "Shp";
-        default: break;
+        case CommandId::wireObj:
+            return "WireObj";
+        case CommandId::objAdj:
+            return "ObjAdj";
+        case CommandId::objPatch:
+            return "ObjPatch";
+        case CommandId::shp:
+            return "Shp";
+        default:
+            break;
     }
     return "Obj";
 }
 
 Mesh objMesh(CommandId command, const geo::ObjModel& model, bool withTangents) {
     switch (command) {
-        case CommandId::wireObj: return geo::wireObj(model, withTangents);
-        case CommandId::objAdj: return geo::objAdj(model, withTangents);
-        case CommandId::objPatch: return geo::objPatch(model, withTangents);
-        default: break;
+        case CommandId::wireObj:
+            return geo::wireObj(model, withTangents);
+        case CommandId::objAdj:
+            return geo::objAdj(model, withTangents);
+        case CommandId::objPatch:
+            return geo::objPatch(model, withTangents);
+        default:
+            break;
     }
     return geo::obj(model, withTangents);
 }
 
 /// The content of a model file as a mesh.
-Result<Mesh> parseModel(CommandId command, std::span<const std::byte> bytes, const std::string& path, bool withTangents) {
+Result<Mesh> parseModel(CommandId command, std::span<const std::byte> bytes, const std::string& path,
+                        bool withTangents) {
     if (command == CommandId::shp) return geo::parseShp(bytes, path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     Result<geo::ObjModel> model = geo::parseObj(text, path);
@@ -166,20 +189,33 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withT
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {
-        diagnostics.push_back(error("glib-E15",
-                                    fmt::format("{} '{}' needs {} vertices; the limit is {}", wordOf(shape.command), file.name,
-                                                glib::groupedText(static_cast<long long>(mesh->vertexCount())),
-                                                glib::groupedText(static_cast<long long>(kMostCommandVertices))),
-                                    file.place));
+        diagnostics.push_back(
+            error("glib-E15",
+                  fmt::format("{} '{}' needs {} vertices; the limit is {}", wordOf(shape.command), file.name,
+                              glib::groupedText(static_cast<long long>(mesh->vertexCount())),
+                              glib::groupedText(static_cast<long long>(kMostCommandVertices))),
+                  file.place));
         return diagnostics;
     }
     mesh.diagnostics = std::move(diagnostics);
     return mesh;
 }
 
+Mesh primitiveMesh(const PrimitiveRow& row, const Shape& shape) {
+    const Arguments arguments(shape.numbers);
+    // Larger ones are refused by interpret; a script made by hand gets nothing for them.
+    if (!drawsNothing(shape) && row.counts(arguments).vertices <= kMostCommandVertices)
+        return row.make(arguments);
+    Mesh nothing;
+    nothing.topology = row.topology;
+    return nothing;
+}
+
 }  // namespace
 
-bool isPrimitive(CommandId command) { return rowOf(command) != nullptr; }
+bool isPrimitive(CommandId command) {
+    return rowOf(command) != nullptr;
+}
 
 bool drawsNothing(const Shape& shape) {
     if (shape.list) return shape.list->indices.empty();
@@ -193,8 +229,10 @@ bool drawsNothing(const Shape& shape) {
 
 std::optional<Counts> countsOf(const Shape& shape) {
     if (shape.list) {
-        const int taken = std::max(1, geo::verticesPerPrimitive(shape.list->topology, shape.list->patchVertices));
-        return Counts{shape.list->vertexCount(), shape.list->indices.size() / static_cast<std::size_t>(taken)};
+        const int taken =
+            std::max(1, geo::verticesPerPrimitive(shape.list->topology, shape.list->patchVertices));
+        return Counts{shape.list->vertexCount(),
+                      shape.list->indices.size() / static_cast<std::size_t>(taken)};
     }
     const PrimitiveRow* row = rowOf(shape.command);
     if (row == nullptr) return std::nullopt;
@@ -205,17 +243,17 @@ std::optional<Counts> countsOf(const Shape& shape) {
 Result<Mesh> makeMesh(const Scene& scene, int shape, bool withTangents) {
     const Shape& wanted = scene.shapes[static_cast<std::size_t>(shape)];
     if (wanted.list) return *wanted.list;
-    const PrimitiveRow* row = rowOf(wanted.command);
-    if (row == nullptr) {
-        if (wanted.file == kNone) return Diagnostics{};
-        return readModel(wanted, scene.files[static_cast<std::size_t>(wanted.file)], withTangents);
+    const Place place = wanted.file == kNone ? Place{scene.path, 1, 1}
+                                             : scene.files[static_cast<std::size_t>(wanted.file)].place;
+    try {
+        const PrimitiveRow* row = rowOf(wanted.command);
+        if (row != nullptr) return primitiveMesh(*row, wanted);
+        if (wanted.file != kNone)
+            return readModel(wanted, scene.files[static_cast<std::size_t>(wanted.file)], withTangents);
+        return error("glib-E09", fmt::format("{} without a file name", wordOf(wanted.command)), place);
+    } catch (const std::exception& problem) {
+        return error("draw-E05", fmt::format("a mesh cannot be made: {}", problem.what()), place);
     }
-    Mesh nothing;
-    nothing.topology = row->topology;
-    if (drawsNothing(wanted)) return nothing;
-    const Arguments arguments(wanted.numbers);
-    if (row->counts(arguments).vertices > kMostCommandVertices) return nothing;  // interpret has refused such a statement
-    return row->make(arguments);
 }
 
 }  // namespace glibra::scene

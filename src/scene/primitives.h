@@ -12,7 +12,8 @@
 
 namespace glibra::scene {
 
-/// Largest numbers of vertices: of one command, of all commands of a scene, of one glBegin list (language, 11).
+/// Largest numbers of vertices: of one command, of all commands of a scene, of one glBegin list (language,
+/// 11).
 inline constexpr std::uint64_t kMostCommandVertices = 8'388'608;
 inline constexpr std::uint64_t kMostSceneVertices = 67'108'864;
 inline constexpr std::uint64_t kMostListVertices = 1'048'576;
@@ -23,12 +24,14 @@ bool isPrimitive(glib::CommandId command);
 /// True for a shape of size zero and for a list without a primitive: it draws nothing (language, 1.7).
 bool drawsNothing(const Shape& shape);
 
-/// How large the mesh will be; nothing for shapes whose size a file decides. Shapes that draw nothing count 0.
+/// How large the mesh will be; nothing for shapes whose size a file decides. Shapes that draw nothing count
+/// 0.
 std::optional<geometry::Counts> countsOf(const Shape& shape);
 
-/// Makes the mesh of Scene::shapes[shape], with all its attributes but, for models, tangents if they are not wanted. What
-/// draws nothing gives a mesh without vertices. Models are read here; their files' remarks and errors (file-E01 ...,
-/// glib-E15 beyond kMostCommandVertices) are in the result, at the place of the first statement that names the file.
+/// Makes the mesh of Scene::shapes[shape], with all its attributes but, for models, tangents if they are not
+/// wanted. What draws nothing gives a mesh without vertices. Models are read here; their files' remarks and
+/// errors (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, at the place of the first
+/// statement that names the file; draw-E05 if memory does not suffice.
 Result<geometry::Mesh> makeMesh(const Scene& scene, int shape, bool withTangents = true);
 
 }  // namespace glibra::scene

@@ -1,6 +1,7 @@
 #pragma once
-// A Script, interpreted: everything a frame needs, as values. No GL, no pixels, no mesh data yet; names of files are
-// resolved, but nothing is read before something visible needs it. Indices refer to the vectors of Scene.
+// A Script, interpreted: everything a frame needs, as values. No GL, no pixels, no mesh data yet; names of
+// files are resolved, but nothing is read before something visible needs it. Indices refer to the vectors of
+// Scene.
 
 #include <glibra/diagnostic.h>
 
@@ -24,8 +25,9 @@ namespace glibra::scene {
 /// No such thing: "no program", "no texture", "no file".
 inline constexpr int kNone = -1;
 
-/// A file that a scene names, looked up but not read. `path` is empty if nothing was found; `remarks` (file-E01, file-W01 ...)
-/// belong to whoever needs the file. Statements that name the same file share one reference, with the place of the first.
+/// A file that a scene names, looked up but not read. `path` is empty if nothing was found; `remarks`
+/// (file-E01, file-W01 ...) belong to whoever needs the file. Statements that name the same file share one
+/// reference, with the place of the first.
 struct FileReference {
     std::string name;  ///< as written
     std::filesystem::path path;
@@ -33,13 +35,14 @@ struct FileReference {
     Place place;
 };
 
-/// What a geometry command draws: the command with its numbers, or a list made by glBegin, Triangles or LinesAdjacency.
-/// Equal shapes share one entry of Scene::shapes, and so one mesh.
+/// What a geometry command draws: the command with its numbers, or a list made by glBegin, Triangles or
+/// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
 struct Shape {
     glib::CommandId command{};
-    std::vector<double> numbers;               ///< arguments, defaults filled in
-    int file = kNone;                          ///< index into Scene::files
-    std::shared_ptr<const geometry::Mesh> list;  ///< the mesh itself where the scene's text gives the vertices
+    std::vector<double> numbers;  ///< arguments, defaults filled in
+    int file = kNone;             ///< index into Scene::files
+    std::shared_ptr<const geometry::Mesh>
+        list;  ///< the mesh itself where the scene's text gives the vertices
 };
 
 enum class TextureTarget { texture1D, texture2D, texture3D, cube };
@@ -47,15 +50,16 @@ enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
 struct PictureSource {
-    std::vector<int> files;   ///< one, or six for a cube map
-    bool anyDimension = false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
+    std::vector<int> files;  ///< one, or six for a cube map
+    bool anyDimension =
+        false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
 };
 struct EmptySource {
     int width = 1, height = 1, depth = 1;
     TexelFormat format = TexelFormat::rgba8;
 };
-/// Noise of that size: the texels of the file if there is one (raw bytes of exactly that size), else built in.
-/// The remarks (file-N01, file-W09, file-W10) belong to whoever needs the texture.
+/// Noise of that size: the texels of the file if there is one (raw bytes of exactly that size), else built
+/// in. The remarks (file-N01, file-W09, file-W10) belong to whoever needs the texture.
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
@@ -75,7 +79,8 @@ struct Sampling {
     bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
 };
 
-/// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and [1] (3D, unit 3).
+/// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and
+/// [1] (3D, unit 3).
 struct Slot {
     int unit = 0;
     TextureTarget target = TextureTarget::texture2D;
@@ -94,7 +99,7 @@ struct Program {
     std::string name;
     Place place;
     std::vector<StageFile> stages;
-    std::string geometryInput;   ///< plain lower-case GLSL word or empty
+    std::string geometryInput;  ///< plain lower-case GLSL word or empty
     std::string geometryOutput;
     int geometryVerticesOut = 0;
     std::vector<glib::UniformSpec> uniforms;
@@ -140,17 +145,20 @@ struct Draw {
     double timerPeriod = 10;
 };
 
-/// Clears colour (all targets) and depth of the pass. A Clear that only repeats the pass's implicit clear is left out.
+/// Clears colour (all targets) and depth of the pass. A Clear that only repeats the pass's implicit clear is
+/// left out.
 struct Clear {
     Place place;
     glm::dvec4 color{0.0};
 };
 
-/// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors` and `clearDepth`.
+/// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors` and
+/// `clearDepth`.
 struct Pass {
     std::vector<int> targets;  ///< indices into Scene::textures; empty: the window
     int depthBuffer = 0;       ///< passes with the same number share depth; 0 is the window's
-    std::vector<std::optional<glm::dvec4>> clearColors;  ///< a target each (window: one); nothing: keep content
+    std::vector<std::optional<glm::dvec4>>
+        clearColors;  ///< a target each (window: one); nothing: keep content
     bool clearDepth = false;
     Place place;  ///< of RenderToTexture, for messages
     std::vector<std::variant<Draw, Clear>> steps;

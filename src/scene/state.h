@@ -171,8 +171,8 @@ void doTimer(Interpreter&, const glib::Command&);
 void doMessageBox(Interpreter&, const glib::Command&);
 void doNothing(Interpreter&, const glib::Command&);
 
-/// What a geometry command draws with the state of this place. `vertices` counts against the limits, `size` is what
-/// Verbose says of it, `color` replaces the current colour.
+/// What a geometry command draws with the state of this place. `vertices` counts against the limits, `size`
+/// is what Verbose says of it, `color` replaces the current colour.
 struct Drawing {
     int shape = kNone;
     std::string word;

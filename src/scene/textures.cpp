@@ -30,7 +30,8 @@ struct Beginning {
 
     [[nodiscard]] std::uint64_t integer(std::size_t index) const {
         std::uint64_t value = 0;
-        for (std::size_t i = 4; i-- > 0;) value = value << 8U | std::to_integer<std::uint64_t>(bytes[4 * index + i]);
+        for (std::size_t i = 4; i-- > 0;)
+            value = value << 8U | std::to_integer<std::uint64_t>(bytes[4 * index + i]);
         return value;
     }
 };
@@ -55,7 +56,8 @@ bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t c
     const std::uint64_t header = 4 * dimensions;
     if (beginning.count < header || beginning.length <= header) return false;
     std::uint64_t texels = 1;
-    const std::uint64_t most = beginning.length;  // more texels than bytes cannot fit; this also keeps the product small
+    const std::uint64_t most =
+        beginning.length;  // more texels than bytes cannot fit; this also keeps the product small
     for (std::size_t i = 0; i < dimensions; ++i) {
         const std::uint64_t size = beginning.integer(i);
         if (size == 0 || size > most / texels) return false;
@@ -78,7 +80,8 @@ TextureTarget targetOfFile(const std::filesystem::path& path) {
     if (!beginning) return TextureTarget::texture2D;
     const std::span<const std::byte> bytes(beginning->bytes.data(), beginning->count);
     if (image::formatOf(bytes) != image::Format::unknown) return TextureTarget::texture2D;
-    constexpr std::array kTargets{TextureTarget::texture1D, TextureTarget::texture2D, TextureTarget::texture3D};
+    constexpr std::array kTargets{TextureTarget::texture1D, TextureTarget::texture2D,
+                                  TextureTarget::texture3D};
     for (std::size_t i = 0; i < kTargets.size(); ++i)
         if (fitsRaw(*beginning, i + 1, 1) || fitsRaw(*beginning, i + 1, 4)) return kTargets[i];
     return TextureTarget::texture2D;
@@ -102,7 +105,8 @@ std::optional<NoiseName> noiseNameOf(std::string_view fileName) {
     else if (!name.starts_with("noise3"))
         return std::nullopt;
     const std::size_t start = 6 + kMiddle.size();
-    if (name.size() < start + 3 + kSuffix.size() || name.substr(6, kMiddle.size()) != kMiddle || !name.ends_with(kSuffix))
+    if (name.size() < start + 3 + kSuffix.size() || name.substr(6, kMiddle.size()) != kMiddle ||
+        !name.ends_with(kSuffix))
         return std::nullopt;
     const char* const end = name.data() + name.size() - kSuffix.size();
     const auto [stop, failure] = std::from_chars(name.data() + start, end, noise.size);
@@ -111,19 +115,24 @@ std::optional<NoiseName> noiseNameOf(std::string_view fileName) {
     return noise.size >= 1 && noise.size <= largest ? std::optional(noise) : std::nullopt;
 }
 
-std::string noiseFileName(int dimensions, int size) { return fmt::format("noise{}d.{:03}.tex", dimensions, size); }
+std::string noiseFileName(int dimensions, int size) {
+    return fmt::format("noise{}d.{:03}.tex", dimensions, size);
+}
 
-FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dimensions, int size, const Place& place) {
+FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dimensions, int size,
+                              const Place& place) {
     FileReference file{noiseFileName(dimensions, size), {}, {}, place};
     const std::filesystem::path path = sceneFolder / file.name;
     if (!isOrdinaryFile(path)) return file;
     if (holdsNoise(path, dimensions, size)) {
         file.path = path;
-        file.remarks.push_back(note("file-N01", fmt::format("noise taken from '{}' beside the scene", file.name), place));
-    } else {
-        const std::string texels = dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
         file.remarks.push_back(
-            warning("file-W10", fmt::format("'{}' does not hold {} bytes, ignored", file.name, texels), place));
+            note("file-N01", fmt::format("noise taken from '{}' beside the scene", file.name), place));
+    } else {
+        const std::string texels =
+            dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
+        file.remarks.push_back(warning(
+            "file-W10", fmt::format("'{}' does not hold {} bytes, ignored", file.name, texels), place));
     }
     return file;
 }

@@ -103,7 +103,8 @@ std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) 
     std::vector<SeenDraw> draws;
     for (const Pass& pass : scene.passes)
         for (const auto& step : pass.steps)
-            if (const Draw* draw = std::get_if<Draw>(&step); draw && std::holds_alternative<Perspective>(draw->projection))
+            if (const Draw* draw = std::get_if<Draw>(&step);
+                draw && std::holds_alternative<Perspective>(draw->projection))
                 draws.push_back({draw, aspectOf(scene, pass, windowAspect)});
     return draws;
 }
@@ -121,7 +122,8 @@ struct Sphere {
     double radius = 0;
 };
 
-std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const MeshOf& meshOf, double& nearest) {
+std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const MeshOf& meshOf,
+                                   double& nearest) {
     Box all;
     for (const SeenDraw& seen : draws) {
         const geometry::Mesh* mesh = meshOf(seen.draw->shape);
@@ -143,8 +145,9 @@ std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const Mes
         eachVertex(*mesh, seen.draw->modelView, [&](const glm::dvec3& point, double w) {
             const glm::dvec3 offset = point - sphere.centre;
             const double extra = w == 0 || w == 1 ? 0 : std::abs(w);
-            sphere.radius = std::max(sphere.radius, std::sqrt(offset.x * offset.x + offset.y * offset.y +
-                                                              offset.z * offset.z) + extra);
+            sphere.radius =
+                std::max(sphere.radius,
+                         std::sqrt(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z) + extra);
         });
     }
     return sphere;
@@ -153,7 +156,8 @@ std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const Mes
 }  // namespace
 
 glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
-    if (const auto* perspective = std::get_if<Perspective>(&projection)) return perspectiveMatrix(*perspective, aspect);
+    if (const auto* perspective = std::get_if<Perspective>(&projection))
+        return perspectiveMatrix(*perspective, aspect);
     return orthographicMatrix(std::get<Orthographic>(projection), aspect);
 }
 
@@ -185,10 +189,10 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     const double moved = std::ceil(16 * (distance + c.z) - kRounding) / 16;
     if (!(moved > 0) || !std::isfinite(moved)) return move;
     move.distance = moved;
-    move.diagnostics.push_back(
-        note("draw-N01",
-             fmt::format("no LookAt: eye moved back by {} along z (use --view glman to switch this off)", moved),
-             draws.front().draw->place));
+    move.diagnostics.push_back(note(
+        "draw-N01",
+        fmt::format("no LookAt: eye moved back by {} along z (use --view glman to switch this off)", moved),
+        draws.front().draw->place));
     return move;
 }
 

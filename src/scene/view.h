@@ -1,5 +1,6 @@
 #pragma once
-// Projections, and the policy that moves the eye back from a scene that would be seen from inside (language, 2.5, 3.1).
+// Projections, and the policy that moves the eye back from a scene that would be seen from inside
+// (language, 2.5, 3.1).
 
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -9,9 +10,9 @@
 
 namespace glibra::scene {
 
-/// Eye to clip space, GL's conventions (x, y, z in -w..w). `aspect` is width / height of the target. An orthographic box
-/// is grown in one direction about its centre so that it is shown undistorted and whole; limits that are equal stand
-/// for -1 and 1.
+/// Eye to clip space, GL's conventions (x, y, z in -w..w). `aspect` is width / height of the target. An
+/// orthographic box is grown in one direction about its centre so that it is shown undistorted and whole;
+/// limits that are equal stand for -1 and 1.
 glm::dmat4 projectionMatrix(const Projection& projection, double aspect);
 
 /// Width / height of what the pass draws into; windowAspect for the window.
@@ -32,8 +33,9 @@ struct ViewMove {
     [[nodiscard]] glm::dmat4 modelViewOf(const Draw& draw) const;
 };
 
-/// The policy `auto`. Calls `meshOf` only if the scene executes no LookAt and has perspective draws, and no more once
-/// it is clear that nothing moves. Vertices are taken in eye space by the draw's ModelView, in double.
+/// The policy `auto`. Calls `meshOf` only if the scene executes no LookAt and has perspective draws, and no
+/// more once it is clear that nothing moves. Vertices are taken in eye space by the draw's ModelView, in
+/// double.
 ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect);
 
 }  // namespace glibra::scene

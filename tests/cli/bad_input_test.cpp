@@ -1,4 +1,5 @@
-// Bad input, one test each: one clear message with file, line and column, the right exit status, no half-written file.
+// Bad input, one test each: one clear message with file, line and column, the right exit status, no
+// half-written file.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,8 @@ class BadInput : public testing::Test {
         const std::string before = folder.listing();
         const Run run = glibra(folder.path(), "render scene.glib " + arguments);
         EXPECT_EQ(run.status, 3) << run.err;
-        for (const char* part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part << "\nin\n" << run.err;
+        for (const char* part : parts)
+            EXPECT_NE(run.err.find(part), std::string::npos) << part << "\nin\n" << run.err;
         EXPECT_EQ(run.out, "");
         EXPECT_EQ(folder.listing(), before) << "something was left behind";
     }
@@ -36,10 +38,13 @@ class BadInput : public testing::Test {
 };
 
 TEST_F(BadInput, UnknownCommand) {
-    expectRefused("Perspective 50\nSpere 1\n", {"scene.glib:2:1: error:", "'Spere'", "'Sphere'", "[glib-E01]"});
+    expectRefused("Perspective 50\nSpere 1\n",
+                  {"scene.glib:2:1: error:", "'Spere'", "'Sphere'", "[glib-E01]"});
 }
 
-TEST_F(BadInput, WrongArgument) { expectRefused("Perspective 190\n", {"scene.glib:1:", "190", "[glib-E05]"}); }
+TEST_F(BadInput, WrongArgument) {
+    expectRefused("Perspective 190\n", {"scene.glib:1:", "190", "[glib-E05]"});
+}
 
 TEST_F(BadInput, MissingScene) {
     const Run run = glibra(folder.path(), "render nowhere.glib");
@@ -78,7 +83,8 @@ TEST_F(BadInput, ShaderIsAFolder) {
 
 TEST_F(BadInput, ShaderErrorNamesItsOwnLine) {
     writeShaders();
-    folder.write("a.frag", "#version 330 core\nout vec4 fColor;\n\nvoid main() {\n    fColor = nonsense;\n}\n");
+    folder.write("a.frag",
+                 "#version 330 core\nout vec4 fColor;\n\nvoid main() {\n    fColor = nonsense;\n}\n");
     expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n",
                   {"a.frag:5:", "error:", "nonsense", "[glsl-E01]"});
 }
@@ -86,8 +92,11 @@ TEST_F(BadInput, ShaderErrorNamesItsOwnLine) {
 TEST_F(BadInput, ShaderErrorInAnIncludedFileNamesThatFile) {
     writeShaders();
     folder.write("common.glsl", "float one() {\n    return missing;\n}\n");
-    folder.write("a.frag", "#version 330 core\n#include \"common.glsl\"\nout vec4 f;\nvoid main() { f = vec4(one()); }\n");
-    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"common.glsl:2:", "missing", "[glsl-E01]"});
+    folder.write(
+        "a.frag",
+        "#version 330 core\n#include \"common.glsl\"\nout vec4 f;\nvoid main() { f = vec4(one()); }\n");
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n",
+                  {"common.glsl:2:", "missing", "[glsl-E01]"});
 }
 
 TEST_F(BadInput, LinkError) {
@@ -95,26 +104,30 @@ TEST_F(BadInput, LinkError) {
                  "#version 330 core\nout vec3 vN;\nvoid main() { vN = aNormal; gl_Position = "
                  "uModelViewProjectionMatrix * aVertex; }\n");
     folder.write("a.frag", "#version 330 core\nin vec4 vN;\nout vec4 f;\nvoid main() { f = vN; }\n");
-    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"vN", "a.vert", "a.frag", "[glsl-E02]"});
+    expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n",
+                  {"vN", "a.vert", "a.frag", "[glsl-E02]"});
 }
 
 TEST_F(BadInput, IncludeRecursion) {
     writeShaders();
     folder.write("x.glsl", "#include \"y.glsl\"\n");
     folder.write("y.glsl", "#include \"x.glsl\"\n");
-    folder.write("a.frag", "#version 330 core\n#include \"x.glsl\"\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
+    folder.write("a.frag",
+                 "#version 330 core\n#include \"x.glsl\"\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
     expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n", {"[glsl-E04]", "x.glsl", "y.glsl"});
 }
 
 TEST_F(BadInput, TruncatedBmp) {
     writeShaders();
     folder.write("a.frag",
-                 "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, vec2(.5)); }\n");
+                 "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, "
+                 "vec2(.5)); }\n");
     std::string bmp = "BM";
     const auto add32 = [&](unsigned value) {
         for (int i = 0; i < 4; ++i) bmp += static_cast<char>(value >> (8 * i));
     };
-    const unsigned header[] = {54 + 64 * 64 * 3, 0, 54, 40, 64, 64, 1 + (24 << 16), 0, 64 * 64 * 3, 0, 0, 0, 0};
+    const unsigned header[] = {54 + 64 * 64 * 3, 0, 54, 40, 64, 64, 1 + (24 << 16), 0,
+                               64 * 64 * 3,      0, 0,  0,  0};
     for (const unsigned each : header) add32(each);
     bmp.append(64 * 10 * 3, 'x');
     folder.write("wood.bmp", bmp);
@@ -125,7 +138,8 @@ TEST_F(BadInput, TruncatedBmp) {
 TEST_F(BadInput, RawTextureWithALyingHeader) {
     writeShaders();
     folder.write("a.frag",
-                 "#version 330 core\nuniform sampler3D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, vec3(.5)); }\n");
+                 "#version 330 core\nuniform sampler3D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, "
+                 "vec3(.5)); }\n");
     folder.write("lie.tex", std::string_view("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f texels", 19));
     expectRefused("Texture3D 5 lie.tex\nVertex a.vert\nFragment a.frag\nProgram P uUnit 5\nSphere\n",
                   {"scene.glib:1:", "lie.tex", "[file-E05]"});
@@ -152,13 +166,15 @@ TEST_F(BadInput, AbsurdSizes) {
 TEST_F(BadInput, AShaderThatNeverEndsEndsTheSceneAlone) {
     writeShaders();
     folder.write("a.frag",
-                 "#version 330 core\nuniform float uStep;\nout vec4 f;\nvoid main() { float x = 0.; while (x < 1.) x += "
+                 "#version 330 core\nuniform float uStep;\nout vec4 f;\nvoid main() { float x = 0.; while (x "
+                 "< 1.) x += "
                  "uStep; f = vec4(x); }\n");
     folder.write("endless.glib", "Vertex a.vert\nFragment a.frag\nProgram P uStep 0.\nSphere\n");
     folder.write("good.glib", "Sphere\n");
     const Run run = glibra(folder.path(), "render endless.glib good.glib --timeout 2");
     EXPECT_EQ(run.status, 3) << run.err;
-    EXPECT_NE(run.err.find("endless.glib:1:1: error: not drawn within 2 seconds"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("endless.glib:1:1: error: not drawn within 2 seconds"), std::string::npos)
+        << run.err;
     EXPECT_NE(run.err.find("1 of 2 scenes rendered, failed: endless.glib"), std::string::npos) << run.err;
     EXPECT_EQ(folder.listing(), "a.frag\na.vert\nendless.glib\ngood.glib\ngood.png\n");
 }
@@ -185,8 +201,9 @@ TEST_F(BadInput, WrongUsageIsStatusTwo) {
     folder.write("scene.glib", "Sphere\n");
     for (const char* arguments :
          {"", "paint scene.glib", "render", "render scene.glib --size 0x10", "render scene.glib --size 600",
-          "render scene.glib --size 99999999999x1", "render scene.glib --driver vulkan", "render scene.glib --frames 0",
-          "render scene.glib --nonsense", "render scene.glib --time later", "render scene.glib --set uKd"}) {
+          "render scene.glib --size 99999999999x1", "render scene.glib --driver vulkan",
+          "render scene.glib --frames 0", "render scene.glib --nonsense", "render scene.glib --time later",
+          "render scene.glib --set uKd"}) {
         const Run run = glibra(folder.path(), arguments);
         EXPECT_EQ(run.status, 2) << arguments << "\n" << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;

@@ -17,8 +17,9 @@ Run glibra(const fs::path& folder, const std::string& arguments, const std::stri
     char name[] = "/tmp/glibra-run-XXXXXX";
     if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
     const fs::path captured = name;
-    const std::string command = "cd '" + folder.string() + "' && " + environment + " '" GLIBRA_PROGRAM "' " + arguments +
-                                " >" + (captured / "out").string() + " 2>" + (captured / "err").string() + " </dev/null";
+    const std::string command = "cd '" + folder.string() + "' && " + environment + " '" GLIBRA_PROGRAM "' " +
+                                arguments + " >" + (captured / "out").string() + " 2>" +
+                                (captured / "err").string() + " </dev/null";
     const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what a user has
     Run run;
     run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

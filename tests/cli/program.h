@@ -14,7 +14,8 @@ struct Run {
 };
 
 /// Runs `glibra ARGUMENTS` through the shell in `folder`; `environment` is put before it ("A=1 B=2").
-Run glibra(const std::filesystem::path& folder, const std::string& arguments, const std::string& environment = {});
+Run glibra(const std::filesystem::path& folder, const std::string& arguments,
+           const std::string& environment = {});
 
 /// A new folder that goes with the object.
 class Folder {

@@ -138,6 +138,22 @@ TEST(Clouds, JitterStaysWithinHalfACellAndWithinTheCube) {
     }
 }
 
+TEST(Clouds, JitterIsReflectedAtTheBorder) {
+    // Reflected, the distances from the border are even within half a cell; limited, half of them would be 0.
+    const Mesh plain = pointCloud(30, 30, 30), mesh = jitterCloud(30, 30, 30, 5);
+    for (const double side : {-1., 1.}) {
+        double sum = 0;
+        int count = 0;
+        for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i)
+            if (positionAt(plain, i).y == side) {
+                sum += (1 - std::abs(positionAt(mesh, i).y)) * 29;
+                ++count;
+            }
+        EXPECT_EQ(count, 900);
+        EXPECT_NEAR(sum / count, .5, .05);  // five standard errors
+    }
+}
+
 TEST(Clouds, JitterIsEvenlyDistributed) {
     const Mesh plain = pointCloud(40, 40, 40), mesh = jitterCloud(40, 40, 40, 3);
     glm::dvec3 sum(0), squares(0);

@@ -11,7 +11,8 @@
 
 namespace glibra::test {
 
-/// Renders with one context that all tests of the program share; fails the test with the diagnostics if there is no picture.
+/// Renders with one context that all tests of the program share; fails the test with the diagnostics if there
+/// is no picture.
 Picture picture(const std::string& scene, const std::map<std::string, std::string>& files = {},
                 const RenderOptions& options = {});
 

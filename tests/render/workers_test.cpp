@@ -63,23 +63,25 @@ TEST(Workers, ACrashCostsOnlyItsOwnPiece) {
 }
 
 TEST(Workers, APieceThatHangsIsEndedAndTheOthersGoOn) {
-    const Log log = runAll(3, {.workers = 1, .timeout = 0.2}, [](std::size_t index, const Step&) -> std::string {
-        while (index == 1) ::pause();
-        return "good";
-    });
+    const Log log =
+        runAll(3, {.workers = 1, .timeout = 0.2}, [](std::size_t index, const Step&) -> std::string {
+            while (index == 1) ::pause();
+            return "good";
+        });
     EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
     EXPECT_EQ(log.outcomes.at(1).end, Outcome::End::timedOut);
     EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
 }
 
 TEST(Workers, EveryStepBeginsTheTimeLimitAnew) {
-    const Log log = runAll(1, {.workers = 1, .timeout = 1.0}, [](std::size_t, const Step& step) -> std::string {
-        for (int i = 0; i < 6; ++i) {
-            ::usleep(300'000);
-            step("frame");
-        }
-        return "done";
-    });
+    const Log log =
+        runAll(1, {.workers = 1, .timeout = 1.0}, [](std::size_t, const Step& step) -> std::string {
+            for (int i = 0; i < 6; ++i) {
+                ::usleep(300'000);
+                step("frame");
+            }
+            return "done";
+        });
     EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
     EXPECT_EQ(log.steps.at(0), 6);
 }

@@ -26,7 +26,9 @@ std::string textOf(const FileReference& file) {
 
 class FileLookup : public testing::Test {
   protected:
-    FileReference find(std::string_view name) const { return scene::find(name, folder.path() / "scene.glib"); }
+    FileReference find(std::string_view name) const {
+        return scene::find(name, folder.path() / "scene.glib");
+    }
 
     TemporaryFolder folder;
 };
@@ -95,8 +97,8 @@ TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {
 
 TEST_F(FileLookup, OfAForeignPathTheLastPartIsFoundBesideTheScene) {
     const fs::path path = folder.write("cow.obj");
-    for (const char* name : {"C:\\models\\cow.obj", "C:/models/cow.obj", "C:cow.obj", "../models/cow.obj", "/no/such/cow.obj",
-                             "\\\\server\\share\\cow.obj"}) {
+    for (const char* name : {"C:\\models\\cow.obj", "C:/models/cow.obj", "C:cow.obj", "../models/cow.obj",
+                             "/no/such/cow.obj", "\\\\server\\share\\cow.obj"}) {
         const FileReference file = find(name);
         EXPECT_EQ(file.path, path) << name;
         EXPECT_EQ(textOf(file), "file-W02 '" + std::string(name) + "' found as 'cow.obj' beside the scene");
@@ -104,7 +106,9 @@ TEST_F(FileLookup, OfAForeignPathTheLastPartIsFoundBesideTheScene) {
     EXPECT_EQ(idsOf(find("C:\\models\\COW.obj").remarks), "file-W02") << "case does not matter there either";
 }
 
-TEST_F(FileLookup, WithoutFoldersThereIsNoLastPart) { EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01"); }
+TEST_F(FileLookup, WithoutFoldersThereIsNoLastPart) {
+    EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
+}
 
 TEST_F(FileLookup, WhatIsNotThereIsAnErrorWithTheNearestNames) {
     folder.write("cows.obj");
@@ -121,8 +125,9 @@ TEST_F(FileLookup, NearNamesAreLookedForInTheFolderOfTheName) {
     folder.write("sub/cows.obj");
     EXPECT_EQ(textOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");
     folder.write("sub2/cows.obj");
-    EXPECT_EQ(textOf(find((folder.path() / "sub2/cow.obj").string())),
-              "file-E01 cannot find '" + (folder.path() / "sub2/cow.obj").string() + "'; nearest: 'cows.obj'");
+    EXPECT_EQ(
+        textOf(find((folder.path() / "sub2/cow.obj").string())),
+        "file-E01 cannot find '" + (folder.path() / "sub2/cow.obj").string() + "'; nearest: 'cows.obj'");
 }
 
 TEST_F(FileLookup, FoldersPipesAndDevicesAreNoFiles) {
@@ -149,8 +154,9 @@ TEST_F(FileLookup, StrangeNamesFindNothing) {
     const std::string longName(100'000, 'x');
     std::string deep;
     for (int i = 0; i < 1000; ++i) deep += "a/";
-    for (const std::string& name : {std::string(), std::string("."), std::string(".."), std::string("/"), std::string("\\"),
-                                    std::string("C:"), std::string("a\0b", 3), longName, deep + "x", std::string("//")})
+    for (const std::string& name :
+         {std::string(), std::string("."), std::string(".."), std::string("/"), std::string("\\"),
+          std::string("C:"), std::string("a\0b", 3), longName, deep + "x", std::string("//")})
         EXPECT_EQ(idsOf(find(name).remarks), "file-E01") << name.substr(0, 20);
 }
 
@@ -161,7 +167,8 @@ TEST_F(FileLookup, TheCurrentFolderIsNeverSearched) {
     fs::current_path(current.path());
     EXPECT_EQ(idsOf(find("only-here.obj").remarks), "file-E01");
     EXPECT_EQ(find("only-here.obj").path, "");
-    EXPECT_EQ(scene::find("only-here.obj", "scene.glib").path, "only-here.obj") << "a scene in the current folder";
+    EXPECT_EQ(scene::find("only-here.obj", "scene.glib").path, "only-here.obj")
+        << "a scene in the current folder";
     fs::current_path(before);
 }
 
@@ -181,13 +188,14 @@ TEST_F(FileLookup, LibraryRootsComeLastInTheOrderOfTheirFolders) {
     EXPECT_EQ(found("noise/thing"), topic);
     const fs::path beside = folder.write("scenes/noise/thing");
     EXPECT_EQ(found("thing"), beside);
-    EXPECT_EQ(idsOf(scene::find("noise/thing", scene, options).remarks), "file-W02") << "its last part lies beside";
+    EXPECT_EQ(idsOf(scene::find("noise/thing", scene, options).remarks), "file-W02")
+        << "its last part lies beside";
 }
 
 TEST_F(FileLookup, CaseIsForgivenInLibraryRootsToo) {
     const fs::path path = folder.write("library/textures/Wood.bmp");
-    const FileReference file =
-        scene::find("wood.BMP", folder.path() / "s" / "a.glib", InterpretOptions{{folder.path() / "library"}});
+    const FileReference file = scene::find("wood.BMP", folder.path() / "s" / "a.glib",
+                                           InterpretOptions{{folder.path() / "library"}});
     EXPECT_EQ(file.path, path);
     EXPECT_EQ(textOf(file), "file-W01 'wood.BMP' found as 'Wood.bmp'");
 }
@@ -211,7 +219,9 @@ TEST_F(FileLookup, ATopicMayHaveTopicsInIt) {
 TEST_F(FileLookup, GivenRootsComeBeforeTheFolderAbove) {
     const fs::path given = folder.write("given/textures/a.bmp");
     folder.write("project/textures/a.bmp");
-    EXPECT_EQ(scene::find("a.bmp", folder.path() / "project" / "a.glib", InterpretOptions{{folder.path() / "given"}}).path,
+    EXPECT_EQ(scene::find("a.bmp", folder.path() / "project" / "a.glib",
+                          InterpretOptions{{folder.path() / "given"}})
+                  .path,
               given);
 }
 

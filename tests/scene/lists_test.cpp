@@ -12,13 +12,16 @@ using tests::idsOf;
 using tests::run;
 using tests::textsOf;
 
-const geometry::Mesh& listOf(const Scene& scene) { return *scene.shapes.at(0).list; }
+const geometry::Mesh& listOf(const Scene& scene) {
+    return *scene.shapes.at(0).list;
+}
 std::vector<float> valuesOf(const geometry::Mesh& mesh, std::string_view name) {
     const geometry::Attribute* attribute = mesh.attribute(name);
     return attribute != nullptr ? attribute->values : std::vector<float>{};
 }
 
-constexpr const char* kTriangle = "glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 0 1 0\nglEnd\n";
+constexpr const char* kTriangle =
+    "glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 0 1 0\nglEnd\n";
 
 TEST(Lists, AListIsDrawnByItsEnd) {
     const Scene scene = run(kTriangle);
@@ -50,14 +53,16 @@ TEST(Lists, EveryVertexTakesTheColourOfItsPlace) {
         "glBegin gl_triangles\nColor 1 0 0\nglVertex 0 0 0\nColor 0 1 0\nglVertex 1 0 0\nglColor 0 0 1 .5\n"
         "glVertex 0 1 0\nglEnd\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "") << "Color belongs to a list";
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kColor), (std::vector<float>{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, .5F}));
+    EXPECT_EQ(valuesOf(listOf(scene), geometry::kColor),
+              (std::vector<float>{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, .5F}));
     EXPECT_EQ(drawsOf(scene).at(1).color, glm::dvec4(0, 1, 0, 1)) << "glColor is no current colour";
 }
 
 TEST(Lists, ANewListBeginsWithTheCurrentColourAndNoAttributes) {
-    const Scene scene = run(
-        "Color 1 1 0\nglBegin points\nglColor 0 0 1\nglTexCoord .5 .5\nglNormal 1 0 0\nglVertex 0 0 0\nglEnd\n"
-        "glBegin points\nglVertex 0 0 0\nglEnd\n");
+    const Scene scene =
+        run("Color 1 1 0\nglBegin points\nglColor 0 0 1\nglTexCoord .5 .5\nglNormal 1 0 0\nglVertex 0 0 "
+            "0\nglEnd\n"
+            "glBegin points\nglVertex 0 0 0\nglEnd\n");
     const auto draws = drawsOf(scene);
     EXPECT_EQ(draws.at(0).color, glm::dvec4(0, 0, 1, 1));
     EXPECT_EQ(draws.at(1).color, glm::dvec4(1, 1, 0, 1));
@@ -67,10 +72,12 @@ TEST(Lists, ANewListBeginsWithTheCurrentColourAndNoAttributes) {
 }
 
 TEST(Lists, NormalsAndTexCoordsBelongToTheFollowingVertices) {
-    const Scene scene = run(
-        "glBegin lines\nglNormal 0 1 0\nglTexCoord .25 .5 .75\nglVertex 0 0 0\nglTexCoord 1 0 0 2\nglVertex 1 0 0 2\nglEnd\n");
+    const Scene scene =
+        run("glBegin lines\nglNormal 0 1 0\nglTexCoord .25 .5 .75\nglVertex 0 0 0\nglTexCoord 1 0 0 "
+            "2\nglVertex 1 0 0 2\nglEnd\n");
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kNormal), (std::vector<float>{0, 1, 0, 0, 1, 0}));
-    EXPECT_EQ(valuesOf(listOf(scene), geometry::kTexCoord), (std::vector<float>{.25F, .5F, .75F, 1, 1, 0, 0, 2}));
+    EXPECT_EQ(valuesOf(listOf(scene), geometry::kTexCoord),
+              (std::vector<float>{.25F, .5F, .75F, 1, 1, 0, 0, 2}));
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kPosition), (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
 }
 
@@ -114,16 +121,18 @@ TEST(Lists, AMissingEndIsToldAtTheBegin) {
 }
 
 TEST(Lists, AnIncompleteRestIsDropped) {
-    const Scene scene = run(
-        "NumPatchVertices 4\nglBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\n"
-        "glVertex 0 0 0\nglVertex 0 0 0\nglEnd\n");
+    const Scene scene =
+        run("NumPatchVertices 4\nglBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 "
+            "0 0\n"
+            "glVertex 0 0 0\nglVertex 0 0 0\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "9:1 glib-W33 glEnd: 2 vertices of an incomplete patch dropped");
     EXPECT_EQ(listOf(scene).patchVertices, 4);
     EXPECT_EQ(listOf(scene).indices.size(), 4U);
 }
 
 TEST(Lists, NoCompletePrimitiveIsAnError) {
-    const Scene scene = run("glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nglBegin points\nglEnd\n");
+    const Scene scene =
+        run("glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nglBegin points\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
               "4:1 glib-E07 glEnd: 2 vertices make no complete triangle\n"
               "6:1 glib-E07 glEnd: 0 vertices make no complete point");
@@ -131,8 +140,7 @@ TEST(Lists, NoCompletePrimitiveIsAnError) {
 }
 
 TEST(Lists, ThePatchSizeIsThatOfTheEnd) {
-    const Scene scene =
-        run("glBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nNumPatchVertices 2\nglEnd\n");
+    const Scene scene = run("glBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nNumPatchVertices 2\nglEnd\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "glib-W32");
     EXPECT_EQ(listOf(scene).patchVertices, 2);
 }

@@ -25,10 +25,13 @@ double spread(std::uint32_t i) {
 }
 glm::dmat4 spreadMatrix(std::uint32_t seed) {
     glm::dmat4 matrix;
-    for (std::uint32_t i = 0; i < 16; ++i) matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = spread(16 * seed + i);
+    for (std::uint32_t i = 0; i < 16; ++i)
+        matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = spread(16 * seed + i);
     return matrix;
 }
-glm::dvec3 spreadVector(std::uint32_t seed) { return {spread(seed), spread(seed + 1000), spread(seed + 2000)}; }
+glm::dvec3 spreadVector(std::uint32_t seed) {
+    return {spread(seed), spread(seed + 1000), spread(seed + 2000)};
+}
 
 template <class Matrix>
 double largestDifference(const Matrix& a, const Matrix& b) {
@@ -50,7 +53,8 @@ TEST(Matrices, QuarterTurnsAreExact) {
 TEST(Matrices, SinesOfDegreesAreThoseOfRadians) {
     for (std::uint32_t i = 0; i < 1000; ++i) {
         const double degrees = 720 * spread(i);
-        const long double radians = static_cast<long double>(degrees) * 3.14159265358979323846264338327950288L / 180;
+        const long double radians =
+            static_cast<long double>(degrees) * 3.14159265358979323846264338327950288L / 180;
         EXPECT_NEAR(sineOfDegrees(degrees), static_cast<double>(std::sin(radians)), 2.3e-16);
         EXPECT_NEAR(cosineOfDegrees(degrees), static_cast<double>(std::cos(radians)), 2.3e-16);
     }
@@ -60,7 +64,9 @@ TEST(Matrices, RotationIsThatOfGlm) {
     for (std::uint32_t i = 0; i < 200; ++i) {
         const glm::dvec3 axis = spreadVector(i);
         const double degrees = 360 * spread(i + 5000);
-        EXPECT_LT(largestDifference(rotation(degrees, axis), glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis)), 1e-14);
+        EXPECT_LT(largestDifference(rotation(degrees, axis),
+                                    glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis)),
+                  1e-14);
     }
 }
 

@@ -34,9 +34,9 @@ TEST(Passes, TheWindowIsClearedToTheBackgroundOfItsFirstDraw) {
 }
 
 TEST(Passes, OneTexturePassAndTheWindow) {
-    const Scene scene = run(
-        "Background 1 0 0\nTexture2D 6 256 128\nRenderToTexture 6\nClear\nSphere\n"
-        "RenderToTexture\nBackground 0 1 0\nClear\nQuadXY\n");
+    const Scene scene =
+        run("Background 1 0 0\nTexture2D 6 256 128\nRenderToTexture 6\nClear\nSphere\n"
+            "RenderToTexture\nBackground 0 1 0\nClear\nQuadXY\n");
     ASSERT_EQ(scene.passes.size(), 2U);
     const Pass& texture = scene.passes[0];
     ASSERT_EQ(texture.targets.size(), 1U);
@@ -69,9 +69,9 @@ TEST(Passes, ALaterClearStaysAStepWithItsOwnColour) {
 }
 
 TEST(Passes, ReturningToAListKeepsItsContent) {
-    const Scene scene = run(
-        "Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture\nSphere\n"
-        "RenderToTexture 6\nSphere\nRenderToTexture\nSphere\n");
+    const Scene scene =
+        run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture\nSphere\n"
+            "RenderToTexture 6\nSphere\nRenderToTexture\nSphere\n");
     ASSERT_EQ(scene.passes.size(), 4U);
     for (const std::size_t again : {2U, 3U}) {
         EXPECT_EQ(scene.passes[again].targets, scene.passes[again - 2].targets);
@@ -82,16 +82,17 @@ TEST(Passes, ReturningToAListKeepsItsContent) {
 }
 
 TEST(Passes, AClearInAPassThatKeepsItsContentIsAStep) {
-    const Scene scene = run("Texture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\nRenderToTexture\nClear\nSphere\n");
+    const Scene scene =
+        run("Texture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\nRenderToTexture\nClear\nSphere\n");
     ASSERT_EQ(scene.passes.size(), 3U);
     ASSERT_EQ(scene.passes[2].steps.size(), 2U);
     EXPECT_TRUE(std::holds_alternative<Clear>(scene.passes[2].steps[0]));
 }
 
 TEST(Passes, EachTextureIsClearedOnceWhateverListItIsIn) {
-    const Scene scene = run(
-        "Background 1 0 0\nTexture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6\nSphere\n"
-        "Background 0 1 0\nRenderToTexture 6 7\nSphere\nRenderToTexture 7\nSphere\n");
+    const Scene scene =
+        run("Background 1 0 0\nTexture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6\nSphere\n"
+            "Background 0 1 0\nRenderToTexture 6 7\nSphere\nRenderToTexture 7\nSphere\n");
     ASSERT_EQ(scene.passes.size(), 4U);
     EXPECT_EQ(scene.passes[1].clearColors, (Colors{std::nullopt, kGreen}));
     EXPECT_TRUE(scene.passes[1].clearDepth) << "a list of units has its own depth buffer";
@@ -108,8 +109,8 @@ TEST(Passes, AClearIsAStepIfOnlyOneOfTheTargetsIsFresh) {
 }
 
 TEST(Passes, UnitsInAnotherOrderAreAnotherList) {
-    const Scene scene = run(
-        "Texture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6 7\nSphere\nRenderToTexture 7 6\nSphere\n");
+    const Scene scene =
+        run("Texture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6 7\nSphere\nRenderToTexture 7 6\nSphere\n");
     ASSERT_EQ(scene.passes.size(), 3U);
     EXPECT_EQ(scene.passes[1].targets[0], scene.passes[0].targets[1]);
     EXPECT_NE(scene.passes[1].depthBuffer, scene.passes[0].depthBuffer);
@@ -122,7 +123,8 @@ TEST(Passes, ATargetThatNothingIsDrawnIntoMakesNoPass) {
 }
 
 TEST(Passes, AClearAloneIsAPass) {
-    const Scene scene = run("Background 1 0 0\nTexture2D 6 8 8\nRenderToTexture 6\nClear\nRenderToTexture\nSphere\n");
+    const Scene scene =
+        run("Background 1 0 0\nTexture2D 6 8 8\nRenderToTexture 6\nClear\nRenderToTexture\nSphere\n");
     ASSERT_EQ(scene.passes.size(), 2U);
     EXPECT_EQ(scene.passes[0].clearColors, Colors{kRed});
     EXPECT_TRUE(scene.passes[0].steps.empty());
@@ -156,14 +158,17 @@ TEST(Passes, ADepthBufferHasTheSizeOfItsTextures) {
 TEST(Passes, TargetsMustBeEmpty2DTexturesOfOneSize) {
     const auto error = [](const std::string& text) { return textsOf(run(text).diagnostics); };
     EXPECT_EQ(error("RenderToTexture 6\n"),
-              "1:1 glib-E11 RenderToTexture 6: unit 6 holds no empty 2D texture; write 'Texture2D 6 1024 1024' first");
+              "1:1 glib-E11 RenderToTexture 6: unit 6 holds no empty 2D texture; write 'Texture2D 6 1024 "
+              "1024' first");
     EXPECT_EQ(error("RenderToTexture 2\n"),
-              "1:1 glib-E11 RenderToTexture 2: unit 2 holds no empty 2D texture; write 'Texture2D 2 1024 1024' first");
+              "1:1 glib-E11 RenderToTexture 2: unit 2 holds no empty 2D texture; write 'Texture2D 2 1024 "
+              "1024' first");
     EXPECT_EQ(idsOf(run("Texture2D 6 a.bmp\nRenderToTexture 6\n").diagnostics), "glib-E11");
     EXPECT_EQ(idsOf(run("Texture3D 6 8 8 8\nRenderToTexture 6\n").diagnostics), "glib-E11");
     EXPECT_EQ(idsOf(run("Texture1D 6 8\nRenderToTexture 6\n").diagnostics), "glib-E11");
-    EXPECT_EQ(error("Texture2D 6 8 8\nTexture2D 7 8 9\nRenderToTexture 6 7\n"),
-              "3:1 glib-E11 RenderToTexture 6 7: unit 6 is 8 x 8, unit 7 is 8 x 9; all must be equal in size");
+    EXPECT_EQ(
+        error("Texture2D 6 8 8\nTexture2D 7 8 9\nRenderToTexture 6 7\n"),
+        "3:1 glib-E11 RenderToTexture 6 7: unit 6 is 8 x 8, unit 7 is 8 x 9; all must be equal in size");
     EXPECT_EQ(idsOf(run("Texture2D 6 8 8\nRenderToTexture 6 6\n").diagnostics), "glib-E11");
 }
 
@@ -180,7 +185,8 @@ TEST(Passes, FormatsOfTargetsMayDiffer) {
 }
 
 TEST(Passes, NeitherMatrixNorProjectionChangesWithTheTarget) {
-    const auto draws = drawsOf(run("Ortho\nTranslate 1 2 3\nTexture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\n"));
+    const auto draws =
+        drawsOf(run("Ortho\nTranslate 1 2 3\nTexture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\n"));
     EXPECT_EQ(draws.at(0).modelView, draws.at(1).modelView);
     EXPECT_EQ(draws.at(0).projection.index(), draws.at(1).projection.index());
 }

@@ -64,7 +64,9 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
         const auto counts = countsOf(scene.shapes[0]);
         ASSERT_TRUE(counts) << each.text;
         EXPECT_EQ(counts->vertices, each.vertices) << each.text;
-        EXPECT_EQ(counts->primitives * static_cast<std::size_t>(geometry::verticesPerPrimitive(each.topology)), each.indices)
+        EXPECT_EQ(
+            counts->primitives * static_cast<std::size_t>(geometry::verticesPerPrimitive(each.topology)),
+            each.indices)
             << each.text;
     }
 }
@@ -128,9 +130,9 @@ TEST(Primitives, TheSeedOfAJitterCloudCounts) {
 
 TEST(Primitives, AZeroSizeDrawsNothing) {
     for (const char* text :
-         {"Box 1 0 1", "Sphere 0", "Cylinder 1 0", "Cone 0 1", "Torus 1 0", "Soccerball 0", "DiskXY 1 0", "QuadXY 1 0",
-          "QuadXZ 1 0", "QuadYZ 1 0", "WireSphere 0", "WireTorus 0 1", "WireCylinder 0 1", "WireCone 1 0", "WireCube 0",
-          "WireBox 1 1 0"}) {
+         {"Box 1 0 1", "Sphere 0", "Cylinder 1 0", "Cone 0 1", "Torus 1 0", "Soccerball 0", "DiskXY 1 0",
+          "QuadXY 1 0", "QuadXZ 1 0", "QuadYZ 1 0", "WireSphere 0", "WireTorus 0 1", "WireCylinder 0 1",
+          "WireCone 1 0", "WireCube 0", "WireBox 1 1 0"}) {
         const Scene scene = run(std::string(text) + "\n");
         ASSERT_EQ(scene.shapes.size(), 1U) << text;
         EXPECT_TRUE(drawsNothing(scene.shapes[0])) << text;
@@ -149,8 +151,8 @@ constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n
 TEST(Models, ObjCommandsGiveTheirKindOfMesh) {
     const TemporaryFolder folder;
     folder.write("square.obj", kSquare);
-    const Scene scene =
-        run("Obj square.obj\nWireObj square.obj\nObjAdj square.obj\nObjPatch square.obj\n", folder.path() / "a.glib");
+    const Scene scene = run("Obj square.obj\nWireObj square.obj\nObjAdj square.obj\nObjPatch square.obj\n",
+                            folder.path() / "a.glib");
     ASSERT_EQ(scene.shapes.size(), 4U);
     const std::array topologies{triangles, lines, trianglesAdjacency, patches};
     const std::array indices{6U, 8U, 12U, 6U};

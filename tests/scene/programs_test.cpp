@@ -16,12 +16,14 @@ using tests::textsOf;
 std::string stagesOf(const Scene& scene, const Program& program) {
     std::string text;
     for (const StageFile& each : program.stages)
-        text += std::to_string(static_cast<int>(each.stage)) + scene.files.at(static_cast<std::size_t>(each.file)).name + " ";
+        text += std::to_string(static_cast<int>(each.stage)) +
+                scene.files.at(static_cast<std::size_t>(each.file)).name + " ";
     return text;
 }
 
 TEST(Programs, StagesAreInheritedByTheNextProgram) {
-    const Scene scene = run("Vertex a.vert\nFragment a.frag\nProgram One uA 1\nFragment b.frag\nProgram Two uB 2\n");
+    const Scene scene =
+        run("Vertex a.vert\nFragment a.frag\nProgram One uA 1\nFragment b.frag\nProgram Two uB 2\n");
     ASSERT_EQ(scene.programs.size(), 2U);
     EXPECT_EQ(stagesOf(scene, scene.programs[0]), "0a.vert 4a.frag ");
     EXPECT_EQ(stagesOf(scene, scene.programs[1]), "0a.vert 4b.frag ");
@@ -33,7 +35,8 @@ TEST(Programs, StagesAreInheritedByTheNextProgram) {
 
 TEST(Programs, AStageWordWithoutFileRemovesTheStage) {
     const Scene scene =
-        run("Vertex a.vert\nTessControl a.tcs\nTessEvaluation a.tes\nGeometry a.geom\nFragment a.frag\nProgram A\n"
+        run("Vertex a.vert\nTessControl a.tcs\nTessEvaluation a.tes\nGeometry a.geom\nFragment "
+            "a.frag\nProgram A\n"
             "TessControl\nTessEvaluation\nGeometry\nProgram B\n");
     EXPECT_EQ(stagesOf(scene, scene.programs.at(0)), "0a.vert 1a.tcs 2a.tes 3a.geom 4a.frag ");
     EXPECT_EQ(stagesOf(scene, scene.programs.at(1)), "0a.vert 4a.frag ");
@@ -53,8 +56,9 @@ TEST(Programs, DrawsUseTheProgramOfTheirPlace) {
 }
 
 TEST(Programs, GeometryTypesStayInForce) {
-    const Scene scene = run(
-        "Program A\nGeometryInput gl_lines\nGeometryOutput triangles_strip\nGeometryVerticesOut 12\nProgram B\nProgram C\n");
+    const Scene scene =
+        run("Program A\nGeometryInput gl_lines\nGeometryOutput triangles_strip\nGeometryVerticesOut "
+            "12\nProgram B\nProgram C\n");
     EXPECT_EQ(scene.programs.at(0).geometryInput, "");
     EXPECT_EQ(scene.programs.at(0).geometryVerticesOut, 0);
     for (const std::size_t i : {1U, 2U}) {
@@ -78,7 +82,8 @@ TEST(Programs, GstapHasNoEffect) {
 }
 
 TEST(Shapes, EqualPrimitivesShareOneShape) {
-    const Scene scene = run("Sphere\nSphere 1\nSphere 1 60 60\nSphere 2\nWireSphere 1 60 60\nBox 2\nCube 2 2 2\n");
+    const Scene scene =
+        run("Sphere\nSphere 1\nSphere 1 60 60\nSphere 2\nWireSphere 1 60 60\nBox 2\nCube 2 2 2\n");
     const auto draws = drawsOf(scene);
     EXPECT_EQ(scene.shapes.size(), 4U);
     EXPECT_EQ(draws.at(0).shape, draws.at(2).shape);

@@ -19,7 +19,8 @@ using tests::textsOf;
 /// M * (x, y, z, 1), written out.
 glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     glm::dvec3 result;
-    for (int row = 0; row < 3; ++row) result[row] = m[0][row] * p.x + m[1][row] * p.y + m[2][row] * p.z + m[3][row];
+    for (int row = 0; row < 3; ++row)
+        result[row] = m[0][row] * p.x + m[1][row] * p.y + m[2][row] * p.z + m[3][row];
     return result;
 }
 
@@ -52,8 +53,9 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
 }
 
 TEST(State, LaterStatementsNeverChangeEarlierDraws) {
-    const auto draws = drawsOf(run("Color 1 0 0\nSphere\nColor 0 1 0\nTranslate 1 0 0\nOrtho\nFlat\nClamp\nTimer 3\n"
-                                   "LineWidth 4\nPointSize 5\nPointSizeMode\nNumPatchVertices 16\nSphere\n"));
+    const auto draws =
+        drawsOf(run("Color 1 0 0\nSphere\nColor 0 1 0\nTranslate 1 0 0\nOrtho\nFlat\nClamp\nTimer 3\n"
+                    "LineWidth 4\nPointSize 5\nPointSizeMode\nNumPatchVertices 16\nSphere\n"));
     ASSERT_EQ(draws.size(), 2U);
     EXPECT_EQ(draws[0].color, glm::dvec4(1, 0, 0, 1));
     EXPECT_EQ(draws[0].modelView, glm::dmat4(1.0));
@@ -92,7 +94,9 @@ TEST(State, RotationIsRightHandedAboutAnyAxis) {
     expectNear(moved(draw.modelView, {0, 1, 0}), {0, 0, 1});
 }
 
-TEST(State, RotationAboutNothingIsNone) { EXPECT_EQ(drawOf("Rotate 30 0 0 0\nSphere\n").modelView, glm::dmat4(1.0)); }
+TEST(State, RotationAboutNothingIsNone) {
+    EXPECT_EQ(drawOf("Rotate 30 0 0 0\nSphere\n").modelView, glm::dmat4(1.0));
+}
 
 TEST(State, OneFactorScalesAllAxesAndTwoLeaveZAlone) {
     expectNear(moved(drawOf("Scale 3\nSphere\n").modelView, {1, 1, 1}), {3, 3, 3});
@@ -101,7 +105,8 @@ TEST(State, OneFactorScalesAllAxesAndTwoLeaveZAlone) {
 }
 
 TEST(State, PushAndPopBracketTheMatrixOnly) {
-    const auto draws = drawsOf(run("PushMatrix\nTranslate 1 0 0\nColor 1 0 0\nSphere\nTransformEnd\nSphere\n"));
+    const auto draws =
+        drawsOf(run("PushMatrix\nTranslate 1 0 0\nColor 1 0 0\nSphere\nTransformEnd\nSphere\n"));
     expectNear(moved(draws.at(0).modelView, {}), {1, 0, 0});
     EXPECT_EQ(draws.at(1).modelView, glm::dmat4(1.0));
     EXPECT_EQ(draws.at(1).color, glm::dvec4(1, 0, 0, 1));
@@ -133,10 +138,12 @@ TEST(State, LookAtFromTheCentreItselfIsAnError) {
 
 TEST(State, LookAtWithParallelUpTakesTheFirstAxisThatIsNot) {
     const Scene down = run("LookAt 0 5 0 0 0 0 0 1 0\nSphere\n");
-    EXPECT_EQ(textsOf(down.diagnostics), "1:1 glib-W30 LookAt: up is parallel to the view direction, +z used");
+    EXPECT_EQ(textsOf(down.diagnostics),
+              "1:1 glib-W30 LookAt: up is parallel to the view direction, +z used");
     expectNear(moved(drawsOf(down).at(0).modelView, {0, 0, 1}), {0, 1, -5});
     const Scene ahead = run("LookAt 0 0 5 0 0 0 0 0 -2\nSphere\n");
-    EXPECT_EQ(textsOf(ahead.diagnostics), "1:1 glib-W30 LookAt: up is parallel to the view direction, +y used");
+    EXPECT_EQ(textsOf(ahead.diagnostics),
+              "1:1 glib-W30 LookAt: up is parallel to the view direction, +y used");
     EXPECT_EQ(idsOf(run("LookAt 0 0 5 0 0 0 0 0 0\nSphere\n").diagnostics), "glib-W30");
 }
 
@@ -214,7 +221,8 @@ TEST(State, VerboseTellsEveryOperationOfTheWholeFile) {
 }
 
 TEST(State, TheSameScriptGivesTheSameSceneTwice) {
-    const glib::Script script = glib::parse("Color 1 0 0\nTranslate 1 2 3\nSphere\nTeapot\nSphere\n", "a.glib");
+    const glib::Script script =
+        glib::parse("Color 1 0 0\nTranslate 1 2 3\nSphere\nTeapot\nSphere\n", "a.glib");
     const Scene first = interpret(script);
     const Scene second = interpret(script);
     ASSERT_EQ(drawsOf(first).size(), drawsOf(second).size());

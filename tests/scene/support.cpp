@@ -57,7 +57,8 @@ TemporaryFolder::~TemporaryFolder() {
     if (!path_.empty()) std::filesystem::remove_all(path_, failure);
 }
 
-std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name, std::string_view content) const {
+std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name,
+                                             std::string_view content) const {
     const std::filesystem::path path = path_ / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << content;

@@ -11,7 +11,8 @@
 namespace glibra::scene::tests {
 
 /// Parses and interprets; the path only matters for files. The script must have no errors of its own.
-Scene run(std::string_view text, const std::filesystem::path& path = "scene.glib", const InterpretOptions& options = {});
+Scene run(std::string_view text, const std::filesystem::path& path = "scene.glib",
+          const InterpretOptions& options = {});
 
 /// All draws of all passes, in order.
 std::vector<Draw> drawsOf(const Scene& scene);

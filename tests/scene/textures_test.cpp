@@ -22,7 +22,9 @@ int heldBy(const Scene& scene, const Draw& draw, int unit, TextureTarget target)
     return kNone;
 }
 
-const Texture& textureOf(const Scene& scene, int index) { return scene.textures.at(static_cast<std::size_t>(index)); }
+const Texture& textureOf(const Scene& scene, int index) {
+    return scene.textures.at(static_cast<std::size_t>(index));
+}
 
 /// A raw texture: little-endian sizes, then texels.
 std::string raw(const std::vector<std::uint32_t>& sizes, std::size_t texelBytes) {
@@ -73,7 +75,8 @@ TEST(Textures, EachDrawSeesWhatItsSlotsHoldAtItsPlace) {
 }
 
 TEST(Textures, OneUnitHoldsATextureForEachTarget) {
-    const Scene scene = run("Texture2D 6 8 8\nTexture3D 6 8 8 8\nTexture1D 6 8\nCubeMap 6 a b c d e f\nSphere\n");
+    const Scene scene =
+        run("Texture2D 6 8 8\nTexture3D 6 8 8 8\nTexture1D 6 8\nCubeMap 6 a b c d e f\nSphere\n");
     const Draw draw = drawsOf(scene).at(0);
     const std::array targets{TextureTarget::texture1D, TextureTarget::texture2D, TextureTarget::texture3D,
                              TextureTarget::cube};
@@ -87,7 +90,8 @@ TEST(Textures, OneUnitHoldsATextureForEachTarget) {
 }
 
 TEST(Textures, EmptyOnesHaveSizesAndAFormat) {
-    const Scene scene = run("Texture2D 6 640 480\nTexture3D 7 2 3 4 rgba16f\nTexture1D 8 5 R32F\nTexture2D 9 1 1 RGBA32F\n");
+    const Scene scene =
+        run("Texture2D 6 640 480\nTexture3D 7 2 3 4 rgba16f\nTexture1D 8 5 R32F\nTexture2D 9 1 1 RGBA32F\n");
     const auto sourceOf = [&](int index) { return std::get<EmptySource>(textureOf(scene, index).source); };
     EXPECT_EQ(sourceOf(2).width, 640);
     EXPECT_EQ(sourceOf(2).height, 480);
@@ -156,12 +160,14 @@ TEST(Textures, ReplacingTheNoiseIsTold) {
     EXPECT_EQ(textsOf(run("Texture2D 2 a.bmp\nTexture3D 3 8 8 8\n").diagnostics),
               "1:1 glib-W36 unit 2 held the noise texture, which is now replaced\n"
               "2:1 glib-W36 unit 3 held the noise texture, which is now replaced");
-    EXPECT_EQ(idsOf(run("Texture2D 2 a.bmp\nTexture2D 2 b.bmp\n").diagnostics), "glib-W36") << "it is gone already";
+    EXPECT_EQ(idsOf(run("Texture2D 2 a.bmp\nTexture2D 2 b.bmp\n").diagnostics), "glib-W36")
+        << "it is gone already";
     EXPECT_EQ(idsOf(run("Texture3D 2 8 8 8\nTexture2D 3 a.bmp\nCubeMap 2 a b c d e f\n").diagnostics), "");
 }
 
 TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
-    const Scene scene = run("Texture3D 6 noise3d.064.tex\nTexture2D 7 C:\\tex\\Noise2D.128.tex\nTexture 8 noise3d.016.tex\n");
+    const Scene scene =
+        run("Texture3D 6 noise3d.064.tex\nTexture2D 7 C:\\tex\\Noise2D.128.tex\nTexture 8 noise3d.016.tex\n");
     const auto sourceOf = [&](int index) { return std::get<NoiseSource>(textureOf(scene, index).source); };
     EXPECT_EQ(sourceOf(2).dimensions, 3);
     EXPECT_EQ(sourceOf(2).size, 64);
@@ -229,11 +235,13 @@ TEST(Textures, NoiseBesideTheSceneOfAnotherSizeIsIgnored) {
 
 TEST(Textures, AllEmptyTexturesTogetherHaveALimit) {
     std::string text;
-    for (int unit = 4; unit < 8; ++unit) text += "Texture2D " + std::to_string(unit) + " 16384 16384\n";  // 1 GiB each
+    for (int unit = 4; unit < 8; ++unit)
+        text += "Texture2D " + std::to_string(unit) + " 16384 16384\n";  // 1 GiB each
     EXPECT_EQ(idsOf(run(text).diagnostics), "");
     const Scene scene = run(text + "Texture2D 9 1 1\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
-              "5:1 glib-E15 Texture2D 9 1 1 'RGBA8': all textures need 4,294,967,300 bytes; the limit is 4,294,967,296");
+              "5:1 glib-E15 Texture2D 9 1 1 'RGBA8': all textures need 4,294,967,300 bytes; the limit is "
+              "4,294,967,296");
 }
 
 }  // namespace

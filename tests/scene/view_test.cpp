@@ -1,4 +1,5 @@
-// Projections and the policy that moves the eye back, against numbers worked out by hand (language, 2.5 and 3.1).
+// Projections and the policy that moves the eye back, against numbers worked out by hand (language, 2.5
+// and 3.1).
 
 #include "scene/view.h"
 
@@ -36,8 +37,12 @@ ViewMove viewOf(const Scene& scene, double aspect = 1, int* asked = nullptr) {
         },
         aspect);
 }
-double distanceOf(std::string_view text, double aspect = 1) { return viewOf(run(text), aspect).distance; }
-double sixteenths(double distance) { return std::ceil(16 * distance) / 16; }
+double distanceOf(std::string_view text, double aspect = 1) {
+    return viewOf(run(text), aspect).distance;
+}
+double sixteenths(double distance) {
+    return std::ceil(16 * distance) / 16;
+}
 
 /// Where a point of eye space lands: x / w, y / w, z / w.
 glm::dvec3 projected(const Projection& projection, double aspect, const glm::dvec3& p) {
@@ -53,7 +58,8 @@ TEST(Projection, PerspectiveIsThatOfGlm) {
         const glm::dmat4 made = projectionMatrix(Perspective{fov, .1, 1000}, 1.5);
         const glm::dmat4 expected = glm::perspective(fov * kDegree, 1.5, .1, 1000.);
         for (int i = 0; i < 4; ++i)
-            for (int j = 0; j < 4; ++j) EXPECT_NEAR(made[i][j], expected[i][j], 1e-12 * (1 + std::abs(expected[i][j])));
+            for (int j = 0; j < 4; ++j)
+                EXPECT_NEAR(made[i][j], expected[i][j], 1e-12 * (1 + std::abs(expected[i][j])));
     }
 }
 
@@ -97,7 +103,8 @@ TEST(ViewPolicy, TheDefaultSphereIsSeenWhole) {
     EXPECT_EQ(move.distance, 2.375);
     ASSERT_EQ(move.diagnostics.size(), 1U);
     EXPECT_EQ(toString(move.diagnostics[0]),
-              "scene.glib:1:1: note: no LookAt: eye moved back by 2.375 along z (use --view glman to switch this off) "
+              "scene.glib:1:1: note: no LookAt: eye moved back by 2.375 along z (use --view glman to switch "
+              "this off) "
               "[draw-N01]");
 }
 
@@ -114,7 +121,8 @@ TEST(ViewPolicy, TheMatrixIsShiftedAlongEyeZ) {
 TEST(ViewPolicy, ASceneWithLookAtIsLeftAlone) {
     int asked = 0;
     EXPECT_EQ(viewOf(run("LookAt 0 0 .5 0 0 0 0 1 0\nSphere\n"), 1, &asked).distance, 0);
-    EXPECT_EQ(viewOf(run("Sphere\nPushMatrix\nLookAt 0 0 5 0 0 0 0 1 0\nPopMatrix\n"), 1, &asked).distance, 0);
+    EXPECT_EQ(viewOf(run("Sphere\nPushMatrix\nLookAt 0 0 5 0 0 0 0 1 0\nPopMatrix\n"), 1, &asked).distance,
+              0);
     EXPECT_EQ(asked, 0) << "no mesh is needed to know that";
 }
 
@@ -172,12 +180,15 @@ TEST(ViewPolicy, TheSmallerFieldOfViewCounts) {
 
 TEST(ViewPolicy, TheAspectIsThatOfTheTarget) {
     const double half = std::atan(.25 * std::tan(25 * kDegree));
-    EXPECT_EQ(distanceOf("Texture2D 6 64 256\nRenderToTexture 6\nSphere\nRenderToTexture\nOrtho\nQuadXY\n", 1),
-              sixteenths(1 / std::sin(half)));
+    EXPECT_EQ(
+        distanceOf("Texture2D 6 64 256\nRenderToTexture 6\nSphere\nRenderToTexture\nOrtho\nQuadXY\n", 1),
+        sixteenths(1 / std::sin(half)));
 }
 
 TEST(ViewPolicy, AFourthCoordinateAddsToTheDistance) {
-    const auto text = [](const std::string& w) { return "Perspective 60\nglBegin points\nglVertex 0 0 0 " + w + "\nglEnd\n"; };
+    const auto text = [](const std::string& w) {
+        return "Perspective 60\nglBegin points\nglVertex 0 0 0 " + w + "\nglEnd\n";
+    };
     EXPECT_EQ(distanceOf(text("3")), 6);
     EXPECT_EQ(distanceOf(text("-3")), 6);
     EXPECT_EQ(distanceOf(text("1")), 0) << "a single point has no size";
@@ -188,7 +199,10 @@ TEST(ViewPolicy, ShapesThatCannotBeMadeCountForNothing) {
     EXPECT_EQ(distanceOf("Obj absent.obj\n"), 0);
     EXPECT_EQ(distanceOf("Obj absent.obj\nSphere\n"), 2.375);
     const Scene scene = run("Sphere\n");
-    EXPECT_EQ(autoView(scene, [](int) { return nullptr; }, 1).distance, 0);
+    EXPECT_EQ(autoView(
+                  scene, [](int) { return nullptr; }, 1)
+                  .distance,
+              0);
 }
 
 TEST(ViewPolicy, SingularAndHugeMatricesGiveFiniteDistances) {

@@ -1,0 +1,11 @@
+// SH124 Noisy fog: eye-space position and normal.
+#version 330 core
+
+out vec3 vPosition;
+out vec3 vNormal;
+
+void main() {
+    vPosition = vec3(uModelViewMatrix * aVertex);
+    vNormal = uNormalMatrix * aNormal;
+    gl_Position = uModelViewProjectionMatrix * aVertex;
+}

@@ -1,0 +1,9 @@
+// SH118 Lens, the court: the direction from the middle of the box is the direction into the cube map.
+#version 330 core
+
+out vec3 vDirection;   // world space
+
+void main() {
+    vDirection = aVertex.xyz;
+    gl_Position = uModelViewProjectionMatrix * aVertex;
+}

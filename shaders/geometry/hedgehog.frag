@@ -1,0 +1,13 @@
+// SH112 Hedgehog: from the colour of the root to that of the tip.
+#version 330 core
+
+uniform vec3 uRoot, uTip;
+
+in float gAlong;
+in float gLight;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(gLight * mix(uRoot, uTip, gAlong), 1.);
+}

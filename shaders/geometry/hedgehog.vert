@@ -1,0 +1,9 @@
+// SH112 Hedgehog: model space, with the normal along which the hair grows.
+#version 330 core
+
+out vec3 vNormal;
+
+void main() {
+    vNormal = aNormal;
+    gl_Position = aVertex;
+}

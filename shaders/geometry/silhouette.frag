@@ -1,0 +1,10 @@
+// SH077 Silhouettes: the ink.
+#version 330 core
+
+uniform vec3 uInk;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(uInk, 1.);
+}

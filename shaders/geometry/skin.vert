@@ -1,0 +1,9 @@
+// SH112 Hedgehog, the skin: eye-space normals.
+#version 330 core
+
+out vec3 vNormal;
+
+void main() {
+    vNormal = uNormalMatrix * aNormal;
+    gl_Position = uModelViewProjectionMatrix * aVertex;
+}

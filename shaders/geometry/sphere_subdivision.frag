@@ -1,0 +1,10 @@
+// SH076 Sphere subdivision: the colour as it is.
+#version 330 core
+
+in vec3 gColor;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(gColor, 1.);
+}

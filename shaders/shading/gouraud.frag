@@ -1,0 +1,10 @@
+// SH021 Gouraud shading: the interpolated colours.
+#version 330 core
+
+in vec3 vColor;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(vColor, 1.);
+}

@@ -1,0 +1,11 @@
+// SH001 Sphere: the interpolated light on the object's colour.
+#version 330 core
+
+in vec4 vColor;
+in float vLightIntensity;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(vLightIntensity * vColor.rgb, vColor.a);
+}

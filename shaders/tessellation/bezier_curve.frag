@@ -1,0 +1,10 @@
+// SH079 Bezier curve: the colour as it is.
+#version 400
+
+in vec4 teColor;
+
+out vec4 fColor;
+
+void main() {
+    fColor = teColor;
+}

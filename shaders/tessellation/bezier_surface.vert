@@ -1,0 +1,9 @@
+// SH080 Bezier surface: control points in model space.
+#version 400
+
+out vec4 vColor;
+
+void main() {
+    vColor = aColor;
+    gl_Position = aVertex;
+}

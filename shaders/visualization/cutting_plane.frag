@@ -1,0 +1,22 @@
+// SH099 SH100 Cutting plane: the field in colours, darkened within uTol of every multiple of ten.
+#version 330 core
+
+#include "../common/rainbow.glsl"
+
+uniform sampler3D uTexUnit;
+uniform float uMin, uMax;
+uniform float uTol;   // half the width of a contour, in units of the field; 0 none
+
+in vec3 vModel;
+
+out vec4 fColor;
+
+void main() {
+    vec3 stp = (vModel + 1.) / 2.;
+    if (any(lessThan(stp, vec3(0.))) || any(greaterThan(stp, vec3(1.)))) discard;   // outside the field
+    float value = texture(uTexUnit, stp).r;
+    if (value < uMin || value > uMax) discard;
+    float toContour = abs(value - 10. * floor(value / 10. + .5));   // floor, so that negative values work alike
+    float line = toContour < uTol ? .35 : 1.;
+    fColor = vec4(line * rainbow(value / 100.), 1.);
+}

@@ -1,0 +1,9 @@
+// SH096 Point cloud: the points' model positions.
+#version 330 core
+
+out vec3 vModel;
+
+void main() {
+    vModel = aVertex.xyz;
+    gl_Position = uModelViewProjectionMatrix * aVertex;
+}

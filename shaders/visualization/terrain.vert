@@ -1,0 +1,9 @@
+// SH107 Terrain: texture coordinates for the heights.
+#version 330 core
+
+out vec2 vST;
+
+void main() {
+    vST = aTexCoord0.st;
+    gl_Position = uModelViewProjectionMatrix * aVertex;
+}
