@@ -8,7 +8,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 function(glibra_compile_options target)
-    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS})
+    # No fused multiply-add: geometry and noise are the same bits on every processor.
+    target_compile_options(${target} PRIVATE ${GLIBRA_WARNINGS} -ffp-contract=off)
     if(GLIBRA_SANITIZE)
         target_compile_options(${target} PRIVATE -fsanitize=${GLIBRA_SANITIZE} -fno-sanitize-recover=all
                                                  -fno-omit-frame-pointer)

@@ -23,7 +23,7 @@ struct RenderOptions {
     int width = 0;   ///< pixels; 0: the scene's WindowSize
     int height = 0;
     double time = 0;  ///< seconds since loading; Timer = fract(time / period)
-    std::vector<std::string> set;  ///< "NAME=VALUE" for uniforms
+    std::vector<std::string> set{};  ///< "NAME=VALUE" for uniforms
     ViewPolicy view = ViewPolicy::automatic;
     int samples = 1;  ///< multisampling, limited to what the driver has
     bool axes = false;  ///< draws axes two units long at the origin of eye space
@@ -31,7 +31,7 @@ struct RenderOptions {
     bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
     bool strict = false;       ///< warnings are errors
     bool shim = true;          ///< false: shaders are compiled as they are
-    std::vector<std::filesystem::path> libraryRoots;  ///< searched for files besides the scene's own folders
+    std::vector<std::filesystem::path> libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;  ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
 };
 

@@ -19,10 +19,8 @@ float noise(float offset) {
 
 void main() {
     float aboutX = uNoiseAmp * noise(0.), aboutY = uNoiseAmp * noise(.5);
-    vec3 normal = vec3(0., 0., 1.);
-    normal = vec3(normal.x, normal.y * cos(aboutX) - normal.z * sin(aboutX), normal.y * sin(aboutX) + normal.z * cos(aboutX));
-    normal = vec3(normal.x * cos(aboutY) + normal.z * sin(aboutY), normal.y, normal.z * cos(aboutY) - normal.x * sin(aboutY));
-    normal = normalize(uNormalMatrix * normal);
+    vec3 turned = vec3(cos(aboutX) * sin(aboutY), -sin(aboutX), cos(aboutX) * cos(aboutY));   // from (0, 0, 1)
+    vec3 normal = normalize(uNormalMatrix * turned);
 
     vec3 sight = normalize(vPosition);
     if (dot(normal, sight) > 0.) normal = -normal;

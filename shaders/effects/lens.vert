@@ -1,5 +1,5 @@
-// SH117 Lens: the line of sight, bent at the front and at the back; both faces are spheres, thin in the middle of
-// the disk. A radius above 0 bulges outwards, below 0 inwards.
+// SH117 Lens: the line of sight, bent at the front and at the back; both faces are spheres, and the
+// lens is so thin that both lie in the disk. A radius above 0 bulges outwards, below 0 inwards.
 #version 330 core
 
 uniform float uR1;   // front
@@ -12,7 +12,9 @@ const float kEta = .66;   // air to glass
 
 // The outward normal of a face at the disk's point, towards +z; flat for radius 0.
 vec3 faceNormal(vec2 xy, float radius) {
-    return abs(radius) > 1e-3 ? normalize(vec3(xy / radius, sqrt(max(1. - dot(xy, xy) / (radius * radius), 0.)))) : vec3(0., 0., 1.);
+    if (abs(radius) < 1e-3) return vec3(0., 0., 1.);
+    vec2 slope = xy / radius;
+    return normalize(vec3(slope, sqrt(max(1. - dot(slope, slope), 0.))));
 }
 
 void main() {

@@ -15,7 +15,7 @@ const float kEta = 1.4;   // index of refraction of oil
 const float kShortest = 400., kLongest = 700.;   // nanometres
 
 void main() {
-    vec4 octaves = texture(Noise3, vec3(.5 * vXY, .3));
+    vec4 octaves = texture(Noise3, vec3(.3 * vXY, .3));
     float noise = octaves.r + octaves.g + octaves.b + octaves.a - 2.;
     vec4 grain = texture(Noise3, vec3(4. * vXY, .7));
     float road = .10 + .5 * (grain.r + grain.g + grain.b + grain.a - 2.);

@@ -36,7 +36,8 @@ void main() {
     for (int i = 0; i <= n; ++i) {
         for (int j = 0; j <= n - i; ++j) {
             vec3 share = vec3(n - i - j, i, j) / float(n);
-            vec3 root = share.x * gl_PositionIn[0].xyz + share.y * gl_PositionIn[1].xyz + share.z * gl_PositionIn[2].xyz;
+            vec3 root = share.x * gl_PositionIn[0].xyz + share.y * gl_PositionIn[1].xyz +
+                        share.z * gl_PositionIn[2].xyz;
             vec3 normal = share.x * vNormal[0] + share.y * vNormal[1] + share.z * vNormal[2];
             float size = length(normal);
             if (size > 0.) hair(root, normal / size, pieces);

@@ -27,7 +27,7 @@ void main() {
 
     // The noise is added to the distance from the centre, the direction stays.
     vec4 octaves = texture(Noise3, uNoiseFreq * vModel);
-    float shake = uNoiseAmp * .25 * (octaves.r + octaves.g + octaves.b + octaves.a - 2.);
+    float shake = uNoiseAmp * .5 * (octaves.r + octaves.g + octaves.b + octaves.a - 2.);
     float distance = length(fromCentre);
     if (distance > 0.) fromCentre *= (distance + shake) / distance;
 

@@ -1,4 +1,5 @@
-// SH125 Morph: the sphere's place and normal, mixed with those on the disk of radius 1 - t at the angle 2 pi s.
+// SH125 Morph: the sphere's place and normal, mixed with those on the disk of radius 1 - t at the angle 2 pi s, which
+// lies in the plane of the equator with the north pole in its middle.
 #version 330 core
 
 uniform float uBlend;
@@ -9,11 +10,11 @@ out vec3 vNormal;     // eye space
 
 void main() {
     vST = aTexCoord0.st;
-    float angle = 6.2831853 * vST.s, radius = 1.15 * (1. - vST.t);
-    vec3 onDisk = vec3(radius * cos(angle), radius * sin(angle), 0.);
+    float angle = 6.2831853 * vST.s, radius = 1.2 * (1. - vST.t);
+    vec3 onDisk = vec3(-radius * cos(angle), 0., radius * sin(angle));
     vec4 place = vec4(mix(aVertex.xyz, onDisk, uBlend), 1.);
-    vec3 normal = mix(aNormal, vec3(0., 0., 1.), uBlend);
-    if (dot(normal, normal) < 1e-6) normal = vec3(0., 0., 1.);   // opposite normals cancel
+    vec3 normal = mix(aNormal, vec3(0., 1., 0.), uBlend);
+    if (dot(normal, normal) < 1e-6) normal = vec3(0., 1., 0.);   // opposite normals cancel
     vPosition = vec3(uModelViewMatrix * place);
     vNormal = uNormalMatrix * normal;
     gl_Position = uModelViewProjectionMatrix * place;

@@ -12,11 +12,15 @@ out vec3 vNormal;     // eye space
 
 const float kTwoPi = 6.2831853;
 const float kRadius = 2.;      // of the helix
-const float kThickness = 1.7;  // of the tube, times that of the arrow
+const float kThickness = 2.4;  // of the tube, times that of the arrow
+const float kHeadShare = .04;
 const float kHalfBulge = .1;
 
 void main() {
-    float t = (aVertex.x + 1.) / 2.;   // 0..1 along the arrow
+    // 0..1 along the helix: the shaft, x = -1..6/10, takes all but the last part, so that the head is not drawn out.
+    bool onHead = aVertex.x > .6;
+    float tSlope = onHead ? kHeadShare / .4 : (1. - kHeadShare) / 1.6;   // d t / d x
+    float t = onHead ? 1. - (1. - aVertex.x) * tSlope : (aVertex.x + 1.) * tSlope;
     float turn = kTwoPi * uN;          // d angle / d t
     float c = cos(turn * t), s = sin(turn * t);
 
@@ -43,8 +47,9 @@ void main() {
     // The columns of the deformation's derivative; their cross products turn a normal as the surface turns.
     vec3 alongT = speed * (tangent + grow * (y * (torsion * binormal - curvature * tangent) - z * torsion * normal)) +
                   growSlope * (y * normal + z * binormal);
-    vec3 alongX = .5 * alongT, alongY = grow * normal, alongZ = grow * binormal;
-    vec3 bent = aNormal.x * cross(alongY, alongZ) + aNormal.y * cross(alongZ, alongX) + aNormal.z * cross(alongX, alongY);
+    vec3 alongX = tSlope * alongT, alongY = grow * normal, alongZ = grow * binormal;
+    vec3 bent = aNormal.x * cross(alongY, alongZ) + aNormal.y * cross(alongZ, alongX) +
+                aNormal.z * cross(alongX, alongY);
 
     vPosition = vec3(uModelViewMatrix * vec4(place, 1.));
     vNormal = uNormalMatrix * bent;

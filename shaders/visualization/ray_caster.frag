@@ -6,7 +6,7 @@
 uniform sampler3D uTexUnit;
 uniform int uNumSteps;       // along the diagonal of the volume
 uniform float uMin, uMax;    // values outside are clear
-uniform float uAmax;         // opacity of one step
+uniform float uAmax;         // opacity of one step where the value is uMax
 
 in vec3 vModel;
 in vec3 vSight;
@@ -23,7 +23,7 @@ void main() {
         if (any(lessThan(stp, vec3(0.))) || any(greaterThan(stp, vec3(1.)))) break;
         float value = texture(uTexUnit, stp).r;
         if (value < uMin || value > uMax) continue;
-        float alpha = uAmax * smoothstep(uMin, uMin + 30., value);
+        float alpha = uAmax * (uMax > uMin ? (value - uMin) / (uMax - uMin) : 1.);
         color += left * alpha * rainbow(value / 100.);
         left *= 1. - alpha;
         if (left < .001) break;

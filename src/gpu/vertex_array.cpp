@@ -7,7 +7,8 @@ namespace glibra::gpu {
 namespace {
 
 const void* byteOffset(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset);
+    // GL takes the offset in the place of a pointer.
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }
 
 void connect(const AttributeSource& source) {

@@ -67,14 +67,15 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
         sizes[i] = static_cast<int>(command.numbers[i + 1]);
         bytes *= static_cast<std::uint64_t>(sizes[i]);
     }
-    if (bytes > kAllTextures - in.textureBytes) {
+    const std::uint64_t all = in.textureBytes + bytes;
+    if (all > kAllTextures) {
         in.reportError(command, "glib-E15",
                        fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
-                                   glib::groupedText(static_cast<long long>(in.textureBytes + bytes)),
+                                   glib::groupedText(static_cast<long long>(all)),
                                    glib::groupedText(static_cast<long long>(kAllTextures))));
         return std::nullopt;
     }
-    in.textureBytes += bytes;
+    in.textureBytes = all;
     return EmptySource{sizes[0], sizes[1], sizes[2], kFormats[format]};
 }
 

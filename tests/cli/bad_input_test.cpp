@@ -21,7 +21,7 @@ class BadInput : public testing::Test {
                        const std::string& arguments = {}) {
         folder.write("scene.glib", scene);
         const std::string before = folder.listing();
-        const Run run = glibra(folder.path(), "render scene.glib " + arguments);
+        const Finished run = glibra(folder.path(), "render scene.glib " + arguments);
         EXPECT_EQ(run.status, 3) << run.err;
         for (const char* part : parts)
             EXPECT_NE(run.err.find(part), std::string::npos) << part << "\nin\n" << run.err;
@@ -47,7 +47,7 @@ TEST_F(BadInput, WrongArgument) {
 }
 
 TEST_F(BadInput, MissingScene) {
-    const Run run = glibra(folder.path(), "render nowhere.glib");
+    const Finished run = glibra(folder.path(), "render nowhere.glib");
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("nowhere.glib"), std::string::npos);
     EXPECT_NE(run.err.find("[glib-E14]"), std::string::npos) << run.err;
@@ -55,7 +55,7 @@ TEST_F(BadInput, MissingScene) {
 
 TEST_F(BadInput, SceneIsAFolder) {
     std::filesystem::create_directory(folder / "scene.glib");
-    const Run run = glibra(folder.path(), "render scene.glib");
+    const Finished run = glibra(folder.path(), "render scene.glib");
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("[glib-E14]"), std::string::npos) << run.err;
 }
@@ -150,7 +150,7 @@ TEST_F(BadInput, ObjIndexOutOfRangeDropsTheFaceOrRefusesTheModel) {
     expectRefused("Obj a.obj\n", {"a.obj", "[file-E07]"});
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n");
     folder.write("scene.glib", "Obj a.obj\n");
-    const Run run = glibra(folder.path(), "render scene.glib");
+    const Finished run = glibra(folder.path(), "render scene.glib");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.err.find("[file-W05]"), std::string::npos) << run.err;
 }
@@ -171,7 +171,7 @@ TEST_F(BadInput, AShaderThatNeverEndsEndsTheSceneAlone) {
                  "uStep; f = vec4(x); }\n");
     folder.write("endless.glib", "Vertex a.vert\nFragment a.frag\nProgram P uStep 0.\nSphere\n");
     folder.write("good.glib", "Sphere\n");
-    const Run run = glibra(folder.path(), "render endless.glib good.glib --timeout 2");
+    const Finished run = glibra(folder.path(), "render endless.glib good.glib --timeout 2");
     EXPECT_EQ(run.status, 3) << run.err;
     EXPECT_NE(run.err.find("endless.glib:1:1: error: not drawn within 2 seconds"), std::string::npos)
         << run.err;
@@ -181,17 +181,17 @@ TEST_F(BadInput, AShaderThatNeverEndsEndsTheSceneAlone) {
 
 TEST_F(BadInput, UnwritableOutput) {
     folder.write("scene.glib", "Sphere\n");
-    const Run run = glibra(folder.path(), "render scene.glib -o /proc/none/a.png");
+    const Finished run = glibra(folder.path(), "render scene.glib -o /proc/none/a.png");
     EXPECT_EQ(run.status, 3) << run.err;
     EXPECT_NE(run.err.find("/proc/none/a.png"), std::string::npos) << run.err;
     folder.write("taken.png/inside", "a folder where the picture should go");
-    const Run taken = glibra(folder.path(), "render scene.glib -o taken.png/../taken.png/");
+    const Finished taken = glibra(folder.path(), "render scene.glib -o taken.png/../taken.png/");
     EXPECT_EQ(taken.status, 0) << "a folder is a place for pictures: " << taken.err;
 }
 
 TEST_F(BadInput, UnknownOutputFormat) {
     folder.write("scene.glib", "Sphere\n");
-    const Run run = glibra(folder.path(), "render scene.glib -o a.xyz");
+    const Finished run = glibra(folder.path(), "render scene.glib -o a.xyz");
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("a.xyz"), std::string::npos) << run.err;
     EXPECT_EQ(folder.listing(), "scene.glib\n");
@@ -204,7 +204,7 @@ TEST_F(BadInput, WrongUsageIsStatusTwo) {
           "render scene.glib --size 99999999999x1", "render scene.glib --driver vulkan",
           "render scene.glib --frames 0", "render scene.glib --nonsense", "render scene.glib --time later",
           "render scene.glib --set uKd"}) {
-        const Run run = glibra(folder.path(), arguments);
+        const Finished run = glibra(folder.path(), arguments);
         EXPECT_EQ(run.status, 2) << arguments << "\n" << run.err;
         EXPECT_FALSE(run.err.empty()) << arguments;
     }
@@ -213,8 +213,8 @@ TEST_F(BadInput, WrongUsageIsStatusTwo) {
 
 TEST_F(BadInput, NoDriverIsStatusFour) {
     folder.write("scene.glib", "Sphere\n");
-    const Run run = glibra(folder.path(), "render scene.glib --driver egl-device",
-                           "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json");
+    const Finished run = glibra(folder.path(), "render scene.glib --driver egl-device",
+                                "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json");
     EXPECT_EQ(run.status, 4) << run.err;
     EXPECT_NE(run.err.find("error:"), std::string::npos);
 }
@@ -222,7 +222,7 @@ TEST_F(BadInput, NoDriverIsStatusFour) {
 TEST_F(BadInput, StrictTurnsWarningsIntoErrors) {
     folder.write("scene.glib", "Sphere 1 2\n");
     EXPECT_EQ(glibra(folder.path(), "render scene.glib").status, 0);
-    const Run run = glibra(folder.path(), "render scene.glib --strict -o strict.png");
+    const Finished run = glibra(folder.path(), "render scene.glib --strict -o strict.png");
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("error: Sphere: 2 slices raised to 3 [glib-W28]"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "strict.png"));

@@ -13,7 +13,7 @@ namespace glibra::test {
 
 namespace fs = std::filesystem;
 
-Run glibra(const fs::path& folder, const std::string& arguments, const std::string& environment) {
+Finished glibra(const fs::path& folder, const std::string& arguments, const std::string& environment) {
     char name[] = "/tmp/glibra-run-XXXXXX";
     if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
     const fs::path captured = name;
@@ -21,7 +21,7 @@ Run glibra(const fs::path& folder, const std::string& arguments, const std::stri
                                 arguments + " >" + (captured / "out").string() + " 2>" +
                                 (captured / "err").string() + " </dev/null";
     const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what a user has
-    Run run;
+    Finished run;
     run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     run.out = readFile(captured / "out");
     run.err = readFile(captured / "err");

@@ -7,15 +7,15 @@
 
 namespace glibra::test {
 
-struct Run {
+struct Finished {
     int status = -1;  ///< exit status; 128 + n if signal n ended it
     std::string out;
     std::string err;
 };
 
 /// Runs `glibra ARGUMENTS` through the shell in `folder`; `environment` is put before it ("A=1 B=2").
-Run glibra(const std::filesystem::path& folder, const std::string& arguments,
-           const std::string& environment = {});
+Finished glibra(const std::filesystem::path& folder, const std::string& arguments,
+                const std::string& environment = {});
 
 /// A new folder that goes with the object.
 class Folder {

@@ -194,8 +194,8 @@ TEST(Arrow, FillsMinusOneToOneAlongX) {
 }
 
 TEST(Arrow, ShaftTakesFourFifthsOfTheSlices) {
-    for (const auto& [n, shaft] :
-         {std::pair{2, 1}, std::pair{3, 2}, std::pair{5, 4}, std::pair{10, 8}, std::pair{100, 80}}) {
+    for (const auto& [n, shaft] : {std::pair{2, 1}, std::pair{3, 2}, std::pair{5, 4}, std::pair{7, 6},
+                                   std::pair{10, 8}, std::pair{100, 80}}) {
         const Mesh mesh = xarrow(n);
         int rings = 0;
         for (std::uint32_t i = 0; i < mesh.vertexCount(); i += 25)

@@ -54,6 +54,7 @@ TEST_F(CapabilitiesTest, TheNewestGlslVersionCompiles) {
 TEST_F(CapabilitiesTest, InfoHasEveryKeyOnceAndALineForEach) {
     const std::vector<InfoEntry> entries = describe(context());
     std::vector<std::string> keys;
+    keys.reserve(entries.size());
     for (const InfoEntry& each : entries) keys.push_back(each.key);
     std::sort(keys.begin(), keys.end());
     EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());

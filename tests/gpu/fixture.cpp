@@ -4,7 +4,7 @@
 
 namespace glibra::gpu::test {
 
-std::unique_ptr<Context> GpuTest::context_;
+std::unique_ptr<Context> GpuTest::opened;
 
 const char* const kCoverAll = R"(#version 410 core
 void main() {
@@ -29,23 +29,23 @@ std::vector<Rgba> pixels(const Context& context, const Target& target, int index
 }
 
 void GpuTest::SetUpTestSuite() {
-    auto opened = openContext();
-    ASSERT_TRUE(opened) << text(opened.diagnostics);
-    context_ = std::make_unique<Context>(std::move(*opened));
+    auto made = openContext();
+    ASSERT_TRUE(made) << text(made.diagnostics);
+    opened = std::make_unique<Context>(std::move(*made));
 }
 
 void GpuTest::TearDownTestSuite() {
-    context_.reset();
+    opened.reset();
 }
 
 void GpuTest::SetUp() {
-    ASSERT_TRUE(context_) << "no OpenGL driver";
+    ASSERT_TRUE(opened) << "no OpenGL driver";
 }
 
 void GpuTest::TearDown() {
-    if (!context_) return;
-    context_->debugLog().check("the test");
-    const Diagnostics left = context_->debugLog().takeDiagnostics();
+    if (!opened) return;
+    opened->debugLog().check("the test");
+    const Diagnostics left = opened->debugLog().takeDiagnostics();
     EXPECT_TRUE(left.empty()) << text(left);
 }
 

@@ -37,8 +37,8 @@ class GpuTest : public testing::Test {
     /// No test leaves an error behind that it has not looked at.
     void TearDown() override;
 
-    static Context& context() { return *context_; }
-    static const Capabilities& driver() { return context_->capabilities(); }
+    static Context& context() { return *opened; }
+    static const Capabilities& driver() { return opened->capabilities(); }
 
     /// Fails the test if it does not link.
     static std::optional<Program> build(std::string_view vertex, std::string_view fragment);
@@ -47,7 +47,7 @@ class GpuTest : public testing::Test {
     static std::vector<Rgba> shade(const Program& program, int width = 1, int height = 1);
 
   private:
-    static std::unique_ptr<Context> context_;
+    static std::unique_ptr<Context> opened;
 };
 
 }  // namespace glibra::gpu::test

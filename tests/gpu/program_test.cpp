@@ -1,5 +1,7 @@
 #include "gpu/program.h"
 
+#include <fmt/format.h>
+
 #include "fixture.h"
 
 namespace glibra::gpu {
@@ -55,9 +57,10 @@ TEST_F(ProgramTest, InputsAndOutputsGetTheLocationsAskedFor) {
 
 TEST_F(ProgramTest, SeveralBuildsCanBeUnderWayAtOnce) {
     std::vector<std::string> texts;
+    texts.reserve(4);
     for (int i = 0; i < 4; ++i)
-        texts.push_back("#version 410 core\nout vec4 fColor;\nvoid main() { fColor = vec4(" +
-                        std::to_string(i) + "); }");
+        texts.push_back(
+            fmt::format("#version 410 core\nout vec4 fColor;\nvoid main() {{ fColor = vec4({}); }}", i));
     std::vector<ProgramBuild> builds;
     for (const std::string& each : texts) {
         const std::array<StageSource, 2> stages{

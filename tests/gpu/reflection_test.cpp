@@ -1,5 +1,7 @@
 #include "gpu/reflection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fixture.h"
@@ -221,8 +223,9 @@ TEST_F(ReflectionTest, EveryNumericTypeIsKnownByItsWord) {
           "dmat2x3", "dmat2x4", "dmat3x2", "dmat3x4", "dmat4x2", "dmat4x3"}) {
         const std::string type = word;
         const auto interface =
-            reflectFragment("#version 410 core\nuniform " + type +
-                            " u;\nout vec4 fColor;\nvoid main() { fColor = vec4(u == " + type + "(1)); }");
+            reflectFragment(fmt::format("#version 410 core\nuniform {0} u;\nout vec4 fColor;\n"
+                                        "void main() {{ fColor = vec4(u == {0}(1)); }}",
+                                        type));
         ASSERT_TRUE(interface) << word;
         ASSERT_EQ(interface->uniforms.size(), 1U) << word;
         EXPECT_EQ(interface->uniforms[0].type.word, type);
@@ -236,15 +239,16 @@ TEST_F(ReflectionTest, EverySamplerTypeIsKnownByItsWord) {
               "2DMSArray", "1DShadow", "2DShadow", "CubeShadow", "1DArrayShadow", "2DArrayShadow",
               "CubeArrayShadow", "2DRectShadow"}) {
             if (!prefix.empty() && shape.ends_with("Shadow")) continue;
-            const std::string type = prefix + "sampler" + shape;
+            const std::string type = fmt::format("{}sampler{}", prefix, shape);
             const bool hasLevels = shape.find("Rect") == std::string::npos && shape != "Buffer" &&
                                    shape.find("MS") == std::string::npos;
             const bool oneSize = shape == "1D" || shape == "1DShadow" || shape == "Buffer";
             const std::string size =
                 std::string("textureSize(u") + (hasLevels ? ", 0)" : ")") + (oneSize ? "" : ".x");
             const auto interface = reflectFragment(
-                "#version 410 core\n#extension GL_ARB_texture_cube_map_array : enable\nuniform " + type +
-                " u;\nout vec4 fColor;\nvoid main() { fColor = vec4(" + size + "); }");
+                fmt::format("#version 410 core\n#extension GL_ARB_texture_cube_map_array : enable\n"
+                            "uniform {} u;\nout vec4 fColor;\nvoid main() {{ fColor = vec4({}); }}",
+                            type, size));
             ASSERT_TRUE(interface) << type;
             ASSERT_EQ(interface->uniforms.size(), 1U) << type;
             EXPECT_EQ(interface->uniforms[0].type.word, type);
@@ -257,13 +261,13 @@ TEST_F(ReflectionTest, EveryImageTypeIsKnownByItsWord) {
     for (const std::string prefix : {"", "i", "u"})
         for (const std::string shape : {"1D", "2D", "3D", "Cube", "1DArray", "2DArray", "CubeArray", "2DRect",
                                         "Buffer", "2DMS", "2DMSArray"}) {
-            const std::string type = prefix + "image" + shape;
+            const std::string type = fmt::format("{}image{}", prefix, shape);
             const std::string format = prefix.empty() ? "rgba32f" : prefix == "i" ? "rgba32i" : "rgba32ui";
             const bool oneSize = shape == "1D" || shape == "Buffer";
             const auto interface =
-                reflectFragment("#version 430 core\nlayout(" + format + ") uniform " + type +
-                                " u;\nout vec4 fColor;\nvoid main() { fColor = vec4(imageSize(u)" +
-                                (oneSize ? "" : ".x") + "); }");
+                reflectFragment(fmt::format("#version 430 core\nlayout({}) uniform {} u;\nout vec4 fColor;\n"
+                                            "void main() {{ fColor = vec4(imageSize(u){}); }}",
+                                            format, type, oneSize ? "" : ".x"));
             ASSERT_TRUE(interface) << type;
             ASSERT_EQ(interface->uniforms.size(), 1U) << type;
             EXPECT_EQ(interface->uniforms[0].type.word, type);

@@ -185,6 +185,7 @@ TEST_F(TargetTest, EveryOutputReachesItsOwnTexture) {
     for (const int samples : {1, 4}) {
         std::vector<Texture> textures;
         std::vector<const Texture*> list;
+        list.reserve(3);
         for (const TexelFormat format : {TexelFormat::rgba8, TexelFormat::rgba32f, TexelFormat::rgba16f}) {
             auto texture = Texture::create(driver(), TextureShape::texture2D, format, {6, 4});
             ASSERT_TRUE(texture);

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     const char* faces[] = {"posx", "negx", "posy", "negy", "posz", "negz"};
     for (int f = 0; f < 6; ++f)
         save((std::string("courtyard_") + faces[f]).c_str(), [&] {
-            return cubeFace(courtyardStage(), {0, 1.9, 0}, f, 256);
+            return cubeFace(courtyardStage(), {0, 1.9, 0}, f, 360);
         });
     save("planet", [] { return planetMap(512, 256); });
     save("random", [] { return randomMap(256); });

@@ -1,0 +1,116 @@
+// The same picture, bit for bit, whatever draws it: EGL or OSMesa, one thread or two, once or twice, in tiles
+// or whole.
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+class Determinism : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write("a.vert",
+                     "#version 330 core\nout vec3 vN;\nout vec3 vMC;\nvoid main() {\n  vN = uNormalMatrix * "
+                     "aNormal;\n  vMC = "
+                     "aVertex.xyz;\n  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n");
+        folder.write(
+            "a.frag",
+            "#version 330 core\nin vec3 vN;\nin vec3 vMC;\nout vec4 fColor;\nvoid main() {\n  vec4 n = "
+            "texture(Noise3, vMC);\n  float s = n.r + n.g + n.b + n.a - 1.;\n  vec3 c = s * vec3(1., .6, .2) "
+            "* "
+            "abs(normalize(vN).z);\n  if (mod(floor(gl_FragCoord.x / 8.) + floor(gl_FragCoord.y / 8.), 2.) < "
+            "1.) c "
+            "*= .8;\n  fColor = vec4(c, 1.);\n}\n");
+        folder.write("scene.glib",
+                     "LookAt 1 2 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\nProgram "
+                     "P\nTeapot\nTranslate 0 -1 0\n"
+                     "QuadXZ -.2 3 40 40\nVertex\nFragment\nColor 1 1 0\nLineWidth 5\nTranslate 0 1.5 "
+                     "0\nProgram Flat\n"
+                     "WireSphere .8 12 8\nPointSize 20\nPointCloud 3 3 3\n");
+    }
+
+    /// The bytes of the picture made with these arguments and environment.
+    std::string picture(const std::string& arguments, const std::string& environment = {}) {
+        const Finished run = glibra(folder.path(), "render scene.glib -o out.png " + arguments, environment);
+        EXPECT_EQ(run.status, 0) << run.err;
+        std::string bytes = readFile(folder / "out.png");
+        EXPECT_GT(bytes.size(), 10000U);
+        return bytes;
+    }
+
+    Folder folder;
+};
+
+TEST_F(Determinism, RunTwice) {
+    EXPECT_EQ(picture(""), picture(""));
+}
+
+TEST_F(Determinism, EglAndOsmesa) {
+    EXPECT_EQ(picture("--driver egl"), picture("--driver osmesa"));
+}
+
+TEST_F(Determinism, OneThreadAndTwo) {
+    EXPECT_EQ(picture("", "LP_NUM_THREADS=1"), picture("", "LP_NUM_THREADS=2"));
+}
+
+TEST_F(Determinism, WithAndWithoutShaderCache) {
+    EXPECT_EQ(picture("", "MESA_SHADER_CACHE_DISABLE=true"), picture(""));
+}
+
+TEST_F(Determinism, TilesJoinWithoutASeam) {
+    const std::string whole = picture("--size 500x430");
+    for (const char* tile : {"96", "177", "256"}) {
+        const Finished run = glibra(
+            folder.path(), std::string("render scene.glib -o tiled.png --size 500x430 --tile ") + tile);
+        ASSERT_EQ(run.status, 0) << run.err;
+        folder.write("whole.png", whole);
+        // Clip coordinates of a tile are rounded anew, so a pixel on an edge may fall to the other side;
+        // nothing else may.
+        const Finished compared = glibra(folder.path(), "compare whole.png tiled.png --fraction 0.0005");
+        EXPECT_EQ(compared.status, 0) << tile << ": " << compared.out;
+    }
+}
+
+TEST_F(Determinism, SeveralJobsWriteTheSameFilesAsOne) {
+    for (int i = 0; i < 5; ++i)
+        folder.write("s" + std::to_string(i) + ".glib",
+                     "LookAt 0 0 " + std::to_string(3 + i) + " 0 0 0 0 1 0\nWireTeapot\n");
+    const std::string scenes = "render s0.glib s1.glib s2.glib s3.glib s4.glib ";
+    ASSERT_EQ(glibra(folder.path(), scenes + "-o one --jobs 1").status, 0);
+    ASSERT_EQ(glibra(folder.path(), scenes + "-o three --jobs 3").status, 0);
+    for (int i = 0; i < 5; ++i) {
+        const std::string name = "s" + std::to_string(i) + ".png";
+        EXPECT_EQ(readFile(folder / ("one/" + name)), readFile(folder / ("three/" + name))) << name;
+    }
+}
+
+TEST_F(Determinism, FramesOfAnAnimationAreThePicturesOfTheirTimes) {
+    folder.write(
+        "a.frag",
+        "#version 330 core\nin vec3 vN;\nout vec4 f;\nvoid main() { f = vec4(Timer, abs(vN.xy), 1.); }\n");
+    folder.write("scene.glib",
+                 "LookAt 0 0 4 0 0 0 0 1 0\nTimer 2\nVertex a.vert\nFragment a.frag\nProgram P\nTeapot\n");
+    const Finished film = glibra(folder.path(), "render scene.glib -o film.png --frames 12 --fps 10");
+    ASSERT_EQ(film.status, 0) << film.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "film_0012.png"));
+    for (const int frame : {0, 3, 11}) {
+        const std::string number = frame < 10 ? "0" + std::to_string(frame) : std::to_string(frame);
+        EXPECT_EQ(readFile(folder / ("film_00" + number + ".png")),
+                  picture("--time " + std::to_string(frame / 10.0)))
+            << frame;
+    }
+}
+
+TEST_F(Determinism, Gl41DrawsTheSamePictureUpToRounding) {
+    folder.write("whole.png", picture(""));
+    const Finished old = glibra(folder.path(), "render scene.glib -o old.png",
+                                "MESA_GL_VERSION_OVERRIDE=4.1 MESA_GLSL_VERSION_OVERRIDE=410");
+    ASSERT_EQ(old.status, 0) << old.err;
+    const Finished compared = glibra(folder.path(), "compare whole.png old.png --max 1");
+    EXPECT_EQ(compared.status, 0) << compared.out;
+}
+
+}  // namespace
+}  // namespace glibra::test

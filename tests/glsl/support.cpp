@@ -1,0 +1,125 @@
+#include "support.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "glsl/token.h"
+
+namespace glibra::glsl::test {
+namespace {
+
+constexpr std::array<const char*, kStageCount> kSuffixes = {"vert", "tesc", "tese", "geom", "frag"};
+
+std::vector<std::string> tokensOf(std::string_view text) {
+    std::deque<std::string> storage;
+    const std::string normal = normalizeLines(text);
+    std::vector<std::string> result;
+    for (const Token& each : lex(normal, storage))
+        if (isSignificant(each.kind)) result.emplace_back(each.text);
+    return result;
+}
+
+}  // namespace
+
+ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages) {
+    ProgramRequest request;
+    request.name = "Test";
+    request.place = {"test.glib", 7, 1};
+    for (auto& [stage, text] : stages)
+        request.stages.push_back(
+            {stage, std::string("a.") + kSuffixes[static_cast<std::size_t>(stage)], std::move(text)});
+    return request;
+}
+
+TranslatedProgram translateStages(std::vector<std::pair<Stage, std::string>> stages) {
+    return translate(program(std::move(stages)));
+}
+
+ProgramRequest single(Stage stage, std::string text) {
+    if (text.find("#version") == std::string::npos) text.insert(0, "#version 330\n");
+    return program({{stage, std::move(text)}});
+}
+
+TranslatedProgram translateSingle(Stage stage, std::string text) {
+    return translate(single(stage, std::move(text)));
+}
+
+std::string sourceOf(const TranslatedProgram& translated, Stage stage) {
+    for (const TranslatedStage& each : translated.stages)
+        if (each.stage == stage) return each.source;
+    return {};
+}
+
+std::string userPart(const TranslatedProgram& translated, Stage stage) {
+    const std::string source = sourceOf(translated, stage);
+    const std::size_t start = source.find("#line 1 0\n");
+    return start == std::string::npos ? std::string{} : source.substr(start + 10);
+}
+
+bool hasTokens(std::string_view text, std::string_view wanted) {
+    const std::vector<std::string> all = tokensOf(text);
+    const std::vector<std::string> part = tokensOf(wanted);
+    return std::search(all.begin(), all.end(), part.begin(), part.end()) != all.end();
+}
+
+std::string ids(const Diagnostics& diagnostics) {
+    std::string result;
+    for (const Diagnostic& each : diagnostics) result += (result.empty() ? "" : " ") + each.id;
+    return result;
+}
+
+std::string textOf(const Diagnostics& diagnostics, std::string_view id) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == id) return each.text;
+    return {};
+}
+
+Place placeOf(const Diagnostics& diagnostics, std::string_view id) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == id) return each.place;
+    return {"", 0, 0};
+}
+
+bool has(const Diagnostics& diagnostics, std::string_view id) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == id) return true;
+    return false;
+}
+
+std::string glslangErrors(const TranslatedProgram& translated) {
+    if (translated.stages.empty()) return "nothing was emitted: " + ids(translated.diagnostics);
+    static int counter = 0;
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("glibra-glsl-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
+    std::filesystem::create_directories(folder);
+    std::string command = "glslangValidator -l";
+    std::string sources;
+    for (const TranslatedStage& each : translated.stages) {
+        const std::filesystem::path file = folder / (std::string("t.") + kSuffixes[static_cast<std::size_t>(each.stage)]);
+        std::ofstream(file, std::ios::binary) << each.source;
+        command += " " + file.string();
+        sources += each.source;
+    }
+    command += " 2>&1";
+    std::string output;
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+    if (!pipe) return "cannot run glslangValidator";
+    std::array<char, 4096> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) output.append(buffer.data(), count);
+    std::filesystem::remove_all(folder);
+    if (output.find("not found") != std::string::npos) return "glslangValidator is not installed: " + output;
+    // Without an error it repeats the file names only.
+    if (output.find(folder.string()) == std::string::npos) return "glslangValidator said nothing: " + output;
+    if (output.find("ERROR") == std::string::npos && output.find("WARNING") == std::string::npos) return {};
+    return output + "\n" + sources;
+}
+
+}  // namespace glibra::glsl::test

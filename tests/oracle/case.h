@@ -1,0 +1,49 @@
+#pragma once
+// One case of the oracle: shaders of some dialect, written for it, and a small scene around them.
+
+#include <string>
+#include <vector>
+
+#include "compatibility_picture.h"
+
+namespace glibra::oracle {
+
+/// The stages of one program; empty text: no such stage.
+struct Stages {
+    std::string vertex{};
+    std::string tessControl{};
+    std::string tessEvaluation{};
+    std::string geometry{};
+    std::string fragment{};
+};
+
+/// The scene is: a square window, Perspective 90, a LookAt (kView), `before`, the stage files, the Program with `tags`, and
+/// `draws`. With a field of view of 90 degrees the projection scales x and y by exactly 1, so that both sides get the same
+/// clip coordinates bit for bit, whoever multiplies the matrices, and the same pixels are covered.
+struct Case {
+    std::string name;
+    Stages stages{};
+    std::string before{};         ///< statements before the stage files: textures, topologies
+    std::string tags{};           ///< uniforms of the Program
+    std::string draws = "Rotate 35 1 2 0\nTorus 1.1 .5 24 36\n";
+    Stages show{};                ///< a second program, for what was rendered into textures
+    std::string showTags{};
+    std::string showDraws{};      ///< statements for it; `draws` then ends with those that lead back to the window
+    WrittenOutputs written{};
+    /// Stages that the oracle compiles in place of those above, where Mesa's compiler refuses the dialect: written by
+    /// hand in one that it knows. Each says why.
+    Stages byHand{};
+};
+
+/// The cases by the version that the shaders declare.
+std::vector<Case> casesOf110();
+std::vector<Case> casesOf110Textures();
+std::vector<Case> casesOf120();
+std::vector<Case> casesOf130();
+std::vector<Case> casesOf150();
+std::vector<Case> casesOf330();
+std::vector<Case> casesOf400();
+std::vector<Case> casesOfNames();
+std::vector<Case> casesOfMacros();
+
+}  // namespace glibra::oracle

@@ -1,0 +1,35 @@
+#pragma once
+// The textures of a scene in the compatibility context, made when first asked for.
+
+#include <glad/gl.h>
+
+#include <map>
+#include <vector>
+
+#include "compatibility_context.h"
+#include "scene/scene.h"
+
+namespace glibra::oracle {
+
+class CompatibilityTextures {
+  public:
+    /// The context must be current and stay so.
+    CompatibilityTextures(const GladGLContext& gl, const scene::Scene& scene) : gl_(gl), scene_(scene) {}
+    CompatibilityTextures(const CompatibilityTextures&) = delete;
+    CompatibilityTextures& operator=(const CompatibilityTextures&) = delete;
+    ~CompatibilityTextures();
+
+    /// GL's name of Scene::textures[index]; throws std::runtime_error if its file cannot be read.
+    GLuint texture(int index);
+    /// Binds it to a texture image unit, with the sampling rules of the specification's section 2.4.
+    void bind(int index, GLuint unit, bool clamp);
+
+  private:
+    [[nodiscard]] GLenum targetOf(int index) const;
+    void fill(int index) const;
+    const GladGLContext& gl_;
+    const scene::Scene& scene_;
+    std::map<int, GLuint> names_;
+};
+
+}  // namespace glibra::oracle
