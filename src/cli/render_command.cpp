@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "gpu/context.h"
 #include "image/file.h"
+#include "plan/uniforms.h"
 #include "render/job.h"
 #include "render/workers.h"
 
@@ -270,6 +271,11 @@ int run(RenderArguments& arguments) {
     if (arguments.output == "-" && (arguments.scenes.size() > 1 || arguments.frames > 1)) {
         std::fprintf(stderr, "glibra: error: -o - takes one picture\n");
         return kWrongUsage;
+    }
+    for (const std::string& each : arguments.options.set) {
+        const Result<plan::Override> parsed = plan::parseOverride(each);
+        print(parsed.diagnostics);
+        if (!parsed) return kWrongUsage;
     }
     arguments.options.shim = !arguments.noShim;
     arguments.options.libraryRoots = libraryRoots();

@@ -320,7 +320,9 @@ class Varyings {
         std::string body;
         for (const std::string& each : copies) body += " " + each;
         unit.declare("void glibra_copyVaryings() {" + body + " }");
-        unit.declare("void glibra_EmitVertex() { glibra_copyVaryings(); EmitVertex(); }");
+        const auto tiled = unit.renames.find("EmitVertex");
+        const std::string emit = tiled == unit.renames.end() ? "EmitVertex" : tiled->second;
+        unit.declare("void glibra_EmitVertex() { glibra_copyVaryings(); " + emit + "(); }");
         unit.renames["EmitVertex"] = "glibra_EmitVertex";
         program_.result->userNames["glibra_EmitVertex"] = "EmitVertex";
     }
@@ -392,7 +394,8 @@ class Varyings {
 
     /// EmitStreamVertex takes a constant, so it cannot be put into a function.
     static void emitStream(Unit& unit, const TokenWalk& walk, std::uint32_t at) {
-        if (!unit.renames.contains("EmitVertex")) return;
+        const auto emit = unit.renames.find("EmitVertex");
+        if (emit == unit.renames.end() || emit->second != "glibra_EmitVertex") return;
         const std::uint32_t open = walk.next(at);
         const std::uint32_t close = walk.text(open) == "(" ? walk.match(open) : kNone;
         if (close == kNone || walk.text(walk.next(close)) != ";") return;

@@ -27,6 +27,8 @@ void supplyBuiltins(ProgramUnits& program);
 void supplyFixedState(Unit& unit, Report& report);
 /// 7.6: colours, texture coordinates and fog between stages.
 void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>& walks);
+/// ProgramRequest::tiled. Before connectBuiltinVaryings, whose EmitVertex calls the one from here.
+void placeInTile(ProgramUnits& program);
 /// 7.6: what the fragment stage writes.
 void placeFragmentOutputs(ProgramUnits& program);
 /// 7.7: names of EXT_geometry_shader4.

@@ -60,6 +60,7 @@ void applyRules(ProgramUnits& program) {
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeFunctions(program.units[i], walks[i]);
     supplyBuiltins(program);
     for (Unit& unit : program.units) supplyFixedState(unit, report);
+    placeInTile(program);
     connectBuiltinVaryings(program, walks);
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);

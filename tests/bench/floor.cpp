@@ -74,8 +74,8 @@ struct Mesh {
 
 Mesh sphere() {
     Mesh mesh;
-    mesh.vertices.reserve((kSlices + 1) * (kStacks - 1) + 2 * kSlices);
-    mesh.indices.reserve(6 * kSlices * (kStacks - 1));
+    mesh.vertices.reserve(std::size_t{kSlices + 1} * (kStacks - 1) + std::size_t{2} * kSlices);
+    mesh.indices.reserve(std::size_t{6} * kSlices * (kStacks - 1));
     const auto add = [&](double cosineS, double sineS, double cosineT, double sineT) {
         const float x = static_cast<float>(-cosineS * cosineT);
         const float y = static_cast<float>(sineT);
@@ -228,8 +228,9 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     bufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint16_t)),
                mesh.indices.data(), GL_STATIC_DRAW);
     vertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-    vertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                        reinterpret_cast<const void*>(offsetof(Vertex, normal)));
+    vertexAttribPointer(
+        1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+        reinterpret_cast<const void*>(offsetof(Vertex, normal)));  // NOLINT(performance-no-int-to-ptr)
     enableVertexAttribArray(0);
     enableVertexAttribArray(1);
 
@@ -248,7 +249,7 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     clearColor(18 / 255.F, 27 / 255.F, 33 / 255.F, 1);
     clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_SHORT, nullptr);
-    std::vector<std::uint8_t> pixels(4 * kSize * kSize);
+    std::vector<std::uint8_t> pixels(std::size_t{4} * kSize * kSize);
     readPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     return pixels;
 }

@@ -161,6 +161,7 @@ void main() {
     gl_FragColor = vec4(c.rgb + .3 * d * gl_BackMaterial.diffuse.rgb, 1.);
 }
 )glsl"}},
+        // Without spotCosCutoff: the driver holds 0 where GL says cos 180 degrees = -1.
         {.name = "v110_other_light_state",
          .stages = {.vertex = kPointVertex,
                     .fragment = R"glsl(
@@ -169,7 +170,7 @@ void main() {
     float a = .5 + .5 * sin(6. * vPoint.x), b = .5 + .5 * vPoint.y;
     vec3 c = gl_LightModel.ambient.rgb + gl_FrontMaterial.emission.rgb + gl_LightSource[1].diffuse.rgb;
     c.r += .25 * gl_LightSource[2].constantAttenuation * a + gl_LightSource[2].linearAttenuation;
-    c.g += .25 * (gl_LightSource[0].spotCosCutoff + 2.) * b + gl_LightSource[0].quadraticAttenuation;
+    c.g += .5 * gl_LightSource[0].constantAttenuation * b + gl_LightSource[0].quadraticAttenuation;
     c.b += gl_LightSource[3].spotCutoff / 360. * a - gl_LightSource[3].spotDirection.z * .2;
     gl_FragColor = vec4(c + gl_FrontMaterial.shininess + gl_LightSource[0].spotExponent, gl_FrontMaterial.diffuse.a);
 }

@@ -138,6 +138,10 @@ CompatibilityProgram::CompatibilityProgram(const GladGLContext& gl, const std::v
         const std::vector<std::byte> zeros(static_cast<std::size_t>(bytes));
         gl.BufferData(GL_UNIFORM_BUFFER, bytes, zeros.data(), GL_STATIC_DRAW);
     }
+    for (const Uniform& uniform : uniforms())
+        if (isSampler(uniform.type))
+            for (GLint at = uniform.location; at < uniform.location + uniform.size; ++at)
+                gl.GetUniformiv(id_, at, &declaredUnits_[at]);
 }
 
 CompatibilityProgram::~CompatibilityProgram() {
@@ -250,7 +254,9 @@ std::vector<CompatibilityProgram::Sampler> CompatibilityProgram::samplers(
     for (const Uniform& uniform : uniforms()) {
         if (!isSampler(uniform.type)) continue;
         for (GLint element = 0; element < uniform.size; ++element) {
-            int unit = uniform.name == "Noise2" ? 2 : uniform.name == "Noise3" ? 3 : 0;
+            int unit = declaredUnits_.at(uniform.location + element);
+            if (uniform.name == "Noise2") unit = 2;
+            if (uniform.name == "Noise3") unit = 3;
             for (const glib::UniformSpec& tag : tags)
                 if (tag.tag == uniform.name) unit = static_cast<int>(tag.values.at(static_cast<std::size_t>(element)));
             found.push_back({uniform.location + element, unit, targetOf(uniform.type)});

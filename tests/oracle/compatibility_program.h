@@ -5,6 +5,7 @@
 
 #include <glad/gl.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ class CompatibilityProgram {
     /// Sets the uniforms named in the specification's section 6: uModelViewMatrix and so on, and Timer.
     void setRuntimeValues(const scene::DrawMatrices& matrices, double timer) const;
 
-    /// An active sampler: its location, the unit that its tag names (0 without one, the noise units for Noise2 and
-    /// Noise3), and the target its type asks for.
+    /// An active sampler: its location, the unit that its tag names (without one that of its declaration, else 0; 2 for
+    /// Noise2, 3 for Noise3), and the target its type asks for.
     struct Sampler {
         GLint location = 0;
         int unit = 0;
@@ -58,6 +59,7 @@ class CompatibilityProgram {
     const GladGLContext& gl_;
     GLuint id_ = 0;
     std::vector<glsl::Stage> stages_;
+    std::map<GLint, GLint> declaredUnits_;  ///< of samplers, by location: layout(binding = n), else 0
     std::vector<GLuint> blocks_;  ///< a buffer for each uniform block
 };
 
