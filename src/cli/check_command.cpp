@@ -1,13 +1,13 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "cli/commands.h"
 #include "gpu/context.h"
+#include "image/file.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::cli {
@@ -19,6 +19,7 @@ struct CheckArguments {
     Driver driver = Driver::automatic;
     bool json = false;
     bool noShim = false;
+    std::string translated;
 };
 
 nlohmann::ordered_json toJson(const Diagnostics& diagnostics) {
@@ -33,6 +34,18 @@ nlohmann::ordered_json toJson(const Diagnostics& diagnostics) {
     return list;
 }
 
+/// Writes each shader to the folder, which is made if need be.
+Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
+                         const std::filesystem::path& folder) {
+    Diagnostics problems;
+    std::error_code ignored;  // told with the first file that cannot be written
+    std::filesystem::create_directories(folder, ignored);
+    for (const render::TranslatedShader& each : shaders)
+        append(problems,
+               image::writeFileAtomically(folder / each.name, std::as_bytes(std::span(each.source))));
+    return problems;
+}
+
 int run(CheckArguments& arguments) {
     Result<gpu::Context> context = gpu::openContext({.driver = arguments.driver});
     if (!context) {
@@ -44,7 +57,10 @@ int run(CheckArguments& arguments) {
     int status = kDone;
     nlohmann::ordered_json report = nlohmann::ordered_json::array();
     for (const std::string& scene : arguments.scenes) {
-        const Diagnostics diagnostics = render::checkScene(*context, scene, arguments.options);
+        const render::CheckResult checked = render::checkScene(*context, scene, arguments.options);
+        Diagnostics diagnostics = checked.diagnostics;
+        if (!arguments.translated.empty())
+            append(diagnostics, writeShaders(checked.shaders, arguments.translated));
         if (hasError(diagnostics)) status = kSceneIsWrong;
         if (arguments.json)
             report.push_back(
@@ -67,6 +83,8 @@ void addCheck(CLI::App& app, int& status) {
         ->transform(CLI::CheckedTransformer(kDriverWords));
     command->add_flag("--strict", arguments->options.strict, "warnings are errors");
     command->add_flag("--no-shim", arguments->noShim, "compile the shaders as they are");
+    command->add_option("--translated", arguments->translated,
+                        "folder for the shaders as the driver gets them");
     command->add_flag("--json", arguments->json, "the diagnostics as JSON on standard output");
     command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -81,7 +81,10 @@ class Varyings {
 
     void run() {
         for (Unit& unit : program_.units) accesses_.push_back(scan(unit));
-        for (std::size_t i = 0; i < program_.units.size(); ++i) removeRedeclarations(program_.units[i]);
+        for (Unit& unit : program_.units) {
+            removeRedeclarations(unit);
+            dropPerVertex(unit);
+        }
         for (std::size_t i = 0; i < program_.units.size(); ++i) stage(i);
     }
 
@@ -178,6 +181,21 @@ class Varyings {
                 texCoords_ = std::max(texCoords_, static_cast<int>(size));
             if (variable.interpolation == "flat") flat_ = true;
             variable.removed = true;
+        }
+    }
+
+    /// gl_PerVertex of core GLSL has none of these members; without a declaration it has all that are left.
+    static void dropPerVertex(Unit& unit) {
+        for (const Declaration& block : unit.syntax.declarations) {
+            if (block.kind != DeclarationKind::block || unit.text(block.name) != "gl_PerVertex") continue;
+            const bool old = std::any_of(block.members.begin(), block.members.end(), [&](const Declaration& member) {
+                bool input = false;
+                return !member.declarators.empty() && (varyingOf(unit.text(member.declarators[0].name), input) != kVaryingCount ||
+                                                       unit.text(member.declarators[0].name) == "gl_ClipVertex");
+            });
+            std::vector<std::uint32_t> tokens;
+            if (!old || !editableTokens(unit, block.tokens, tokens)) continue;
+            for (const std::uint32_t each : tokens) unit.edits.remove(each);
         }
     }
 

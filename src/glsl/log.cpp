@@ -77,6 +77,19 @@ std::vector<std::string_view> linesOf(std::string_view log) {
     return lines;
 }
 
+/// Mesa lists every overload of a function that was called wrongly, each as an error of its own.
+constexpr std::string_view kCandidates = "; candidates are:";
+
+bool isCandidate(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    const std::size_t open = text.find('(');
+    if (first == std::string_view::npos || open == std::string_view::npos || !text.ends_with(')'))
+        return false;
+    // "vec4 texture(sampler2D, vec2)": two words before the bracket, nothing else.
+    const std::string_view head = text.substr(first, open - first);
+    return std::count(head.begin(), head.end(), ' ') == 1;
+}
+
 Diagnostic programNote(const TranslatedProgram& program, std::string id) {
     return note(std::move(id), "in Program '" + program.name + "'", program.place);
 }
@@ -88,8 +101,11 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     Diagnostics result;
     std::string rest;
     bool failed = false;
+    bool candidates = false;
     for (const std::string_view each : linesOf(log)) {
         const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
+        if (line && candidates && isCandidate(line->text)) continue;
+        candidates = line && line->text.ends_with(kCandidates);
         if (!line) {
             if (!isLogSummary(each)) rest += (rest.empty() ? "" : " ") + inUserNames(program, each);
             continue;
@@ -97,7 +113,8 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         if (line->line >= kOwnLines) continue;
         const std::string& file = fileOf(stage, line->source);
         const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
-        const std::string text = inUserNames(program, line->text);
+        std::string text = inUserNames(program, line->text);
+        if (candidates) text.resize(text.size() - kCandidates.size());
         result.push_back(line->isWarning ? warning("", text, place) : error("glsl-E01", text, place));
         failed = failed || !line->isWarning;
     }

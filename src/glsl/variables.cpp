@@ -47,9 +47,10 @@ class Rewriter {
         if (variable.removed) return;
         if (variable.sizesChanged) blank(declarator.dimensionTokens);
         if (variable.dropInitializer) blank({declarator.dimensionTokens.end, declarator.end});
-        std::string text = variable.sizesChanged ? bracketed(variable.nameSizes) : "";
-        text += variable.initializer;
-        if (!text.empty()) unit_.edits.after(unit_.view[variable.nameToken].site, text);
+        const bool behindSizes = !variable.sizesChanged && !declarator.dimensions.empty();
+        const std::uint32_t last = behindSizes ? declarator.dimensionTokens.end - 1 : variable.nameToken;
+        const std::string text = (variable.sizesChanged ? bracketed(variable.nameSizes) : "") + variable.initializer;
+        if (!text.empty()) unit_.edits.after(unit_.view[last].site, text);
     }
 
     void blank(Range range) {

@@ -41,10 +41,20 @@ class SceneRenderer {
     std::unique_ptr<State> state_;
 };
 
-/// glibra check: parses, resolves and reads every file, compiles and links every program; draws nothing,
-/// skips nothing.
-Diagnostics checkScene(gpu::Context& context, const std::filesystem::path& scene,
-                       const RenderOptions& options);
+/// A shader as the driver got it.
+struct TranslatedShader {
+    std::string name;  ///< "3-Dots.frag": number of the program in its scene, its name, the stage
+    std::string source;
+};
+
+/// What glibra check found out.
+struct CheckResult {
+    Diagnostics diagnostics;
+    std::vector<TranslatedShader> shaders;
+};
+
+/// Parses, resolves and reads every file, compiles and links every program; draws nothing, skips nothing.
+CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options);
 
 /// Removes repeated messages; with `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);

@@ -45,5 +45,7 @@ std::vector<Case> casesOf330();
 std::vector<Case> casesOf400();
 std::vector<Case> casesOfNames();
 std::vector<Case> casesOfMacros();
+std::vector<Case> casesOfStructures();
+std::vector<Case> casesOfIdioms();
 
 }  // namespace glibra::oracle

@@ -169,6 +169,7 @@ class Drawing {
 
         gl_.ShadeModel(draw.flatColors ? GL_FLAT : GL_SMOOTH);
         gl_.PointSize(static_cast<GLfloat>(draw.raster.pointSize));
+        gl_.LineWidth(static_cast<GLfloat>(draw.raster.lineWidth));
         draw.raster.pointSizeFromShader ? gl_.Enable(GL_PROGRAM_POINT_SIZE) : gl_.Disable(GL_PROGRAM_POINT_SIZE);
         const auto [known, isNew] = meshes_.try_emplace(draw.shape);
         if (isNew) {

@@ -16,8 +16,8 @@ using tests::textsOf;
 
 struct Expected {
     const char* text;
-    std::size_t vertices;
-    std::size_t indices;
+    int vertices;
+    int indices;
     geometry::Topology topology;
 };
 using enum geometry::Topology;
@@ -58,15 +58,14 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
         ASSERT_EQ(scene.shapes.size(), 1U) << each.text;
         const auto mesh = makeMesh(scene, 0);
         ASSERT_TRUE(mesh) << each.text;
-        EXPECT_EQ(mesh->vertexCount(), each.vertices) << each.text;
-        EXPECT_EQ(mesh->indices.size(), each.indices) << each.text;
+        EXPECT_EQ(static_cast<int>(mesh->vertexCount()), each.vertices) << each.text;
+        EXPECT_EQ(static_cast<int>(mesh->indices.size()), each.indices) << each.text;
         EXPECT_EQ(mesh->topology, each.topology) << each.text;
         const auto counts = countsOf(scene.shapes[0]);
         ASSERT_TRUE(counts) << each.text;
-        EXPECT_EQ(counts->vertices, each.vertices) << each.text;
-        EXPECT_EQ(
-            counts->primitives * static_cast<std::size_t>(geometry::verticesPerPrimitive(each.topology)),
-            each.indices)
+        EXPECT_EQ(static_cast<int>(counts->vertices), each.vertices) << each.text;
+        EXPECT_EQ(static_cast<int>(counts->primitives) * geometry::verticesPerPrimitive(each.topology),
+                  each.indices)
             << each.text;
     }
 }

@@ -18,7 +18,6 @@ namespace glibra::scene {
 namespace {
 
 using tests::drawsOf;
-using tests::idsOf;
 using tests::run;
 
 constexpr double kDegree = std::numbers::pi / 180;

@@ -1,0 +1,100 @@
+// Every scene of the repository: free of messages, drawn, not one colour, also on GL 4.1; and its translated
+// shaders are accepted by a second compiler.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "image/compare.h"
+#include "image/inspect.h"
+#include "image/read.h"
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> scenes() {
+    std::vector<fs::path> found;
+    for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib"))
+        if (each.path().extension() == ".glib") found.push_back(each.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::string allScenes() {
+    std::string names;
+    for (const fs::path& each : scenes()) names += "'" + each.string() + "' ";
+    return names;
+}
+
+TEST(Scenes, AreThereAndFreeOfMessages) {
+    EXPECT_GE(scenes().size(), 19U);
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "check --strict " + allScenes());
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(Scenes, AreDrawnAndNotOneColour) {
+    const Folder folder;
+    const Finished run =
+        glibra(folder.path(), "render --strict --size 150x120 --time 2.5 --jobs 2 " + allScenes());
+    EXPECT_EQ(run.status, 0) << run.err;
+    std::size_t pictures = 0;
+    for (const auto& each : fs::recursive_directory_iterator(folder.path())) {
+        if (each.path().extension() != ".png") continue;
+        const auto picture = image::readImage(each.path());
+        ASSERT_TRUE(picture) << each.path();
+        EXPECT_EQ(picture->width, 150);
+        EXPECT_FALSE(image::isOneColor(*picture)) << each.path();
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, scenes().size());
+}
+
+TEST(Scenes, LookTheSameOnGl41) {
+    const Folder folder;
+    ASSERT_EQ(glibra(folder.path(), "render -o new --size 150x120 --jobs 2 " + allScenes()).status, 0);
+    const Finished run = glibra(folder.path(), "render -o old --size 150x120 --jobs 2 " + allScenes(),
+                                "MESA_GL_VERSION_OVERRIDE=4.1 MESA_GLSL_VERSION_OVERRIDE=410");
+    ASSERT_EQ(run.status, 0) << run.err;
+    for (const auto& each : fs::recursive_directory_iterator(folder / "new")) {
+        if (each.path().extension() != ".png") continue;
+        const auto expected = image::readImage(each.path());
+        const auto got = image::readImage(folder / "old" / fs::relative(each.path(), folder / "new"));
+        ASSERT_TRUE(expected && got) << each.path();
+        const image::Comparison difference = image::compare(*expected, *got);
+        // A few pixels on edges and thresholds may fall to the other side.
+        EXPECT_LE(static_cast<double>(difference.differingPixels), 0.01 * 150 * 120) << each.path();
+    }
+}
+
+TEST(Scenes, TranslatedShadersAreAcceptedByGlslang) {
+    for (const fs::path& each : scenes()) {
+        const Folder folder;
+        const Finished run = glibra(folder.path(), "check --translated shaders '" + each.string() + "'");
+        ASSERT_EQ(run.status, 0) << each << run.err;
+        // Each stage alone: linking is the driver's affair, and programs share the folder.
+        const std::string command =
+            "cd '" + folder.path().string() + "/shaders' && glslangValidator *.* >../log.txt 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << each << "\n" << readFile(folder / "log.txt");
+    }
+}
+
+TEST(Program, LinksNeitherWindowNorPictureLibraries) {
+    const Folder folder;
+    const std::string command = "ldd '" GLIBRA_PROGRAM "' >'" + (folder / "libraries").string() + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const std::string libraries = readFile(folder / "libraries");
+    EXPECT_NE(libraries.find("libc.so"), std::string::npos);
+    for (const char* name : {"OpenImageIO", "glfw", "imgui", "libX11", "freetype", "fontconfig", "libEGL",
+                             "OSMesa", "libGL.", "libLLVM", "jpeg", "tiff"})
+        EXPECT_EQ(libraries.find(name), std::string::npos) << name << " in\n" << libraries;
+}
+
+}  // namespace
+}  // namespace glibra::test
