@@ -36,16 +36,20 @@ install_packages() {
     rm -f "$log"
 }
 
-# build PRESET TARGET...: configures once, then builds; prints only when it takes a while or fails.
+# configure PRESET OPTION...: with the tests or without them, as the options say.
+configure() {
+    preset=$1
+    shift
+    mkdir -p build
+    say "configuring ($preset)"
+    cmake --preset "$preset" "$@" >"build/$preset.log" 2>&1 || { cat "build/$preset.log" >&2; exit 4; }
+}
+
+# build PRESET TARGET...: prints the compiler's output only if it fails.
 build() {
     preset=$1
     shift
-    log=build/$preset.log
-    mkdir -p build
-    if [ ! -f "build/$preset/build.ninja" ]; then
-        say "configuring ($preset)"
-        cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 4; }
-    fi
     say "building ($preset)"
-    cmake --build "build/$preset" --target "$@" >"$log" 2>&1 || { tail -n 100 "$log" >&2; exit 4; }
+    cmake --build "build/$preset" --target "$@" >"build/$preset.log" 2>&1 ||
+        { tail -n 100 "build/$preset.log" >&2; exit 4; }
 }

@@ -107,6 +107,9 @@ void modernizeQualifiers(ProgramUnits& program) {
     for (Unit& unit : program.units) {
         for (Variable& variable : unit.variables) modernize(unit, variable);
         dropInvariantInputs(unit);
+        // What is left of the old words stands in macros, whose bodies are translated like ordinary text.
+        unit.wordRenames.try_emplace("attribute", "in");
+        unit.wordRenames.try_emplace("varying", unit.stage == Stage::fragment ? "in" : "out");
     }
 }
 

@@ -42,16 +42,6 @@ class SourceReader {
     }
 
   private:
-    struct Conditional {
-        bool outer;  ///< the surrounding text is compiled
-        bool taken;  ///< one of the branches was
-    };
-    struct Line {
-        std::span<const Token> tokens;
-        std::vector<const Token*> significant;
-        std::uint32_t first = 0;  ///< index in unit.tokens
-    };
-
     [[nodiscard]] bool shim() const { return unit_.request->shim; }
     [[nodiscard]] Place placeOf(const Token& token) const {
         return {unit_.files[file_], token.line + shift_, token.column};
@@ -190,111 +180,6 @@ class SourceReader {
             once_.insert(unit_.files[file_]);
             blank(line);
         }
-    }
-
-    void conditional(std::string_view name, const Line& line) {
-        if (name == "if" || name == "ifdef" || name == "ifndef") {
-            conditionals_.push_back({active_, false});
-            branch(active_ && (name == "if" ? condition(line) : defined(line) == (name == "ifdef")));
-            return;
-        }
-        if (conditionals_.empty()) return;
-        if (name == "endif") {
-            active_ = conditionals_.back().outer;
-            conditionals_.pop_back();
-        } else {
-            const bool open = conditionals_.back().outer && !conditionals_.back().taken;
-            active_ = false;
-            branch(open && (name == "else" || condition(line)));
-        }
-    }
-    void branch(bool taken) {
-        active_ = taken;
-        if (taken) conditionals_.back().taken = true;
-    }
-
-    [[nodiscard]] bool isDefined(std::string_view name) const {
-        if (macros_.isDefined(name) || name == "__VERSION__" || name == "__LINE__" || name == "__FILE__")
-            return true;
-        if (name == "GL_core_profile") return true;
-        if (name == "GL_compatibility_profile") return !unit_.dialect.core;
-        if (!name.starts_with("GL_")) return false;
-        if (extensionInCoreSince(name)) return true;
-        const Target& target = unit_.request->target;
-        return target.hasExtension && target.hasExtension(name);
-    }
-    [[nodiscard]] bool defined(const Line& line) const {
-        return line.significant.size() > 2 && isDefined(line.significant[2]->text);
-    }
-
-    ViewToken numberToken(bool one) {
-        ViewToken token;
-        token.text = one ? "1" : "0";
-        token.kind = TokenKind::number;
-        return token;
-    }
-
-    bool condition(const Line& line) {
-        std::vector<ViewToken> tokens;
-        for (std::size_t i = 2; i < line.significant.size(); ++i) {
-            const Token& token = *line.significant[i];
-            if (token.text == "defined") {
-                const bool bracket = i + 1 < line.significant.size() && line.significant[i + 1]->text == "(";
-                const std::size_t at = i + (bracket ? 2 : 1);
-                tokens.push_back(
-                    numberToken(at < line.significant.size() && isDefined(line.significant[at]->text)));
-                i = at + (bracket ? 1 : 0);
-                continue;
-            }
-            ViewToken view;
-            view.text = token.text;
-            view.kind = token.kind;
-            tokens.push_back(view);
-        }
-        std::vector<ViewToken> expanded;
-        macros_.expand(tokens, expanded);
-        for (ViewToken& each : expanded) predefined(each);
-        long long value = 0;
-        return evaluateCondition(expanded, value) && value != 0;
-    }
-    void predefined(ViewToken& token) {
-        if (token.kind != TokenKind::word) return;
-        if (token.text == "__VERSION__") {
-            unit_.storage.push_back(std::to_string(unit_.dialect.written));
-            token.text = unit_.storage.back();
-            token.kind = TokenKind::number;
-        } else if (isDefined(token.text)) {
-            token = numberToken(true);
-        }
-    }
-
-    void define(const Line& line) {
-        flush();
-        if (line.significant.size() < 3) return;
-        const Token* const name = line.significant[2];
-        unit_.macros.emplace(name->text);
-        Macro macro;
-        // A parenthesis belongs to the macro only if it follows its name at once.
-        const Token* const next = name + 1;
-        std::size_t at = 3;
-        const bool last = next == line.tokens.data() + line.tokens.size();
-        if (!last && next->text == "(") {
-            macro.takesArguments = true;
-            for (at = 4; at < line.significant.size() && line.significant[at]->text != ")"; ++at)
-                if (line.significant[at]->kind == TokenKind::word)
-                    macro.parameters.push_back(line.significant[at]->text);
-            ++at;
-        }
-        for (; at < line.significant.size(); ++at) {
-            ViewToken token;
-            token.text = line.significant[at]->text;
-            token.kind = line.significant[at]->kind;
-            token.raw = token.site =
-                line.first + static_cast<std::uint32_t>(line.significant[at] - line.tokens.data());
-            token.body = true;
-            macro.body.push_back(token);
-        }
-        macros_.define(name->text, std::move(macro));
     }
 
     void version(const Line& line) {

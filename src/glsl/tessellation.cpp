@@ -1,6 +1,7 @@
 // Language 7.8, and what the runtime has to know about the stages.
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "glsl/rules.h"
 #include "glsl/usage.h"
@@ -50,8 +51,13 @@ void checkTessellation(ProgramUnits& program) {
     program.result->writesPointSize = last->isWritten("gl_PointSize");
     const auto clip = last->writes.find("gl_ClipDistance");
     if (clip == last->writes.end()) return;
-    int count = 0;
+    // A redeclaration with a size says how many there are; else the largest constant index does.
+    long long declared = 0;
+    if (const Variable* own = last->variable("gl_ClipDistance"); own && !own->nameSizes.empty())
+        declared = std::strtoll(own->nameSizes.front().c_str(), nullptr, 10);
+    int count = static_cast<int>(std::clamp<long long>(declared, 0, 8));
     for (const std::uint32_t at : clip->second) {
+        if (declared > 0) break;
         const int index = constantIndex(*last, at + 1);
         count = std::max(count, index < 0 ? 8 : std::min(index + 1, 8));
     }

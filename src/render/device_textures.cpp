@@ -129,12 +129,17 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const StageTimer timer(stats_, "noise");
         Result<std::vector<std::uint8_t>> bytes = noiseTexels(scene_, *noise, texture.place);
-        if (!bytes) return std::move(bytes.diagnostics);
+        Diagnostics diagnostics = noise->remarks;
+        append(diagnostics, std::move(bytes.diagnostics));
+        if (!bytes) return diagnostics;
         const std::vector<std::uint16_t> wide = widened(*bytes);
         const int depth = noise->dimensions == 3 ? noise->size : 1;
-        return gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16,
-                                    {noise->size, noise->size, depth},
-                                    {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+        Result<gpu::Texture> made =
+            gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
+                                 {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+        append(diagnostics, std::move(made.diagnostics));
+        made.diagnostics = std::move(diagnostics);
+        return made;
     }
 
     const auto& picture = std::get<scene::PictureSource>(texture.source);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "render/programs.h"
 
 namespace glibra::render {
@@ -50,15 +52,20 @@ plan::ValueType valueType(const gpu::ValueType& type) {
     return described;
 }
 
-/// The emitted name is "glibra_x" or "block.glibra_x[2].y"; the part that the translator renamed becomes the
+/// The emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y": every part that the translator renamed becomes the
 /// user's again.
 std::string userName(const std::string& emitted, const glsl::TranslatedProgram& facts) {
-    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end())
-        return whole->second;
-    const std::size_t end = emitted.find_first_of(".[");
-    if (end == std::string::npos) return emitted;
-    const auto first = facts.userNames.find(emitted.substr(0, end));
-    return first == facts.userNames.end() ? emitted : first->second + emitted.substr(end);
+    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end()) return whole->second;
+    std::string name;
+    for (std::size_t begin = 0; begin < emitted.size();) {
+        const std::size_t end = std::min(emitted.find_first_of(".[]", begin), emitted.size());
+        const std::string part = emitted.substr(begin, end - begin);
+        const auto renamed = facts.userNames.find(part);
+        name += renamed == facts.userNames.end() ? part : renamed->second;
+        if (end < emitted.size()) name += emitted[end];
+        begin = end + 1;
+    }
+    return name;
 }
 
 }  // namespace

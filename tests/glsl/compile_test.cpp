@@ -223,7 +223,7 @@ TEST_P(Compile, TranslationIsAFunction) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, Compile, testing::Values(410, 430, 450), [](const auto& info) { return std::to_string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Targets, Compile, testing::Values(410, 430, 450), [](const auto& target) { return std::to_string(target.param); });
 
 TEST(Target410, QualifiersAreReordered) {
     ProgramRequest request = single(Stage::vertex, "#version 430\nout flat vec3 a; in layout(location = 2) highp vec4 b; out centroid smooth vec2 c;\nvoid main() { a = b.xyz; c = b.xy; gl_Position = b; }");

@@ -27,7 +27,7 @@ TEST(CompileLog, Mesa) {
     EXPECT_EQ("a.frag:5:28: error: `nothing' undeclared [glsl-E01]", first("0:5(41): error: `nothing' undeclared\n"));
     EXPECT_EQ("a.frag:3:1: warning: unused", first("0:3(1): warning: unused\n").substr(0, 27));
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("1:2(1): error: oops\n"));
-    EXPECT_EQ("a.frag:1:1: error: Illegal non-directive after # [glsl-E01]", first("0:1(1): preprocessor error: Illegal non-directive after #\n"));
+    EXPECT_EQ("a.frag:4:1: error: Illegal non-directive after # [glsl-E01]", first("0:4(1): preprocessor error: Illegal non-directive after #\n"));
 }
 
 TEST(CompileLog, MesaWithNames) {
@@ -77,7 +77,7 @@ TEST(CompileLog, ColumnsFollowTheEdits) {
     // Mesa counts a run of blanks as one; the names in front are longer in the emitted text.
     const TranslatedProgram translated = translateSingle(Stage::fragment, "#version 120\nvoid main() {    gl_FragColor   = /* c */ gl_FragCoord + other; }\n");
     const Diagnostics found = explainCompileLog(translated, translated.stages.at(0), "0:2(51): error: `other' undeclared\n");
-    EXPECT_EQ(59, found.at(0).place.column);
+    EXPECT_EQ(58, found.at(0).place.column);
     const Diagnostics blind = explainCompileLog(translated, translated.stages.at(0), "0:2(15): error: something\n");
     EXPECT_EQ(18, blind.at(0).place.column);
 }

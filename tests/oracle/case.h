@@ -47,5 +47,6 @@ std::vector<Case> casesOfNames();
 std::vector<Case> casesOfMacros();
 std::vector<Case> casesOfStructures();
 std::vector<Case> casesOfIdioms();
+std::vector<Case> casesOfCollisions();
 
 }  // namespace glibra::oracle

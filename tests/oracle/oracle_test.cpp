@@ -20,7 +20,7 @@ BothWays& bothWays() {
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto& group : {casesOf110(), casesOf110Textures(), casesOf120(), casesOf130(), casesOf150(), casesOf330(),
-                              casesOf400(), casesOfNames(), casesOfMacros(), casesOfStructures(), casesOfIdioms()})
+                              casesOf400(), casesOfNames(), casesOfMacros(), casesOfStructures(), casesOfIdioms(), casesOfCollisions()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
