@@ -188,11 +188,13 @@ class Varyings {
     static void dropPerVertex(Unit& unit) {
         for (const Declaration& block : unit.syntax.declarations) {
             if (block.kind != DeclarationKind::block || unit.text(block.name) != "gl_PerVertex") continue;
-            const bool old = std::any_of(block.members.begin(), block.members.end(), [&](const Declaration& member) {
-                bool input = false;
-                return !member.declarators.empty() && (varyingOf(unit.text(member.declarators[0].name), input) != kVaryingCount ||
-                                                       unit.text(member.declarators[0].name) == "gl_ClipVertex");
-            });
+            const bool old =
+                std::any_of(block.members.begin(), block.members.end(), [&](const Declaration& member) {
+                    bool input = false;
+                    return !member.declarators.empty() &&
+                           (varyingOf(unit.text(member.declarators[0].name), input) != kVaryingCount ||
+                            unit.text(member.declarators[0].name) == "gl_ClipVertex");
+                });
             std::vector<std::uint32_t> tokens;
             if (!old || !editableTokens(unit, block.tokens, tokens)) continue;
             for (const std::uint32_t each : tokens) unit.edits.remove(each);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "glsl/extensions.h"
+#include "glsl/preprocessor.h"
 #include "glsl/version.h"
 
 namespace glibra::glsl {
@@ -23,7 +24,7 @@ std::string lowerName(std::string_view path) {
 
 class SourceReader {
   public:
-    SourceReader(Unit& unit, Report& report) : unit_(unit), report_(report) {}
+    SourceReader(Unit& unit, Report& report) : unit_(unit), report_(report), preprocessor_(unit) {}
 
     void run(const StageSource& source) {
         unit_.storage.push_back(normalizeLines(source.text));
@@ -33,7 +34,7 @@ class SourceReader {
         if (bytes_ > kMostBytes) return tooLarge(source.path);
         findVersion(tokens);
         addFile(tokens, 0);
-        flush();
+        preprocessor_.flush();
         unit_.edits.resize(unit_.tokens.size());
         for (const std::uint32_t each : blanked_) unit_.edits.remove(each);
         for (auto& [token, text2] : replaced_) unit_.edits.replace(token, std::move(text2));
@@ -95,17 +96,16 @@ class SourceReader {
     }
 
     void addLine(std::span<const Token> tokens) {
-        Line line;
+        SourceLine line;
         line.tokens = tokens;
         for (const Token& each : tokens)
             if (isSignificant(each.kind)) line.significant.push_back(&each);
-        const bool directive = !line.significant.empty() && line.significant[0]->text == "#";
+        const bool directive = line.word(0) == "#";
         if (!directive) {
             push(tokens, false);
             return;
         }
-        const std::string_view name =
-            line.significant.size() > 1 ? line.significant[1]->text : std::string_view{};
+        const std::string_view name = line.word(1);
         if (name == "include") {
             include(line);
             return;
@@ -120,35 +120,29 @@ class SourceReader {
             Token token = each;
             token.line += shift_;
             token.file = static_cast<std::uint16_t>(file_);
-            token.active = active_;
+            token.active = preprocessor_.active();
             token.directive = directive && each.kind != TokenKind::newline;
             if (each.droppedBackslash && shim())
                 report_.warning("glsl-W08", "backslash at the end of a comment dropped", placeOf(each));
             const auto index = static_cast<std::uint32_t>(unit_.tokens.size());
             unit_.tokens.push_back(token);
-            if (!directive && active_ && isSignificant(token.kind)) {
+            if (!directive && token.active && isSignificant(token.kind)) {
                 ViewToken view;
                 view.text = token.text;
                 view.raw = view.site = index;
                 view.kind = token.kind;
-                pending_.push_back(view);
+                preprocessor_.text(view);
             }
         }
     }
 
-    /// Expands what was read since the macros last changed.
-    void flush() {
-        macros_.expand(pending_, unit_.view);
-        pending_.clear();
-    }
-
-    void blank(const Line& line) {
+    void blank(const SourceLine& line) {
         for (std::size_t i = 0; i < line.tokens.size(); ++i)
             if (isSignificant(line.tokens[i].kind))
                 blanked_.push_back(line.first + static_cast<std::uint32_t>(i));
     }
     /// `text` in place of the directive's words.
-    void replace(const Line& line, std::string text) {
+    void replace(const SourceLine& line, std::string text) {
         blank(line);
         for (std::size_t i = 0; i < line.tokens.size(); ++i)
             if (isSignificant(line.tokens[i].kind)) {
@@ -157,32 +151,23 @@ class SourceReader {
             }
     }
 
-    void perform(std::string_view name, const Line& line) {
-        if (name == "if" || name == "ifdef" || name == "ifndef" || name == "elif" || name == "else" ||
-            name == "endif")
-            return conditional(name, line);
-        if (!active_) {
+    void perform(std::string_view name, const SourceLine& line) {
+        if (preprocessor_.perform(name, line)) return;
+        if (!preprocessor_.active()) {
             if (name == "extension" || name == "version") blank(line);
-            return;
-        }
-        if (name == "define")
-            define(line);
-        else if (name == "undef" && line.significant.size() > 2) {
-            flush();
-            macros_.undefine(line.significant[2]->text);
-        } else if (name == "version")
+        } else if (name == "version") {
             version(line);
-        else if (name == "extension")
+        } else if (name == "extension") {
             extension(line);
-        else if (name == "line")
+        } else if (name == "line") {
             lineNumber(line);
-        else if (name == "pragma" && line.significant.size() > 2 && line.significant[2]->text == "once") {
+        } else if (name == "pragma" && line.word(2) == "once") {
             once_.insert(unit_.files[file_]);
             blank(line);
         }
     }
 
-    void version(const Line& line) {
+    void version(const SourceLine& line) {
         const Place place = placeOf(*line.significant[0]);
         blank(line);
         if (!unit_.dialect.given) {
@@ -195,7 +180,7 @@ class SourceReader {
         }
     }
 
-    void extension(const Line& line) {
+    void extension(const SourceLine& line) {
         if (!shim() || line.significant.size() < 3) return;
         const std::string name(line.significant[2]->text);
         const std::string_view behaviour = line.significant.size() > 4 ? line.significant[4]->text : "enable";
@@ -222,19 +207,9 @@ class SourceReader {
         }
     }
 
-    void lineNumber(const Line& line) {
-        std::vector<ViewToken> tokens, expanded;
-        for (std::size_t i = 2; i < line.significant.size(); ++i) {
-            ViewToken token;
-            token.text = line.significant[i]->text;
-            token.kind = line.significant[i]->kind;
-            tokens.push_back(token);
-        }
-        macros_.expand(tokens, expanded);
+    void lineNumber(const SourceLine& line) {
         long long number = 0;
-        if (expanded.empty() || !evaluateCondition(std::span(expanded).first(1), number) || number < 0 ||
-            number > 1'000'000)
-            return;
+        if (!preprocessor_.number(line, 2, number) || number < 0 || number > 1'000'000) return;
         const long long next = unit_.dialect.version <= 150 ? number + 1 : number;
         const std::int32_t physical = line.significant[0]->line;
         replace(line, lineDirective(unit_, file_, next,
@@ -249,12 +224,12 @@ class SourceReader {
         token.kind = kind;
         token.synthetic = true;
         token.directive = kind != TokenKind::newline;
-        token.active = active_;
+        token.active = preprocessor_.active();
         token.file = static_cast<std::uint16_t>(file_);
         unit_.tokens.push_back(token);
     }
 
-    void include(const Line& line) {
+    void include(const SourceLine& line) {
         const Token& hash = *line.significant[0];
         const Place place = placeOf(hash);
         const Token& last = line.tokens.back();
@@ -262,7 +237,7 @@ class SourceReader {
         const auto end = [&] {
             if (ended) push(line.tokens.last(1), true);
         };
-        if (!active_) return end();
+        if (!preprocessor_.active()) return end();
         const std::string name = includeName(line);
         if (name.empty()) {
             synthetic("#error #include needs a file name", TokenKind::other);
@@ -318,7 +293,7 @@ class SourceReader {
     }
 
     /// The text between quotes or angle brackets.
-    static std::string includeName(const Line& line) {
+    static std::string includeName(const SourceLine& line) {
         if (line.significant.size() < 3) return {};
         const Token& open = *line.significant[2];
         const char* const begin = open.text.data();
@@ -335,9 +310,7 @@ class SourceReader {
 
     Unit& unit_;
     Report& report_;
-    MacroTable macros_;
-    std::vector<ViewToken> pending_;
-    std::vector<Conditional> conditionals_;
+    Preprocessor preprocessor_;
     std::vector<std::string> stack_;  ///< files that are being included
     std::set<std::string> once_;
     std::vector<std::uint32_t> blanked_;
@@ -346,7 +319,6 @@ class SourceReader {
     std::size_t included_ = 0;
     std::size_t file_ = 0;
     std::int32_t shift_ = 0;
-    bool active_ = true;
 };
 
 }  // namespace
@@ -360,7 +332,8 @@ void readSource(const StageSource& source, Unit& unit, Report& report) {
 
 std::string lineDirective(const Unit& unit, std::size_t file, long long line, int emittedVersion) {
     std::string text = "#line " + std::to_string(emittedVersion <= 150 ? line - 1 : line) + " ";
-    // Mesa takes few characters in a quoted name, and drops an unquoted number in some messages: so a quoted number.
+    // Mesa takes few characters in a quoted name, and drops an unquoted number in some messages: so a quoted
+    // number.
     return unit.request->target.lineDirectiveTakesFileName ? text + '"' + std::to_string(file) + '"'
                                                            : text + std::to_string(file);
 }

@@ -1,6 +1,6 @@
-// A part of a larger picture: what the last stage before rasterisation delivers is moved and scaled to the tile, and
-// the fragment stage sees the coordinates of the whole picture. It stands behind the user's own arithmetic, so that
-// also positions that no matrix made land where they belong.
+// A part of a larger picture: what the last stage before rasterisation delivers is moved and scaled to the
+// tile, and the fragment stage sees the coordinates of the whole picture. It stands behind the user's own
+// arithmetic, so that also positions that no matrix made land where they belong.
 
 #include "glsl/rules.h"
 

@@ -49,7 +49,8 @@ class Rewriter {
         if (variable.dropInitializer) blank({declarator.dimensionTokens.end, declarator.end});
         const bool behindSizes = !variable.sizesChanged && !declarator.dimensions.empty();
         const std::uint32_t last = behindSizes ? declarator.dimensionTokens.end - 1 : variable.nameToken;
-        const std::string text = (variable.sizesChanged ? bracketed(variable.nameSizes) : "") + variable.initializer;
+        const std::string text =
+            (variable.sizesChanged ? bracketed(variable.nameSizes) : "") + variable.initializer;
         if (!text.empty()) unit_.edits.after(unit_.view[last].site, text);
     }
 

@@ -40,6 +40,7 @@ std::vector<Case> casesOf110();
 std::vector<Case> casesOf110Textures();
 std::vector<Case> casesOf120();
 std::vector<Case> casesOf130();
+std::vector<Case> casesOfGeometryShader4();
 std::vector<Case> casesOf150();
 std::vector<Case> casesOf330();
 std::vector<Case> casesOf400();

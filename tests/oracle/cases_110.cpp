@@ -184,7 +184,7 @@ void main() {
 }
 )glsl",
                     .fragment = kColorFragment},
-         .draws = "Rotate 70 1 .2 0\nCylinder 1 1.2 24 4\nQuadXY 1.2 .5\nRotate 180 0 1 0\nQuadXY 1.1 .4\n",
+         .draws = "Rotate 60 0 1 0\nQuadXY -.5 1\nRotate 180 0 1 0\nQuadXY -.5 .7 3 3\nQuadXZ .3 .5\n",
          .written = {.backColors = true}},
         {.name = "v110_secondary_colors",
          .stages = {.vertex = R"glsl(
@@ -255,10 +255,11 @@ void main() {
                     .fragment = R"glsl(
 varying vec4 vA, vB, vC;
 void main() {
-    vec4 sum = .5 + .2 * vA + .15 * vB.wzyx + .1 * vC;
-    gl_FragColor = vec4(sum.rgb + .1 * sum.a, 1.);
+    vec4 sum = .5 + .2 * vA + .15 * vB.wzyx + vC * vec4(.1, .1, .1, .25);
+    gl_FragColor = vec4(sum.rgb + sum.a - .5, 1.);
 }
-)glsl"}},
+)glsl"},
+         .draws = "Scale 1.25 .75 1\nRotate 35 1 2 0\nTorus 1.1 .5 24 36\n"},
         {.name = "v110_texture_matrices",
          .stages = {.vertex = R"glsl(
 void main() {
@@ -384,7 +385,7 @@ void main() {
 varying float vSmooth;
 void main() { gl_FragColor = gl_Color * vec4(1., 1., vSmooth, 1.); }
 )glsl"},
-         .draws = "Flat\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\n",
+         .draws = "Flat\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\nRotate 200 0 1 0\nCone .8 1 9 3\nQuadXY -1 1.2 3 3\n",
          .written = {.backColors = true}},
         {.name = "v110_point_sizes",
          .stages = {.vertex = R"glsl(

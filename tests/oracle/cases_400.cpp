@@ -223,6 +223,74 @@ out vec4 fColor;
 void main() { fColor = vec4(shade(eNormal), 1.); }
 )glsl"},
          .draws = "PointSize 3\nRotate 35 1 2 0\nTorus 1.1 .5 12 18\n"},
+        {.name = "v400_built_in_colors_from_evaluation_to_geometry",
+         .stages = {.vertex = R"glsl(#version 120
+void main() {
+    gl_FrontColor = vec4(2. * gl_Normal, 1.);
+    gl_BackColor = vec4(.5, 0., 1., 1.);
+    gl_Position = gl_Vertex;
+}
+)glsl",
+                    .tessEvaluation = R"glsl(#version 400 compatibility
+layout(triangles) in;
+void main() {
+    vec3 w = gl_TessCoord;
+    gl_FrontColor = w.x * gl_in[0].gl_FrontColor + w.y * gl_in[1].gl_FrontColor + w.z * gl_in[2].gl_FrontColor;
+    gl_BackColor = gl_in[0].gl_BackColor;
+    if (w.x > .5) gl_FrontColor.r = 5.;
+    gl_Position = gl_ModelViewProjectionMatrix *
+                  (w.x * gl_in[0].gl_Position + w.y * gl_in[1].gl_Position + w.z * gl_in[2].gl_Position);
+}
+)glsl",
+                    .geometry = R"glsl(#version 150 compatibility
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+void main() {
+    for (int i = 0; i < 3; ++i) {
+        gl_FrontColor = gl_in[i].gl_FrontColor * .4;
+        gl_BackColor = gl_in[i].gl_BackColor;
+        gl_Position = gl_in[i].gl_Position;
+        EmitVertex();
+    }
+}
+)glsl",
+                    .fragment = "void main() { gl_FragColor = vec4(gl_Color.rgb, 1.); }\n"},
+         .draws = "Rotate 70 1 .2 0\nCylinder 1 1.2 24 4\nRotate 180 1 0 0\nTranslate 0 0 1.3\nQuadXY 0 .5\n",
+         .written = {.backColors = true}},
+        {.name = "v400_patch_arrays_and_structures",
+         .stages = {.vertex = "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n",
+                    .tessControl = R"glsl(#version 400 compatibility
+#define ID gl_InvocationID
+layout(vertices = 4) out;
+struct Shade { vec3 color; float gain; };
+patch out Shade pShade[2];
+out Data { vec2 at; } cData[];
+void main() {
+    gl_out[ID].gl_Position = gl_in[ID].gl_Position;
+    cData[ID].at = gl_in[ID].gl_Position.xy;
+    pShade[0] = Shade(vec3(1., .5, 0.), .75);
+    pShade[1] = Shade(vec3(0., .5, 1.), .5);
+    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelOuter[3] = 5.;
+    gl_TessLevelInner[0] = gl_TessLevelInner[1] = 5.;
+}
+)glsl",
+                    .tessEvaluation = R"glsl(#version 400 compatibility
+layout(quads, fractional_even_spacing) in;
+struct Shade { vec3 color; float gain; };
+patch in Shade pShade[2];
+in Data { vec2 at; } cData[];
+out vec3 eColor;
+void main() {
+    vec2 t = gl_TessCoord.xy;
+    vec4 p = mix(mix(gl_in[0].gl_Position, gl_in[1].gl_Position, t.x),
+                 mix(gl_in[3].gl_Position, gl_in[2].gl_Position, t.x), t.y);
+    eColor = mix(pShade[0].color * pShade[0].gain, pShade[1].color * pShade[1].gain, t.x);
+    eColor.g += .25 * mix(cData[0].at, cData[2].at, t.y).x;
+    gl_Position = gl_ModelViewProjectionMatrix * p;
+}
+)glsl",
+                    .fragment = "#version 400 compatibility\nin vec3 eColor; out vec4 c; void main() { c = vec4(eColor, 1.); }"},
+         .draws = kPatch},
     };
 }
 

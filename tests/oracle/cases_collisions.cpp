@@ -237,7 +237,8 @@ layout(location = 5) in vec3 aNormal;
 varying vec3 vNormal;
 void main() {
     const float scale = gl_Vertex.w * .5;
-    vNormal = { aNormal.x, aNormal.y, aNormal.z * scale };
+    vec3 n = { aNormal.x, aNormal.y, aNormal.z * scale };
+    vNormal = n;
     gl_Position = ftransform();
 }
 )glsl",

@@ -217,11 +217,22 @@ void CompatibilityProgram::writeToBlock(const Uniform& uniform, const std::vecto
     }
 }
 
+bool CompatibilityProgram::matches(const std::string& tag, const Uniform& uniform) const {
+    if (tag == uniform.name) return true;
+    if (uniform.block < 0) return false;
+    // A member of a block goes by its own name or as Block.member; the driver has one of them.
+    std::array<GLchar, 256> block{};
+    gl_.GetActiveUniformBlockName(id_, static_cast<GLuint>(uniform.block), static_cast<GLsizei>(block.size()), nullptr,
+                                  block.data());
+    const std::string prefix = std::string(block.data()) + ".";
+    return tag == prefix + uniform.name || uniform.name == prefix + tag;
+}
+
 void CompatibilityProgram::setTags(const std::vector<glib::UniformSpec>& tags) {
     for (const Uniform& uniform : uniforms()) {
         if (isSampler(uniform.type)) continue;
         for (const glib::UniformSpec& tag : tags) {
-            if (tag.tag != uniform.name) continue;
+            if (!matches(tag.tag, uniform)) continue;
             const std::vector<double> values = valuesOf(tag, shapeOf(uniform.type));
             if (uniform.block >= 0)
                 writeToBlock(uniform, values);

@@ -53,6 +53,7 @@ class CompatibilityProgram {
         GLint size = 1, location = -1, block = -1, offset = -1, arrayStride = 0, matrixStride = 0;
     };
     [[nodiscard]] std::vector<Uniform> uniforms() const;
+    [[nodiscard]] bool matches(const std::string& tag, const Uniform& uniform) const;
     void setUniform(const Uniform& uniform, const std::vector<double>& values) const;
     void writeToBlock(const Uniform& uniform, const std::vector<double>& values);
 

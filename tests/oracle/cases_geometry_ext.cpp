@@ -1,5 +1,5 @@
 // Geometry stages: GL_EXT_geometry_shader4, which Mesa has never had, so that the oracle compiles a stage of 1.50
-// written by hand in its place; and 1.50 itself.
+// written by hand in its place.
 
 #include "case.h"
 
@@ -27,7 +27,7 @@ constexpr const char* kTriangles =
 
 }  // namespace
 
-std::vector<Case> casesOf150() {
+std::vector<Case> casesOfGeometryShader4() {
     return {
         {.name = "ext_geometry_shrinks_triangles",
          .stages = {.vertex = kColorVertex,
@@ -260,110 +260,138 @@ void main() {
     }
 }
 )glsl"}},
-        {.name = "v150_geometry_with_built_in_varyings",
-         .stages = {.vertex = R"glsl(#version 150 compatibility
-out vec3 vNormal;
+        {.name = "ext_geometry_with_plain_varyings_and_macros",
+         .stages = {.vertex = kColorVertex,
+                    .geometry = R"glsl(#version 120
+#extension GL_EXT_geometry_shader4 : enable
+#define P(i) gl_PositionIn[i]
+#define COORDINATES(i) gl_TexCoordIn[(i)][0]
+varying in vec3 vNormal[];
+varying vec3 gNormal;
+int last() { return gl_VerticesIn - 1; }
+void emit(vec4 p, int i) {
+    gl_Position = p;
+    gNormal = vNormal[i];
+    gl_TexCoord[0] = COORDINATES(i);
+    gl_FrontColor = gl_FrontColorIn[last()] + .1;
+    EmitVertex();
+}
 void main() {
-    vNormal = gl_Normal;
-    gl_FrontColor = vec4(3. * gl_Normal.x, .5 + .5 * gl_Normal.yz, 1.);
-    gl_TexCoord[1] = gl_MultiTexCoord0;
+    int order[3];
+    order[0] = 1; order[1] = 2; order[2] = 0;
+    if (P(0).z < -9.) return;
+    for (int k = 0; k < 3; ++k) emit(gl_PositionIn[order[k]] * .8 + P(order[(k + 1) - 3 * ((k + 1) / 3)]) * .2, order[k]);
+    EndPrimitive();
+}
+)glsl",
+                    .fragment = kColorFragment},
+         .before = kTriangles,
+         .byHand = {.geometry = R"glsl(#version 150 compatibility
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 12) out;
+in vec3 vNormal[];
+out vec3 gNormal;
+void emit(vec4 p, int i) {
+    gl_Position = p;
+    gNormal = vNormal[i];
+    gl_TexCoord[0] = gl_in[i].gl_TexCoord[0];
+    gl_FrontColor = gl_in[2].gl_FrontColor + .1;
+    EmitVertex();
+}
+void main() {
+    for (int k = 0; k < 3; ++k)
+        emit(gl_in[(k + 1) % 3].gl_Position * .8 + gl_in[(k + 2) % 3].gl_Position * .2, (k + 1) % 3);
+    EndPrimitive();
+}
+)glsl"}},
+        {.name = "ext_geometry_with_several_texture_coordinates",
+         .stages = {.vertex = R"glsl(
+void main() {
+    for (int i = 0; i < 3; ++i) gl_TexCoord[i] = gl_MultiTexCoord0 * float(i + 1);
+    gl_Position = ftransform();
+}
+)glsl",
+                    .geometry = R"glsl(#version 120
+#extension GL_EXT_geometry_shader4 : enable
+void main() {
+    for (int i = 0; i < gl_VerticesIn; ++i) {
+        for (int n = 0; n < 3; ++n) gl_TexCoord[n] = gl_TexCoordIn[i][2 - n];
+        gl_Position = gl_PositionIn[i];
+        EmitVertex();
+    }
+}
+)glsl",
+                    .fragment = R"glsl(
+void main() { gl_FragColor = vec4(fract(gl_TexCoord[0].s), fract(gl_TexCoord[1].t), gl_TexCoord[2].s, 1.); }
+)glsl"},
+         // The vertex stage is not taken as it is either: without a size, gl_TexCoord wants constant indices there.
+         .byHand = {.vertex = R"glsl(
+void main() {
+    gl_TexCoord[0] = gl_MultiTexCoord0;
+    gl_TexCoord[1] = gl_MultiTexCoord0 * 2.;
+    gl_TexCoord[2] = gl_MultiTexCoord0 * 3.;
     gl_Position = ftransform();
 }
 )glsl",
                     .geometry = R"glsl(#version 150 compatibility
 layout(triangles) in;
-layout(triangle_strip, max_vertices = 6) out;
-in vec3 vNormal[];
-out vec3 gNormal;
-void emit(int i, float grow) {
-    gl_Position = gl_in[i].gl_Position + gl_ProjectionMatrix * vec4(grow * gl_NormalMatrix * vNormal[i], 0.);
-    gl_FrontColor = gl_in[i].gl_FrontColor * (1. - grow);
-    gl_FrontColor.a = 1.;
-    gl_TexCoord[1] = gl_in[i].gl_TexCoord[1];
-    gNormal = vNormal[i];
-    gl_PrimitiveID = gl_PrimitiveIDIn;
-    EmitVertex();
-}
-void main() {
-    emit(0, 0.); emit(1, 0.); emit(2, 0.);
-    EndPrimitive();
-    if (gl_PrimitiveIDIn % 3 != 0) return;
-    emit(0, .25); emit(1, .25); emit(2, .25);
-}
-)glsl",
-                    .fragment = R"glsl(#version 150 compatibility
-in vec3 gNormal;
-out vec4 fColor;
-void main() {
-    float stripe = float(gl_PrimitiveID % 5) / 5.;
-    fColor = vec4(gl_Color.rg, .5 * fract(3. * gl_TexCoord[1].t) + .25 * gNormal.z + .25 * stripe, 1.);
-}
-)glsl"}},
-        {.name = "v150_interface_blocks",
-         .stages = {.vertex = R"glsl(#version 150 compatibility
-out Data {
-    vec3 normal;
-    flat int which;
-} dataOut;
-void main() {
-    dataOut.normal = gl_Normal;
-    dataOut.which = gl_VertexID % 5;
-    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
-}
-)glsl",
-                    .geometry = R"glsl(#version 150 compatibility
-layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
-in Data {
-    vec3 normal;
-    flat int which;
-} dataIn[];
-out Shade { vec3 normal; float which; };
-void main() {
-    for (int i = 0; i < gl_in.length(); ++i) {
-        normal = dataIn[i].normal;
-        which = float(dataIn[0].which);
-        gl_Position = gl_in[i].gl_Position;
-        EmitVertex();
-    }
-}
-)glsl",
-                    .fragment = R"glsl(#version 150 compatibility
-in Shade { vec3 normal; float which; };
-void main() { gl_FragColor = vec4(.5 + .5 * normal.xy, which / 4., 1.); }
-)glsl"}},
-        {.name = "v150_triangles_with_adjacency",
-         .stages = {.vertex = "#version 150 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n",
-                    .geometry = R"glsl(#version 150 compatibility
-layout(triangles_adjacency) in;
-layout(triangle_strip, max_vertices = 3) out;
-out vec4 gColor;
-void main() {
-    for (int i = 0; i < 6; i += 2) {
-        gColor = vec4(.5 + .5 * gl_in[i + 1].gl_Position.xyz, 1.);
-        gl_Position = gl_ModelViewProjectionMatrix * gl_in[i].gl_Position;
-        EmitVertex();
-    }
-}
-)glsl",
-                    .fragment = "#version 150 compatibility\nin vec4 gColor; void main() { gl_FragColor = gColor; }\n"},
-         .draws = "glBegin gl_triangles_adjacency\nglVertex -1 -1 0\nglVertex 0 -1.5 0\nglVertex 1 -1 0\n"
-                  "glVertex 1 .5 1\nglVertex 0 1 0\nglVertex -1 .5 .3\nglEnd\n"},
-        {.name = "v150_flat_colors_of_a_geometry_stage",
-         .stages = {.vertex = "void main() { gl_FrontColor = vec4(.5 + .5 * gl_Normal, 1.); gl_Position = ftransform(); }",
-                    .geometry = R"glsl(#version 150 compatibility
-layout(triangles) in;
-layout(triangle_strip, max_vertices = 3) out;
+out vec4 gl_TexCoord[3];
 void main() {
     for (int i = 0; i < 3; ++i) {
+        gl_TexCoord[0] = gl_in[i].gl_TexCoord[2];
+        gl_TexCoord[1] = gl_in[i].gl_TexCoord[1];
+        gl_TexCoord[2] = gl_in[i].gl_TexCoord[0];
         gl_Position = gl_in[i].gl_Position;
-        gl_FrontColor = gl_in[i].gl_FrontColor;
+        EmitVertex();
+    }
+}
+)glsl"}},
+        // What a stage in between does not write counts as never written: colours are the current one, coordinates
+        // (0, 0, 0, 1), a varying 0 (language, 7.6 and 7.9).
+        {.name = "ext_geometry_that_passes_nothing_on",
+         .stages = {.vertex = R"glsl(
+varying vec3 vNormal;
+void main() {
+    vNormal = vec3(1.);
+    gl_FrontColor = vec4(0.);
+    gl_TexCoord[0] = vec4(.5);
+    gl_Position = ftransform();
+}
+)glsl",
+                    .geometry = R"glsl(#version 120
+#extension GL_EXT_geometry_shader4 : enable
+varying out float gWhich;
+void main() {
+    for (int i = 0; i < gl_VerticesIn; ++i) {
+        gWhich = float(i);
+        gl_Position = gl_PositionIn[i];
         EmitVertex();
     }
 }
 )glsl",
-                    .fragment = "void main() { gl_FragColor = gl_Color; }"},
-         .draws = "Flat\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\n"},
+                    .fragment = R"glsl(
+varying vec3 vNormal;
+varying float gWhich;
+void main() { gl_FragColor = vec4(gl_Color.rg * .5 * gWhich, gl_TexCoord[0].q - gl_TexCoord[0].s, 1.) + vec4(vNormal, 0.); }
+)glsl"},
+         .draws = "Color .9 .6 .1\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\n",
+         .byHand = {.geometry = R"glsl(#version 150 compatibility
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+out float gWhich;
+void main() {
+    for (int i = 0; i < 3; ++i) {
+        gWhich = float(i);
+        gl_Position = gl_in[i].gl_Position;
+        EmitVertex();
+    }
+}
+)glsl",
+                    .fragment = R"glsl(#version 150 compatibility
+in float gWhich;
+void main() { gl_FragColor = vec4(vec2(.9, .6) * .5 * gWhich, 1., 1.); }
+)glsl"}},
     };
 }
 
