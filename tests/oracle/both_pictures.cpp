@@ -27,7 +27,7 @@ struct NamedStage {
     glsl::Stage stage;
     const char* command;
     const char* suffix;
-    std::string Stages::* text;
+    std::string Stages::*text;
 };
 const std::array<NamedStage, 5>& namedStages() {
     static const std::array<NamedStage, 5> all{
@@ -47,7 +47,8 @@ std::string programStatements(const Stages& stages, const std::string& file, con
 }
 
 std::string sceneText(const Case& each) {
-    std::string text = kView + each.before + programStatements(each.stages, each.name, each.tags) + each.draws;
+    std::string text =
+        kView + each.before + programStatements(each.stages, each.name, each.tags) + each.draws;
     if (!each.showDraws.empty())
         text += programStatements(each.show, each.name + "-show", each.showTags) + each.showDraws;
     return text;
@@ -71,7 +72,8 @@ image::Image pattern(int width, int height, double phase) {
             const double s = (x + .5) / width;
             const double t = (y + .5) / height;
             const bool line = x % 8 == 0 || y % 16 == 3;
-            for (const double value : {.5 + .5 * std::sin(9 * s + phase), t, line ? 1. : .3 + .2 * phase / 6, 1.})
+            for (const double value :
+                 {.5 + .5 * std::sin(9 * s + phase), t, line ? 1. : .3 + .2 * phase / 6, 1.})
                 picture.data.push_back(static_cast<std::byte>(std::lround(255 * std::clamp(value, 0., 1.))));
         }
     return picture;
@@ -88,7 +90,8 @@ struct BothWays::State {
         std::ofstream(folder / file, std::ios::binary) << text;
     }
     void write(const std::string& file, const image::Image& picture) const {
-        if (hasError(image::writeImage(picture, folder / file))) throw std::runtime_error("cannot write " + file);
+        if (hasError(image::writeImage(picture, folder / file)))
+            throw std::runtime_error("cannot write " + file);
     }
 };
 
@@ -133,7 +136,8 @@ Pixels BothWays::translated(const Case& each) {
 }
 
 Pixels BothWays::asWritten(const Case& each) {
-    const glib::Script script = glib::parse(sceneText(each), (state_->folder / (each.name + ".glib")).string());
+    const glib::Script script =
+        glib::parse(sceneText(each), (state_->folder / (each.name + ".glib")).string());
     const scene::Scene scene = scene::interpret(script);
     std::vector<std::vector<Source>> sources{sourcesOf(each.stages, each.byHand)};
     if (!each.showDraws.empty()) sources.push_back(sourcesOf(each.show, {}));
@@ -147,7 +151,8 @@ Difference difference(const Pixels& a, const Pixels& b) {
     for (std::size_t pixel = 0; 4 * pixel < a.data.size(); ++pixel) {
         int largest = 0;
         for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i)
-            largest = std::max(largest, std::abs(std::to_integer<int>(a.data[i]) - std::to_integer<int>(b.data[i])));
+            largest = std::max(largest,
+                               std::abs(std::to_integer<int>(a.data[i]) - std::to_integer<int>(b.data[i])));
         if (largest > 0) ++found.pixels;
         if (largest <= found.largest) continue;
         found.largest = largest;

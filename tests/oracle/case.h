@@ -17,26 +17,29 @@ struct Stages {
     std::string fragment{};
 };
 
-/// The scene is: a square window, Perspective 90, a LookAt (kView), `before`, the stage files, the Program with `tags`, and
-/// `draws`. With a field of view of 90 degrees the projection scales x and y by exactly 1, so that both sides get the same
-/// clip coordinates bit for bit, whoever multiplies the matrices, and the same pixels are covered.
+/// The scene is: a square window, Perspective 90, a LookAt (kView), `before`, the stage files, the Program
+/// with `tags`, and `draws`. With a field of view of 90 degrees the projection scales x and y by exactly 1,
+/// so that both sides get the same clip coordinates bit for bit, whoever multiplies the matrices, and the
+/// same pixels are covered.
 struct Case {
     std::string name;
     Stages stages{};
-    std::string before{};         ///< statements before the stage files: textures, topologies
-    std::string tags{};           ///< uniforms of the Program
+    std::string before{};  ///< statements before the stage files: textures, topologies
+    std::string tags{};    ///< uniforms of the Program
     std::string draws = "Rotate 35 1 2 0\nTorus 1.1 .5 24 36\n";
-    Stages show{};                ///< a second program, for what was rendered into textures
+    Stages show{};  ///< a second program, for what was rendered into textures
     std::string showTags{};
-    std::string showDraws{};      ///< statements for it; `draws` then ends with those that lead back to the window
+    std::string
+        showDraws{};  ///< statements for it; `draws` then ends with those that lead back to the window
     WrittenOutputs written{};
-    /// Stages that the oracle compiles in place of those above, where Mesa's compiler refuses the dialect: written by
-    /// hand in one that it knows. Each says why.
+    /// Stages that the oracle compiles in place of those above, where Mesa's compiler refuses the dialect:
+    /// written by hand in one that it knows. Each says why.
     Stages byHand{};
 };
 
 /// The cases by the version that the shaders declare.
 std::vector<Case> casesOf110();
+std::vector<Case> casesOf110State();
 std::vector<Case> casesOf110Textures();
 std::vector<Case> casesOf120();
 std::vector<Case> casesOf130();

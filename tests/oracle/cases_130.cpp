@@ -1,5 +1,5 @@
-// GLSL 1.30 and 1.40: in and out, integers, switch, clip distances, uniform blocks. Compatibility contexts give both
-// versions the old names too.
+// GLSL 1.30 and 1.40: in and out, integers, switch, clip distances, uniform blocks. Compatibility contexts
+// give both versions the old names too.
 
 #include "case.h"
 
@@ -52,8 +52,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v130_integers",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 130
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
 in vec3 vPoint;
 uniform uint uMask;
 uniform int uShift;
@@ -72,8 +71,7 @@ void main() {
 )glsl"},
          .tags = "uMask 5 uShift 1"},
         {.name = "v130_switch_and_functions",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 130
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
 in vec3 vPoint;
 in vec2 vST;
 out vec4 fColor;
@@ -161,8 +159,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v130_own_outputs_to_several_targets",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
 in vec3 vPoint;
 in vec2 vST;
 layout(location = 1) out vec4 fSecond;
@@ -174,8 +171,7 @@ void main() {
 )glsl"},
          .before = "Texture2D 5 64 64\nTexture2D 6 64 64\n",
          .draws = "RenderToTexture 5 6\nRotate 35 1 2 0\nTorus 1.1 .5 24 36\nRenderToTexture\n",
-         .show = {.vertex = kPointVertex,
-                  .fragment = R"glsl(#version 130
+         .show = {.vertex = kPointVertex, .fragment = R"glsl(#version 130
 in vec2 vST;
 uniform sampler2D uFirst, uSecond;
 void main() { gl_FragColor = vST.s > vST.t ? texture(uFirst, vST) : texture(uSecond, vST); }

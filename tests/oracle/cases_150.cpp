@@ -79,8 +79,9 @@ in Shade { vec3 normal; float which; };
 void main() { gl_FragColor = vec4(.5 + .5 * normal.xy, which / 4., 1.); }
 )glsl"}},
         {.name = "v150_triangles_with_adjacency",
-         .stages = {.vertex = "#version 150 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n",
-                    .geometry = R"glsl(#version 150 compatibility
+         .stages =
+             {.vertex = "#version 150 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n",
+              .geometry = R"glsl(#version 150 compatibility
 layout(triangles_adjacency) in;
 layout(triangle_strip, max_vertices = 3) out;
 out vec4 gColor;
@@ -92,11 +93,13 @@ void main() {
     }
 }
 )glsl",
-                    .fragment = "#version 150 compatibility\nin vec4 gColor; void main() { gl_FragColor = gColor; }\n"},
+              .fragment =
+                  "#version 150 compatibility\nin vec4 gColor; void main() { gl_FragColor = gColor; }\n"},
          .draws = "glBegin gl_triangles_adjacency\nglVertex -1 -1 0\nglVertex 0 -1.5 0\nglVertex 1 -1 0\n"
                   "glVertex 1 .5 1\nglVertex 0 1 0\nglVertex -1 .5 .3\nglEnd\n"},
         {.name = "v150_flat_colors_of_a_geometry_stage",
-         .stages = {.vertex = "void main() { gl_FrontColor = vec4(.5 + .5 * gl_Normal, 1.); gl_Position = ftransform(); }",
+         .stages = {.vertex = "void main() { gl_FrontColor = vec4(.5 + .5 * gl_Normal, 1.); gl_Position = "
+                              "ftransform(); }",
                     .geometry = R"glsl(#version 150 compatibility
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

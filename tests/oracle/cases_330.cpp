@@ -106,15 +106,13 @@ void main() {
          .stages = {.vertex = kMixedVertex, .fragment = kMixedFragment},
          .before = "Texture2D 5 pattern.png\n",
          .tags = "uPicture 5",
-         .byHand = {.vertex = kCompatibility + kMixedVertex,
-                    .fragment = kCompatibility + kMixedFragment}},
+         .byHand = {.vertex = kCompatibility + kMixedVertex, .fragment = kCompatibility + kMixedFragment}},
         {.name = "v330_core_with_compatibility_names",
-         .stages = {.vertex = "#version 330\n" + kCoreVertex, .fragment = "#version 330 core\n" + kCoreFragment},
-         .byHand = {.vertex = kCompatibility + kCoreVertex,
-                    .fragment = kCompatibility + kCoreFragment}},
+         .stages = {.vertex = "#version 330\n" + kCoreVertex,
+                    .fragment = "#version 330 core\n" + kCoreFragment},
+         .byHand = {.vertex = kCompatibility + kCoreVertex, .fragment = kCompatibility + kCoreFragment}},
         {.name = "v330_texture_as_a_sampler_name",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
 uniform sampler2D picture;
 in vec2 vST;
 vec4 sampleTwice(sampler2D texture, vec2 st) { return texture2D(texture, st) * .5 + texture2D(texture, st.ts) * .5; }
@@ -126,8 +124,7 @@ void main() {
          .before = "Texture2D 5 pattern.png\n",
          .tags = "picture 5"},
         {.name = "v330_bits_and_packing",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
 #extension GL_ARB_shader_bit_encoding : enable
 in vec3 vPoint;
 in vec2 vST;
@@ -141,8 +138,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v330_derivatives",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 330 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 330 compatibility
 in vec3 vPoint;
 in vec2 vST;
 void main() {
@@ -152,8 +148,7 @@ void main() {
 )glsl"},
          .draws = "Rotate 35 1 2 0\nBox 1.5 1.5 1.5\n"},
         {.name = "v420_initializer_lists_and_bindings",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 420 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 420 compatibility
 layout(binding = 5) uniform sampler2D uPicture;
 in vec3 vPoint;
 in vec2 vST;

@@ -56,7 +56,8 @@ void main() { fColor = vec4(eColor, 1.); }
 )glsl"},
          .tags = "uLevel <1 14 64>",
          .draws = kPatch},
-        // Levels are written with constant indices: by gl_InvocationID, llvmpipe (22.3) draws nothing in either profile.
+        // Levels are written with constant indices: by gl_InvocationID, llvmpipe (22.3) draws nothing in
+        // either profile.
         {.name = "v400_triangles_with_a_geometry_stage",
          .stages = {.vertex = kPassVertex,
                     .tessControl = R"glsl(#version 400 compatibility
@@ -203,7 +204,8 @@ void main() {
 }
 )glsl"}},
         {.name = "v400_subroutines",
-         // The only function of its type: which of several a subroutine uniform holds at first is the driver's choice.
+         // The only function of its type: which of several a subroutine uniform holds at first is the
+         // driver's choice.
          .stages = {.vertex = kPassVertex,
                     .tessEvaluation = R"glsl(#version 400 compatibility
 layout(triangles, point_mode) in;
@@ -289,7 +291,8 @@ void main() {
     gl_Position = gl_ModelViewProjectionMatrix * p;
 }
 )glsl",
-                    .fragment = "#version 400 compatibility\nin vec3 eColor; out vec4 c; void main() { c = vec4(eColor, 1.); }"},
+                    .fragment = "#version 400 compatibility\nin vec3 eColor; out vec4 c; void main() { c = "
+                                "vec4(eColor, 1.); }"},
          .draws = kPatch},
     };
 }

@@ -1,4 +1,5 @@
-// A user's macros, functions and local names that meet words which the translation may put into the text or supply.
+// A user's macros, functions and local names that meet words which the translation may put into the text or
+// supply.
 
 #include "case.h"
 
@@ -42,8 +43,7 @@ void main() {
 void main() { FragColor = vec4(Color.rg, .5 * fract(4. * TexCoord.s) + .25 * gl_FogFragCoord + .25, 1.); }
 )glsl"}},
         {.name = "collision_of_macros_with_texture_functions",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 #define texture vST
 #define LOD textureLod
 #define textureLod(x) (x)
@@ -86,8 +86,7 @@ varying vec4 vShade;
 void main() { gl_FragColor = vec4(gl_Color.rg, vShade.z, 1.); }
 )glsl"}},
         {.name = "collision_of_local_names_with_supplied_ones",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint;
 varying vec2 vST;
 struct Frame { vec3 Tangent; float Timer, FaceIndex; };
@@ -114,10 +113,10 @@ void main() {
     gl_Position = uModelViewProjectionMatrix * aVertex;
 }
 )glsl",
-                    .fragment = "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + vPoint, 1.); }"}},
+                    .fragment =
+                        "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + vPoint, 1.); }"}},
         {.name = "collision_of_functions_with_texture_names",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 #version 120
 uniform sampler2D uPicture;
 varying vec3 vPoint;
@@ -140,8 +139,7 @@ void main() {
          .before = kPicture,
          .tags = "uPicture 5"},
         {.name = "collision_of_later_types_with_variables",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 #version 110
 uniform float precision;
 varying vec3 vPoint;
@@ -156,7 +154,8 @@ void main() {
 )glsl"},
          .tags = "precision <0. .75 1.>"},
         {.name = "collision_of_block_members_with_later_words",
-         .stages = {.vertex = R"glsl(#version 140
+         .stages =
+             {.vertex = R"glsl(#version 140
 layout(std140) uniform Buffer {
     float sample;
     vec3 patch;
@@ -167,7 +166,8 @@ void main() {
     gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
 }
 )glsl",
-                    .fragment = "#version 140\nin vec3 vPoint; out vec4 c; void main() { c = vec4(.5 + vPoint, 1.); }"},
+              .fragment =
+                  "#version 140\nin vec3 vPoint; out vec4 c; void main() { c = vec4(.5 + vPoint, 1.); }"},
          .tags = "sample .5 Buffer.patch [1 .75 .5]"},
         {.name = "collision_of_two_mains_and_two_declarations_in_branches",
          .stages = {.vertex = R"glsl(
@@ -196,12 +196,13 @@ void main() { gl_FragColor = vec4(1.);
 }
 )glsl"}},
         {.name = "collision_of_joined_lines_with_names",
-         .stages = {.vertex = "vary\\\ning vec3 vPoint;\nvoid main() {\n  vPoint = gl_Ver\\\ntex.xyz; // not \\ here\n"
-                              "  gl_Position = gl_Model\\\nViewProjectionMatrix * gl_Vertex;\n}\n",
-                    .fragment = "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"}},
+         .stages =
+             {.vertex =
+                  "vary\\\ning vec3 vPoint;\nvoid main() {\n  vPoint = gl_Ver\\\ntex.xyz; // not \\ here\n"
+                  "  gl_Position = gl_Model\\\nViewProjectionMatrix * gl_Vertex;\n}\n",
+              .fragment = "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"}},
         {.name = "collision_of_samplers_with_structure_members",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 #version 110
 struct Material { sampler2D map; float strength; };
 uniform Material uMaterial;

@@ -1,5 +1,5 @@
-// What shaders do to compile everywhere, ES versions, and the mistakes that the language repairs (7.10), which Mesa's
-// compiler refuses: there the oracle gets what the author meant.
+// What shaders do to compile everywhere, ES versions, and the mistakes that the language repairs (7.10),
+// which Mesa's compiler refuses: there the oracle gets what the author meant.
 
 #include "case.h"
 
@@ -101,8 +101,7 @@ varying mediump vec3 vPoint;
 void main() { gl_FragColor = vec4(.5 + .5 * vPoint.x, GREEN, fract(3. * vPoint.z), 1.); }
 )glsl"}},
         {.name = "idiom_functions_made_by_macros",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
 #extension all : warn
 #pragma optimize(on)
 #pragma debug(off)
@@ -140,8 +139,7 @@ VARYING(vec3, vPoint);
 void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }
 )glsl"}},
         {.name = "idiom_a_user_function_texture3D_on_a_2D_picture",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
 uniform sampler2D uPicture;
 varying vec3 vPoint;
 vec4 texture3D(sampler2D slices, vec3 p, float count) {
@@ -199,8 +197,7 @@ void main() { fColor = vec4(.5 + .5 * vNormal.x, float(vWhich) / 3., texture(uPi
          .before = "Texture2D 5 pattern.png\n",
          .tags = "uPicture 5"},
         {.name = "repair_constants_of_uniforms_and_inputs_written_to",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 120
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 120
 uniform float uScale;
 varying vec3 vPoint;
 varying vec2 vST;
@@ -226,8 +223,7 @@ void main() {
 }
 )glsl"}},
         {.name = "repair_scalars_beside_vectors",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 uniform float uPower;
 uniform float uPower;
 varying vec3 vPoint;
@@ -250,8 +246,7 @@ void main() {
 }
 )glsl"}},
         {.name = "repair_integers_used_as_samplers_and_inputs_of_no_stage",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 uniform int uPicture;
 uniform float uRamp;
 varying vec3 vPoint, vNobody;
@@ -271,7 +266,8 @@ in vec2 vST;
 void main() { gl_FragColor = texture(uPicture, vST) * .75 + texture(uRamp, vPoint.x) * .25; }
 )glsl"}},
         {.name = "repair_versions_comments_and_attributes_as_uniforms",
-         .stages = {.vertex = R"glsl(// a comment that ends in a backslash \
+         .stages =
+             {.vertex = R"glsl(// a comment that ends in a backslash \
 #version 1.20
 uniform float FaceIndex;
 uniform vec3 Tangent;
@@ -281,9 +277,11 @@ void main() {
     gl_Position = ftransform();
 }
 )glsl",
-                    .fragment = "#version 4.00\nvarying vec3 vColor; out vec4 f; void main() { f = vec4(vColor, 1.0f); }"},
+              .fragment =
+                  "#version 4.00\nvarying vec3 vColor; out vec4 f; void main() { f = vec4(vColor, 1.0f); }"},
          .draws = "Soccerball 1.2\n",
-         .byHand = {.vertex = R"glsl(#version 120
+         .byHand =
+             {.vertex = R"glsl(#version 120
 attribute float FaceIndex;
 attribute vec3 Tangent;
 varying vec3 vColor;
@@ -292,7 +290,8 @@ void main() {
     gl_Position = ftransform();
 }
 )glsl",
-                    .fragment = "#version 120\nvarying vec3 vColor; void main() { gl_FragColor = vec4(vColor, 1.); }"}},
+              .fragment =
+                  "#version 120\nvarying vec3 vColor; void main() { gl_FragColor = vec4(vColor, 1.); }"}},
         {.name = "repair_supplied_names_that_nobody_declares",
          .stages = {.vertex = R"glsl(#version 330 core
 out vec3 vNormal;
@@ -321,11 +320,10 @@ in vec3 vNormal;
 out vec4 fColor;
 void main() { fColor = vec4(.5 + .25 * vNormal + (texture(Noise3, vNormal).rgb - .5), 1.); }
 )glsl"}},
-        // The driver's noise functions are 0 everywhere: the reference is the specification's definition (7.5), written
-        // down a second time.
+        // The driver's noise functions are 0 everywhere: the reference is the specification's definition
+        // (7.5), written down a second time.
         {.name = "noise_functions",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint;
 varying vec2 vST;
 void main() {

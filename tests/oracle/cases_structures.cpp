@@ -18,9 +18,7 @@ void main() {
 
 std::vector<Case> casesOfStructures() {
     return {
-        {.name = "structures_of_built_in_types",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+        {.name = "structures_of_built_in_types", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 vec4 lit(gl_LightSourceParameters light, const in gl_MaterialParameters material, vec3 n) {
     float d = max(dot(n, light.position.xyz), 0.);
@@ -36,9 +34,7 @@ void main() {
     gl_FragColor = vec4(c.rgb * fog.density + .1 * range.far * fract(vPoint), 1.);
 }
 )glsl"}},
-        {.name = "structures_of_light_products",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+        {.name = "structures_of_light_products", .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 vec3 sum(gl_LightProducts products) { return products.ambient.rgb + products.diffuse.rgb + products.specular.rgb; }
 void main() {
@@ -50,8 +46,7 @@ void main() {
 }
 )glsl"}},
         {.name = "matrices_by_column_and_in_the_fragment_stage",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint, vNormal;
 void main() {
     vec3 away = gl_ModelViewMatrix[3].xyz + gl_NormalMatrix[2] * .5;
@@ -116,8 +111,7 @@ float bands(float x) { return x + kStep * floor(fract(vPoint.y * 2.) / kStep); }
 )glsl"},
          .tags = "uScale .45 uTint [.5 .8 1.5]"},
         {.name = "arrays_of_structures_as_uniforms",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 #version 120
 struct Spot { vec3 color; float radius; vec2 at[2]; };
 uniform Spot uSpots[2];
@@ -132,7 +126,8 @@ void main() {
     gl_FragColor = vec4(c, 1.);
 }
 )glsl"},
-         .tags = "uSpots[0].color {1 0 0} uSpots[0].radius .5 uSpots[0].at [.5 .5  -.5 .5] uSpots[1].color [0 .5 .5] \\\n"
+         .tags = "uSpots[0].color {1 0 0} uSpots[0].radius .5 uSpots[0].at [.5 .5  -.5 .5] uSpots[1].color "
+                 "[0 .5 .5] \\\n"
                  "uSpots[1].radius <0 .7 1> uSpots[1].at [0 -1  1 -.5] uPlain [0 0 .2] uSkew [1 .25 0 1]"},
         {.name = "interfaces_redeclared",
          .stages = {.vertex = R"glsl(#version 150 compatibility
@@ -170,14 +165,14 @@ void main() {
 )glsl",
                     .fragment = "void main() { gl_FragColor = gl_Color; }\n"}},
         {.name = "fragment_coordinates_from_above",
-         .stages = {.vertex = kPointVertex,
-                    .fragment = R"glsl(#version 150 compatibility
+         .stages = {.vertex = kPointVertex, .fragment = R"glsl(#version 150 compatibility
 layout(origin_upper_left, pixel_center_integer) in vec4 gl_FragCoord;
 in vec3 vPoint;
 void main() { gl_FragColor = vec4(mod(gl_FragCoord.xy, 16.) / 16., .5 + .5 * vPoint.z, 1.); }
 )glsl"}},
         {.name = "clip_distances_of_a_given_number",
-         .stages = {.vertex = R"glsl(#version 130
+         .stages =
+             {.vertex = R"glsl(#version 130
 out float gl_ClipDistance[3];
 out vec3 vPoint;
 void main() {
@@ -186,7 +181,8 @@ void main() {
     gl_Position = ftransform();
 }
 )glsl",
-                    .fragment = "#version 130\nin vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"},
+              .fragment =
+                  "#version 130\nin vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"},
          .written = {.clipDistances = 3}},
         {.name = "texture_coordinates_of_unstated_size",
          .stages = {.vertex = R"glsl(
@@ -225,7 +221,8 @@ void main() {
 )glsl"}},
         {.name = "wide_lines",
          .stages = {.vertex = kPointVertex,
-                    .fragment = "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"},
+                    .fragment =
+                        "varying vec3 vPoint; void main() { gl_FragColor = vec4(.5 + .5 * vPoint, 1.); }"},
          .draws = "LineWidth 3\nWireTorus 1 .4 8 12\n"},
     };
 }

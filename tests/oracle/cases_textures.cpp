@@ -25,8 +25,7 @@ void main() {
 std::vector<Case> casesOf110Textures() {
     return {
         {.name = "v110_texture2D",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D uPicture;
 varying vec4 vST;
 void main() { gl_FragColor = texture2D(uPicture, 2. * vST.st) * .75 + texture2D(uPicture, vST.ts, 0.) * .25; }
@@ -34,16 +33,14 @@ void main() { gl_FragColor = texture2D(uPicture, 2. * vST.st) * .75 + texture2D(
          .before = kTextures,
          .tags = "uPicture 5"},
         {.name = "v110_texture_of_unit_0_without_a_tag",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D uPicture;
 varying vec4 vST;
 void main() { gl_FragColor = texture2D(uPicture, 3. * vST.st - 1.); }
 )glsl"},
          .before = "Clamp on\nTexture2D 0 pattern.png\n"},
         {.name = "v110_texture1D",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler1D uRamp;
 varying vec4 vST;
 void main() {
@@ -55,8 +52,7 @@ void main() {
          .before = kTextures,
          .tags = "uRamp 6"},
         {.name = "v110_texture3D_noise",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler3D Noise3;
 uniform float uFrequency;
 varying vec3 vPoint;
@@ -68,9 +64,7 @@ void main() {
 }
 )glsl"},
          .tags = "uFrequency <0. .75 4.>"},
-        {.name = "v110_texture2D_noise",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+        {.name = "v110_texture2D_noise", .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D Noise2;
 varying vec4 vST;
 void main() {
@@ -79,8 +73,7 @@ void main() {
 }
 )glsl"}},
         {.name = "v110_textureCube",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform samplerCube uRoom;
 varying vec3 vNormal;
 void main() { gl_FragColor = textureCube(uRoom, reflect(vec3(0., 0., -1.), normalize(vNormal))); }
@@ -88,8 +81,7 @@ void main() { gl_FragColor = textureCube(uRoom, reflect(vec3(0., 0., -1.), norma
          .before = kTextures,
          .tags = "uRoom 7"},
         {.name = "v110_texture2DProj",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D uPicture;
 varying vec3 vPoint;
 void main() {
@@ -123,19 +115,18 @@ void main() { gl_FragColor = vColor; }
          .before = kTextures,
          .tags = "uRamp 6 uHeights 5 uRoom 7"},
         {.name = "v110_samplers_of_two_types_on_one_unit",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D uPicture;
 uniform samplerCube uRoom;
 varying vec3 vNormal;
 varying vec4 vST;
 void main() { gl_FragColor = .5 * textureCube(uRoom, vNormal) + .5 * texture2D(uPicture, vST.st); }
 )glsl"},
-         .before = "Texture2D 7 pattern.png\nCubeMap 7 right.png left.png top.png bottom.png front.png back.png\n",
+         .before =
+             "Texture2D 7 pattern.png\nCubeMap 7 right.png left.png top.png bottom.png front.png back.png\n",
          .tags = "uPicture 7 uRoom 7"},
         {.name = "v110_samplers_as_arguments_and_in_arrays",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 uniform sampler2D uPictures[2];
 varying vec4 vST;
 vec4 blur(sampler2D picture, vec2 st) {
@@ -146,8 +137,7 @@ void main() { gl_FragColor = mix(blur(uPictures[0], vST.st), blur(uPictures[1], 
          .before = "Texture2D 5 pattern.png\nTexture2D 8 right.png\n",
          .tags = "uPictures [5 8]"},
         {.name = "v120_lookups_by_extensions",
-         .stages = {.vertex = kCoordinateVertex,
-                    .fragment = R"glsl(
+         .stages = {.vertex = kCoordinateVertex, .fragment = R"glsl(
 #version 120
 #extension GL_ARB_shader_texture_lod : require
 #extension GL_EXT_gpu_shader4 : enable

@@ -46,7 +46,8 @@ CompatibilityContext::CompatibilityContext()
     function(getPlatformDisplay, "eglGetPlatformDisplay");
 
     egl_->display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    if (egl_->display == EGL_NO_DISPLAY || !initialize(egl_->display, nullptr, nullptr) || !bindApi(EGL_OPENGL_API))
+    if (egl_->display == EGL_NO_DISPLAY || !initialize(egl_->display, nullptr, nullptr) ||
+        !bindApi(EGL_OPENGL_API))
         throw std::runtime_error("the oracle needs Mesa's EGL without a surface");
     for (EGLint minor = 6; minor >= 3 && egl_->context == EGL_NO_CONTEXT; --minor) {
         const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,

@@ -1,8 +1,9 @@
 #pragma once
-// A GL context of the compatibility profile, which runs shaders of every dialect as they are written. It is what glibra
-// itself never uses, and so an independent judge of the translation to core GLSL.
+// A GL context of the compatibility profile, which runs shaders of every dialect as they are written. It is
+// what glibra itself never uses, and so an independent judge of the translation to core GLSL.
 //
-// The functions come in a table of its own, so that this context and a Renderer's can be used in turn in one process.
+// The functions come in a table of its own, so that this context and a Renderer's can be used in turn in one
+// process.
 
 #include <memory>
 
@@ -12,9 +13,9 @@ namespace glibra::oracle {
 
 class CompatibilityContext {
   public:
-    /// EGL without a surface, GL 4.5 compatibility or the next lower version it has. Throws std::runtime_error with the
-    /// reason if there is none. Opens no earlier than the first Renderer of the process: drivers read their settings
-    /// from the environment once.
+    /// EGL without a surface, GL 4.5 compatibility or the next lower version it has. Throws
+    /// std::runtime_error with the reason if there is none. Opens no earlier than the first Renderer of the
+    /// process: drivers read their settings from the environment once.
     CompatibilityContext();
     CompatibilityContext(const CompatibilityContext&) = delete;
     CompatibilityContext& operator=(const CompatibilityContext&) = delete;

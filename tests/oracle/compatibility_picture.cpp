@@ -17,7 +17,8 @@
 namespace glibra::oracle {
 namespace {
 
-/// A framebuffer with a depth buffer of its own and any number of colour textures, or a renderbuffer for the window.
+/// A framebuffer with a depth buffer of its own and any number of colour textures, or a renderbuffer for the
+/// window.
 class Target {
   public:
     Target(const GladGLContext& gl, int width, int height, const std::vector<GLuint>& textures) : gl_(gl) {
@@ -59,12 +60,18 @@ class Target {
 
 GLenum glMode(geometry::Topology topology) {
     switch (topology) {
-        case geometry::Topology::points: return GL_POINTS;
-        case geometry::Topology::lines: return GL_LINES;
-        case geometry::Topology::linesAdjacency: return GL_LINES_ADJACENCY;
-        case geometry::Topology::triangles: return GL_TRIANGLES;
-        case geometry::Topology::trianglesAdjacency: return GL_TRIANGLES_ADJACENCY;
-        case geometry::Topology::patches: break;
+        case geometry::Topology::points:
+            return GL_POINTS;
+        case geometry::Topology::lines:
+            return GL_LINES;
+        case geometry::Topology::linesAdjacency:
+            return GL_LINES_ADJACENCY;
+        case geometry::Topology::triangles:
+            return GL_TRIANGLES;
+        case geometry::Topology::trianglesAdjacency:
+            return GL_TRIANGLES_ADJACENCY;
+        case geometry::Topology::patches:
+            break;
     }
     return GL_PATCHES;
 }
@@ -72,8 +79,8 @@ GLenum glMode(geometry::Topology topology) {
 /// Draws one scene.
 class Drawing {
   public:
-    Drawing(const GladGLContext& gl, const scene::Scene& scene, const std::vector<std::vector<Source>>& sources,
-            const WrittenOutputs& written)
+    Drawing(const GladGLContext& gl, const scene::Scene& scene,
+            const std::vector<std::vector<Source>>& sources, const WrittenOutputs& written)
         : gl_(gl), scene_(scene), textures_(gl, scene), written_(written) {
         for (const std::vector<Source>& each : sources)
             programs_.push_back(std::make_unique<CompatibilityProgram>(gl, each));
@@ -105,8 +112,11 @@ class Drawing {
         gl_.MatrixMode(GL_MODELVIEW);
         gl_.LoadIdentity();
         for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light)
-            for (const auto& position : {std::array<GLfloat, 4>{0, 1, 0, 0}, std::array<GLfloat, 4>{0, 0, 1, 0}}){
-                gl_.Lightfv(light, GL_POSITION, position.data());gl_.Lightf(light, GL_SPOT_CUTOFF, position[1]?45.f:180.f);}
+            for (const auto& position :
+                 {std::array<GLfloat, 4>{0, 1, 0, 0}, std::array<GLfloat, 4>{0, 0, 1, 0}}) {
+                gl_.Lightfv(light, GL_POSITION, position.data());
+                gl_.Lightf(light, GL_SPOT_CUTOFF, position[1] ? 45.f : 180.f);
+            }
         gl_.Enable(GL_POINT_SPRITE);  // without it gl_PointCoord has no value in this profile
         if (written_.backColors)
             gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
@@ -131,8 +141,8 @@ class Drawing {
         if (!isWindow) {
             std::vector<GLuint> names;
             for (const int each : pass.targets) names.push_back(textures_.texture(each));
-            const auto& size =
-                std::get<scene::EmptySource>(scene_.textures[static_cast<std::size_t>(pass.targets.front())].source);
+            const auto& size = std::get<scene::EmptySource>(
+                scene_.textures[static_cast<std::size_t>(pass.targets.front())].source);
             width = size.width;
             height = size.height;
             offscreen.emplace(gl_, width, height, names);
@@ -154,7 +164,8 @@ class Drawing {
     }
 
     void drawOne(const scene::Draw& draw, double aspect) {
-        const std::vector<glib::UniformSpec>& tags = scene_.programs[static_cast<std::size_t>(draw.program)].uniforms;
+        const std::vector<glib::UniformSpec>& tags =
+            scene_.programs[static_cast<std::size_t>(draw.program)].uniforms;
         const glm::dmat4 projection = scene::projectionMatrix(draw.projection, aspect);
         gl_.MatrixMode(GL_PROJECTION);
         gl_.LoadMatrixd(glm::value_ptr(projection));
@@ -170,7 +181,8 @@ class Drawing {
         gl_.ShadeModel(draw.flatColors ? GL_FLAT : GL_SMOOTH);
         gl_.PointSize(static_cast<GLfloat>(draw.raster.pointSize));
         gl_.LineWidth(static_cast<GLfloat>(draw.raster.lineWidth));
-        draw.raster.pointSizeFromShader ? gl_.Enable(GL_PROGRAM_POINT_SIZE) : gl_.Disable(GL_PROGRAM_POINT_SIZE);
+        draw.raster.pointSizeFromShader ? gl_.Enable(GL_PROGRAM_POINT_SIZE)
+                                        : gl_.Disable(GL_PROGRAM_POINT_SIZE);
         const auto [known, isNew] = meshes_.try_emplace(draw.shape);
         if (isNew) {
             Result<geometry::Mesh> made = scene::makeMesh(scene_, draw.shape);
@@ -182,9 +194,11 @@ class Drawing {
         GLenum mode = glMode(mesh.topology);
         if (program.hasStage(glsl::Stage::tessEvaluation)) {
             mode = GL_PATCHES;
-            gl_.PatchParameteri(GL_PATCH_VERTICES, mesh.patchVertices ? mesh.patchVertices : draw.patchVertices);
+            gl_.PatchParameteri(GL_PATCH_VERTICES,
+                                mesh.patchVertices ? mesh.patchVertices : draw.patchVertices);
         }
-        gl_.DrawElements(mode, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, mesh.indices.data());
+        gl_.DrawElements(mode, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT,
+                         mesh.indices.data());
         program.unbindAttributes();
     }
 

@@ -9,11 +9,16 @@ namespace {
 
 GLenum glStage(glsl::Stage stage) {
     switch (stage) {
-        case glsl::Stage::vertex: return GL_VERTEX_SHADER;
-        case glsl::Stage::tessControl: return GL_TESS_CONTROL_SHADER;
-        case glsl::Stage::tessEvaluation: return GL_TESS_EVALUATION_SHADER;
-        case glsl::Stage::geometry: return GL_GEOMETRY_SHADER;
-        case glsl::Stage::fragment: break;
+        case glsl::Stage::vertex:
+            return GL_VERTEX_SHADER;
+        case glsl::Stage::tessControl:
+            return GL_TESS_CONTROL_SHADER;
+        case glsl::Stage::tessEvaluation:
+            return GL_TESS_EVALUATION_SHADER;
+        case glsl::Stage::geometry:
+            return GL_GEOMETRY_SHADER;
+        case glsl::Stage::fragment:
+            break;
     }
     return GL_FRAGMENT_SHADER;
 }
@@ -40,31 +45,46 @@ struct TypeShape {
 TypeShape shapeOf(GLenum type) {
     using enum TypeShape::Base;
     switch (type) {
-        case GL_FLOAT: return {floating, 1, 1};
-        case GL_FLOAT_VEC2: return {floating, 1, 2};
-        case GL_FLOAT_VEC3: return {floating, 1, 3};
-        case GL_FLOAT_VEC4: return {floating, 1, 4};
+        case GL_FLOAT:
+            return {floating, 1, 1};
+        case GL_FLOAT_VEC2:
+            return {floating, 1, 2};
+        case GL_FLOAT_VEC3:
+            return {floating, 1, 3};
+        case GL_FLOAT_VEC4:
+            return {floating, 1, 4};
         case GL_INT:
-        case GL_BOOL: return {integer, 1, 1};
+        case GL_BOOL:
+            return {integer, 1, 1};
         case GL_INT_VEC2:
-        case GL_BOOL_VEC2: return {integer, 1, 2};
+        case GL_BOOL_VEC2:
+            return {integer, 1, 2};
         case GL_INT_VEC3:
-        case GL_BOOL_VEC3: return {integer, 1, 3};
+        case GL_BOOL_VEC3:
+            return {integer, 1, 3};
         case GL_INT_VEC4:
-        case GL_BOOL_VEC4: return {integer, 1, 4};
-        case GL_UNSIGNED_INT: return {unsignedInteger, 1, 1};
-        case GL_FLOAT_MAT2: return {floating, 2, 2};
-        case GL_FLOAT_MAT3: return {floating, 3, 3};
-        case GL_FLOAT_MAT4: return {floating, 4, 4};
-        case GL_FLOAT_MAT2x3: return {floating, 2, 3};
-        default: throw std::runtime_error("the oracle does not know uniform type " + std::to_string(type));
+        case GL_BOOL_VEC4:
+            return {integer, 1, 4};
+        case GL_UNSIGNED_INT:
+            return {unsignedInteger, 1, 1};
+        case GL_FLOAT_MAT2:
+            return {floating, 2, 2};
+        case GL_FLOAT_MAT3:
+            return {floating, 3, 3};
+        case GL_FLOAT_MAT4:
+            return {floating, 4, 4};
+        case GL_FLOAT_MAT2x3:
+            return {floating, 2, 3};
+        default:
+            throw std::runtime_error("the oracle does not know uniform type " + std::to_string(type));
     }
 }
 
 /// The numbers that a tag gives a uniform of that shape (specification, 5.2 and 5.3).
 std::vector<double> valuesOf(const glib::UniformSpec& tag, const TypeShape& shape) {
     std::vector<double> values = tag.values;
-    if (tag.form == glib::UniformForm::range) values = {tag.values.size() > 2 ? tag.values[1] : tag.values.front()};
+    if (tag.form == glib::UniformForm::range)
+        values = {tag.values.size() > 2 ? tag.values[1] : tag.values.front()};
     if (tag.form == glib::UniformForm::color && values.size() == 3) values.push_back(1);
     const auto components = static_cast<std::size_t>(shape.rows);
     if (values.size() == 1 && shape.columns == 1) values.resize(components, values.front());
@@ -78,10 +98,14 @@ bool isSampler(GLenum type) {
 
 scene::TextureTarget targetOf(GLenum type) {
     switch (type) {
-        case GL_SAMPLER_1D: return scene::TextureTarget::texture1D;
-        case GL_SAMPLER_3D: return scene::TextureTarget::texture3D;
-        case GL_SAMPLER_CUBE: return scene::TextureTarget::cube;
-        default: return scene::TextureTarget::texture2D;
+        case GL_SAMPLER_1D:
+            return scene::TextureTarget::texture1D;
+        case GL_SAMPLER_3D:
+            return scene::TextureTarget::texture3D;
+        case GL_SAMPLER_CUBE:
+            return scene::TextureTarget::cube;
+        default:
+            return scene::TextureTarget::texture2D;
     }
 }
 
@@ -117,7 +141,8 @@ CompatibilityProgram::CompatibilityProgram(const GladGLContext& gl, const std::v
         gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
         if (!good) gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
         gl.DeleteShader(shader);
-        if (!good) throw std::runtime_error("the oracle's driver refuses\n" + source.text + "\n" + log.c_str());
+        if (!good)
+            throw std::runtime_error("the oracle's driver refuses\n" + source.text + "\n" + log.c_str());
     }
     gl.LinkProgram(id_);
     GLint good = 0;
@@ -165,7 +190,8 @@ std::vector<CompatibilityProgram::Uniform> CompatibilityProgram::uniforms() cons
     for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
         std::array<GLchar, 256> name{};
         Uniform each;
-        gl_.GetActiveUniform(id_, i, static_cast<GLsizei>(name.size()), nullptr, &each.size, &each.type, name.data());
+        gl_.GetActiveUniform(id_, i, static_cast<GLsizei>(name.size()), nullptr, &each.size, &each.type,
+                             name.data());
         each.name = withoutSubscript(name.data());
         if (each.name.starts_with("gl_")) continue;
         each.location = gl_.GetUniformLocation(id_, name.data());
@@ -209,10 +235,12 @@ void CompatibilityProgram::writeToBlock(const Uniform& uniform, const std::vecto
         const auto row = static_cast<GLint>(i) % shape.rows;
         const auto column = static_cast<GLint>(i) / shape.rows % shape.columns;
         const auto element = static_cast<GLint>(i) / (shape.rows * shape.columns);
-        const GLintptr at = uniform.offset + element * uniform.arrayStride + column * uniform.matrixStride + 4 * row;
+        const GLintptr at =
+            uniform.offset + element * uniform.arrayStride + column * uniform.matrixStride + 4 * row;
         const auto asFloat = static_cast<GLfloat>(values[i]);
         const auto asInteger = static_cast<GLint>(values[i]);
-        const void* data = shape.base == TypeShape::Base::floating ? static_cast<const void*>(&asFloat) : &asInteger;
+        const void* data =
+            shape.base == TypeShape::Base::floating ? static_cast<const void*>(&asFloat) : &asInteger;
         gl_.BufferSubData(GL_UNIFORM_BUFFER, at, 4, data);
     }
 }
@@ -222,8 +250,8 @@ bool CompatibilityProgram::matches(const std::string& tag, const Uniform& unifor
     if (uniform.block < 0) return false;
     // A member of a block goes by its own name or as Block.member; the driver has one of them.
     std::array<GLchar, 256> block{};
-    gl_.GetActiveUniformBlockName(id_, static_cast<GLuint>(uniform.block), static_cast<GLsizei>(block.size()), nullptr,
-                                  block.data());
+    gl_.GetActiveUniformBlockName(id_, static_cast<GLuint>(uniform.block), static_cast<GLsizei>(block.size()),
+                                  nullptr, block.data());
     const std::string prefix = std::string(block.data()) + ".";
     return tag == prefix + uniform.name || uniform.name == prefix + tag;
 }
@@ -269,7 +297,8 @@ std::vector<CompatibilityProgram::Sampler> CompatibilityProgram::samplers(
             if (uniform.name == "Noise2") unit = 2;
             if (uniform.name == "Noise3") unit = 3;
             for (const glib::UniformSpec& tag : tags)
-                if (tag.tag == uniform.name) unit = static_cast<int>(tag.values.at(static_cast<std::size_t>(element)));
+                if (tag.tag == uniform.name)
+                    unit = static_cast<int>(tag.values.at(static_cast<std::size_t>(element)));
             found.push_back({uniform.location + element, unit, targetOf(uniform.type)});
         }
     }
@@ -308,7 +337,8 @@ void CompatibilityProgram::bindAttributes(const geometry::Mesh& mesh, const glm:
         const geometry::Attribute* attribute = mesh.attribute(meshAttributeOf(name.data()));
         if (attribute) {
             gl_.EnableVertexAttribArray(at);
-            gl_.VertexAttribPointer(at, attribute->components, GL_FLOAT, GL_FALSE, 0, attribute->values.data());
+            gl_.VertexAttribPointer(at, attribute->components, GL_FLOAT, GL_FALSE, 0,
+                                    attribute->values.data());
         } else if (meshAttributeOf(name.data()) == geometry::kColor) {
             gl_.VertexAttrib4d(at, color.r, color.g, color.b, color.a);
         } else {

@@ -1,7 +1,7 @@
 #pragma once
-// Shaders compiled as they are written, and what their names are given: uniforms by the tags of a Program statement,
-// matrices and vertex attributes by glibra's names. Written against the language specification (sections 5 and 6), not
-// against glibra's own code for the same job.
+// Shaders compiled as they are written, and what their names are given: uniforms by the tags of a Program
+// statement, matrices and vertex attributes by glibra's names. Written against the language specification
+// (sections 5 and 6), not against glibra's own code for the same job.
 
 #include <glad/gl.h>
 
@@ -18,7 +18,8 @@ namespace glibra::oracle {
 
 class CompatibilityProgram {
   public:
-    /// Compiles and links; throws std::runtime_error with the driver's log. The context must be current and stay so.
+    /// Compiles and links; throws std::runtime_error with the driver's log. The context must be current and
+    /// stay so.
     CompatibilityProgram(const GladGLContext& gl, const std::vector<Source>& sources);
     CompatibilityProgram(const CompatibilityProgram&) = delete;
     CompatibilityProgram& operator=(const CompatibilityProgram&) = delete;
@@ -32,8 +33,8 @@ class CompatibilityProgram {
     /// Sets the uniforms named in the specification's section 6: uModelViewMatrix and so on, and Timer.
     void setRuntimeValues(const scene::DrawMatrices& matrices, double timer) const;
 
-    /// An active sampler: its location, the unit that its tag names (without one that of its declaration, else 0; 2 for
-    /// Noise2, 3 for Noise3), and the target its type asks for.
+    /// An active sampler: its location, the unit that its tag names (without one that of its declaration,
+    /// else 0; 2 for Noise2, 3 for Noise3), and the target its type asks for.
     struct Sampler {
         GLint location = 0;
         int unit = 0;
@@ -41,8 +42,9 @@ class CompatibilityProgram {
     };
     [[nodiscard]] std::vector<Sampler> samplers(const std::vector<glib::UniformSpec>& tags) const;
 
-    /// Feeds gl_Vertex, gl_Normal, gl_Color and gl_MultiTexCoord0 and the attributes of glibra's names (aVertex ...) from
-    /// the mesh, which must outlive the draw. What the mesh has not is (0, 0, 0, 1), a colour `color`.
+    /// Feeds gl_Vertex, gl_Normal, gl_Color and gl_MultiTexCoord0 and the attributes of glibra's names
+    /// (aVertex ...) from the mesh, which must outlive the draw. What the mesh has not is (0, 0, 0, 1), a
+    /// colour `color`.
     void bindAttributes(const geometry::Mesh& mesh, const glm::dvec4& color) const;
     void unbindAttributes() const;
 
@@ -61,7 +63,7 @@ class CompatibilityProgram {
     GLuint id_ = 0;
     std::vector<glsl::Stage> stages_;
     std::map<GLint, GLint> declaredUnits_;  ///< of samplers, by location: layout(binding = n), else 0
-    std::vector<GLuint> blocks_;  ///< a buffer for each uniform block
+    std::vector<GLuint> blocks_;            ///< a buffer for each uniform block
 };
 
 }  // namespace glibra::oracle

@@ -11,10 +11,14 @@ namespace {
 
 GLenum internalFormat(scene::TexelFormat format) {
     switch (format) {
-        case scene::TexelFormat::rgba16f: return GL_RGBA16F;
-        case scene::TexelFormat::rgba32f: return GL_RGBA32F;
-        case scene::TexelFormat::r32f: return GL_R32F;
-        case scene::TexelFormat::rgba8: break;
+        case scene::TexelFormat::rgba16f:
+            return GL_RGBA16F;
+        case scene::TexelFormat::rgba32f:
+            return GL_RGBA32F;
+        case scene::TexelFormat::r32f:
+            return GL_R32F;
+        case scene::TexelFormat::rgba8:
+            break;
     }
     return GL_RGBA8;
 }
@@ -31,10 +35,14 @@ CompatibilityTextures::~CompatibilityTextures() {
 
 GLenum CompatibilityTextures::targetOf(int index) const {
     switch (scene_.textures[static_cast<std::size_t>(index)].target) {
-        case scene::TextureTarget::texture1D: return GL_TEXTURE_1D;
-        case scene::TextureTarget::texture2D: return GL_TEXTURE_2D;
-        case scene::TextureTarget::texture3D: return GL_TEXTURE_3D;
-        case scene::TextureTarget::cube: break;
+        case scene::TextureTarget::texture1D:
+            return GL_TEXTURE_1D;
+        case scene::TextureTarget::texture2D:
+            return GL_TEXTURE_2D;
+        case scene::TextureTarget::texture3D:
+            return GL_TEXTURE_3D;
+        case scene::TextureTarget::cube:
+            break;
     }
     return GL_TEXTURE_CUBE_MAP;
 }
@@ -64,8 +72,8 @@ void CompatibilityTextures::fill(int index) const {
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) {
         const auto texels = static_cast<std::size_t>(empty->width) * static_cast<std::size_t>(empty->height);
         const std::vector<std::byte> zeros(texels * 4);
-        gl_.TexImage2D(target, 0, static_cast<GLint>(internalFormat(empty->format)), empty->width, empty->height, 0,
-                       GL_RGBA, GL_UNSIGNED_BYTE, zeros.data());
+        gl_.TexImage2D(target, 0, static_cast<GLint>(internalFormat(empty->format)), empty->width,
+                       empty->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, zeros.data());
         return;
     }
     const auto& picture = std::get<scene::PictureSource>(texture.source);
@@ -84,8 +92,8 @@ void CompatibilityTextures::fill(int index) const {
                        block.data.data());
     } else {
         for (GLenum face = 0; face < 6; ++face)
-            gl_.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA8, block.width, block.height, 0, GL_RGBA,
-                           GL_UNSIGNED_BYTE, block.data.data() + face * (block.data.size() / 6));
+            gl_.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA8, block.width, block.height, 0,
+                           GL_RGBA, GL_UNSIGNED_BYTE, block.data.data() + face * (block.data.size() / 6));
     }
 }
 

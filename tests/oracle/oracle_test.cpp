@@ -25,16 +25,17 @@ BothWays& bothWays() {
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto& group :
-         {casesOf110(), casesOf110Textures(), casesOf120(), casesOf130(), casesOfGeometryShader4(), casesOf150(),
-          casesOf330(), casesOf400(), casesOfNames(), casesOfMacros(), casesOfStructures(), casesOfIdioms(),
-          casesOfCollisions()})
+         {casesOf110(), casesOf110State(), casesOf110Textures(), casesOf120(), casesOf130(), casesOfGeometryShader4(),
+          casesOf150(), casesOf330(), casesOf400(), casesOfNames(), casesOfMacros(), casesOfStructures(),
+          casesOfIdioms(), casesOfCollisions()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
 
 Case caseOf(std::string_view name) {
     const std::vector<Case> all = allCases();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Case& each) { return each.name == name; });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Case& each) { return each.name == name; });
     if (found == all.end()) throw std::runtime_error("no such case");
     return *found;
 }
@@ -43,7 +44,8 @@ Case caseOf(std::string_view name) {
 std::string color(const Pixels& picture, int x, int y) {
     const auto at = 4 * static_cast<std::size_t>(y * picture.width + x);
     std::string text;
-    for (std::size_t i = at; i < at + 4; ++i) text += " " + std::to_string(std::to_integer<int>(picture.data[i]));
+    for (std::size_t i = at; i < at + 4; ++i)
+        text += " " + std::to_string(std::to_integer<int>(picture.data[i]));
     return text;
 }
 
@@ -97,23 +99,28 @@ struct Mistake {
 
 TEST(Oracle, NoticesEveryMistakeOfATranslation) {
     static constexpr std::array<Mistake, 12> kMistakes{{
-        {"normal matrix forgotten", "v110_attributes_and_varyings", "gl_NormalMatrix * gl_Normal", "gl_Normal"},
+        {"normal matrix forgotten", "v110_attributes_and_varyings", "gl_NormalMatrix * gl_Normal",
+         "gl_Normal"},
         {"colour not clamped", "v110_front_color_is_clamped_where_it_leaves_the_vertex_stage",
          "gl_FrontColor = gl_FrontColor * .5", "gl_FrontColor = clamp(gl_FrontColor, 0., 1.) * .5"},
-        {"early return forgotten", "v110_front_color_is_clamped_where_it_leaves_the_vertex_stage", "return;", ";"},
-        {"back colour ignored", "v110_back_color_on_back_faces", "gl_BackColor = vec4(0.,", "gl_BackColor = vec4(1.,"},
+        {"early return forgotten", "v110_front_color_is_clamped_where_it_leaves_the_vertex_stage", "return;",
+         ";"},
+        {"back colour ignored", "v110_back_color_on_back_faces", "gl_BackColor = vec4(0.,",
+         "gl_BackColor = vec4(1.,"},
         {"wrong texture coordinates", "v110_texture_coordinates", "gl_TexCoord[3].stp / gl_TexCoord[3].q",
          "gl_TexCoord[0].stp / gl_TexCoord[0].q"},
         {"Flat ignored", "v110_flat_colors", "Flat\n", "Smooth\n"},
-        {"targets exchanged", "v110_frag_data_goes_to_its_own_target", "gl_FragData[1] = vec4(fract(2. * vPoint), 1.)",
-         "gl_FragData[1] = vec4(.5 + .5 * vPoint.zyx, .5)"},
+        {"targets exchanged", "v110_frag_data_goes_to_its_own_target",
+         "gl_FragData[1] = vec4(fract(2. * vPoint), 1.)", "gl_FragData[1] = vec4(.5 + .5 * vPoint.zyx, .5)"},
         {"inverse for transpose", "v110_matrices_and_their_relatives", "gl_ModelViewMatrixTranspose",
          "gl_ModelViewMatrixInverse"},
         {"user's function ignored", "names_of_built_in_functions_of_the_same_version",
          "float mod(float a, float b) {", "float notMod(float a, float b) {"},
-        {"noise of another period", "v110_texture3D_noise", "uFrequency * vPoint", "2. * uFrequency * vPoint"},
+        {"noise of another period", "v110_texture3D_noise", "uFrequency * vPoint",
+         "2. * uFrequency * vPoint"},
         {"bias taken for a coordinate", "v110_texture2DProj", "vec3(vPoint.xy, 2.)", "vec3(vPoint.xy, 1.)"},
-        {"material forgotten", "v110_light_sources", "gl_FrontLightProduct[0].diffuse", "gl_LightSource[0].diffuse"},
+        {"material forgotten", "v110_light_sources", "gl_FrontLightProduct[0].diffuse",
+         "gl_LightSource[0].diffuse"},
     }};
     for (const Mistake& mistake : kMistakes) {
         const Case each = caseOf(mistake.name);
