@@ -1,5 +1,6 @@
 #pragma once
-// What glibra tells a user about a scene: one message with a place, a severity and an id that never changes meaning.
+// What glibra tells a user about a scene: one message with a place, a severity and an id that never changes
+// meaning.
 
 #include <string>
 #include <utility>
@@ -53,9 +54,12 @@ inline void append(Diagnostics& diagnostics, Diagnostics more) {
 /// "error", "warning" or "note".
 inline const char* name(Severity severity) {
     switch (severity) {
-        case Severity::note: return "note";
-        case Severity::warning: return "warning";
-        case Severity::error: break;
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::error:
+            break;
     }
     return "error";
 }

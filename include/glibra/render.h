@@ -12,7 +12,8 @@
 
 namespace glibra {
 
-/// Which GL the pictures are drawn with. `automatic`: EGL without a surface, an EGL device, OSMesa, in this order.
+/// Which GL the pictures are drawn with. `automatic`: EGL without a surface, an EGL device, OSMesa, in this
+/// order.
 enum class Driver { automatic, egl, eglDevice, osmesa };
 
 /// How the eye is placed: `automatic` moves it back from a scene that would be seen from inside.
@@ -20,19 +21,20 @@ enum class ViewPolicy { automatic, glman };
 
 /// What may be asked of a picture beyond what the scene says.
 struct RenderOptions {
-    int width = 0;   ///< pixels; 0: the scene's WindowSize
+    int width = 0;  ///< pixels; 0: the scene's WindowSize
     int height = 0;
-    double time = 0;  ///< seconds since loading; Timer = fract(time / period)
+    double time = 0;                 ///< seconds since loading; Timer = fract(time / period)
     std::vector<std::string> set{};  ///< "NAME=VALUE" for uniforms
     ViewPolicy view = ViewPolicy::automatic;
-    int samples = 1;  ///< multisampling, limited to what the driver has
-    bool axes = false;  ///< draws axes two units long at the origin of eye space
-    bool alpha = false;  ///< keeps the window's alpha; otherwise pictures are opaque
+    int samples = 1;           ///< multisampling, limited to what the driver has
+    bool axes = false;         ///< draws axes two units long at the origin of eye space
+    bool alpha = false;        ///< keeps the window's alpha; otherwise pictures are opaque
     bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
     bool strict = false;       ///< warnings are errors
     bool shim = true;          ///< false: shaders are compiled as they are
-    std::vector<std::filesystem::path> libraryRoots{};  ///< searched for files besides the scene's own folders
-    int tileSize = 0;  ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
+    std::vector<std::filesystem::path>
+        libraryRoots{};  ///< searched for files besides the scene's own folders
+    int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
 };
 
 /// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats.

@@ -16,12 +16,14 @@ class Adaptation {
         for (Variable& each : unit_.variables) variable(each);
         for (const Declaration& each : unit_.syntax.declarations) {
             if (each.kind == DeclarationKind::block && version_ < 420) removeItem(each.qualifiers, "binding");
+            if (each.kind == DeclarationKind::block) removeLocations(each);
             if (each.kind != DeclarationKind::variable || version_ >= 420) continue;
             for (const Declarator& name : each.declarators) braces(name.initializer, each.type.name);
         }
         if (version_ >= 420) return;
         for (const LocalVariable& each : unit_.bodies.locals) braces(each.initializer, each.typeWord);
         localConstants();
+        scalarSwizzles();
         returns();
     }
 
@@ -31,6 +33,9 @@ class Adaptation {
         if (version_ < 430 && each.storage == Storage::uniform) each.removeLayout("location");
         if (version_ >= 420) return;
         each.removeLayout("binding");
+        // layout(depth_less) is only a promise, made for speed; the redeclaration that carries it is of 4.20
+        // as well.
+        if (each.name == "gl_FragDepth") each.removed = true;
         const Range tokens = unit_.syntax.declarations[each.declaration].qualifiers.tokens;
         if (tokens.end - tokens.first > 1)
             each.changed = true;  // written anew in the order of the older versions
@@ -51,6 +56,13 @@ class Adaptation {
         const bool last = unit_.text(item->tokens.end) != ",";
         remove(last ? Range{item->tokens.first - 1, item->tokens.end}
                     : Range{item->tokens.first, item->tokens.end + 1});
+    }
+
+    /// Blocks between stages had no locations before 4.40; they connect by name.
+    void removeLocations(const Declaration& block) {
+        if (block.qualifiers.storage != Storage::input && block.qualifiers.storage != Storage::output) return;
+        removeItem(block.qualifiers, "location");
+        for (const Declaration& member : block.members) removeItem(member.qualifiers, "location");
     }
 
     /// `{ a, b }` as `type[](a, b)`; `{ { 1, 2 }, { 3, 4 } }` as `vec2[](vec2(1, 2), vec2(3, 4))`.
@@ -111,6 +123,22 @@ class Adaptation {
         }
     }
 
+    /// `f.xxx` of a float as vec3(f); `f.x` as f.
+    void scalarSwizzles() {
+        for (const ScalarSwizzle& each : unit_.bodies.scalarSwizzles) {
+            const ViewToken& first = unit_.view[each.object.first];
+            const ViewToken& last = unit_.view[each.object.end - 1];
+            std::vector<std::uint32_t> tokens;
+            if (first.body || last.body || !editableTokens(unit_, {each.member - 1, each.member + 1}, tokens))
+                continue;
+            for (const std::uint32_t token : tokens) unit_.edits.remove(token);
+            const auto size = static_cast<int>(unit_.text(each.member).size());
+            if (size == 1) continue;
+            unit_.edits.before(first.raw, wordOf(vectorType(each.type.base, size)) + "(");
+            unit_.edits.after(last.raw, ")");
+        }
+    }
+
     /// Values were not converted to the type that the function returns.
     void returns() {
         for (const ReturnValue& each : unit_.bodies.returns) {
@@ -133,7 +161,7 @@ class Adaptation {
 }  // namespace
 
 void adaptToTarget(Unit& unit) {
-    if (unit.request->target.version < 430) Adaptation(unit).run();
+    if (unit.request->target.version < 440) Adaptation(unit).run();
 }
 
 }  // namespace glibra::glsl

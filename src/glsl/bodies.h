@@ -38,6 +38,13 @@ struct ReturnValue {
     Type wanted;
 };
 
+/// A swizzle of a scalar, which only 4.20 and later take: object.member.
+struct ScalarSwizzle {
+    Range object;
+    std::uint32_t member = 0;
+    Type type;
+};
+
 enum class WordRole : std::uint8_t {
     none,
     global,            ///< a use of something that is not local
@@ -53,6 +60,7 @@ struct Bodies {
     std::vector<LocalVariable> locals;
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
+    std::vector<ScalarSwizzle> scalarSwizzles;
     std::map<std::string, std::uint32_t, std::less<>>
         localNames;  ///< locals, parameters, local structs: view index
     std::map<std::string, std::uint32_t, std::less<>> memberNames;  ///< members of structs and blocks

@@ -333,13 +333,14 @@ class Varyings {
             if (passed) copies.push_back("glibra_out." + std::string(kRows[k].name) + " = " + source + ";");
         }
         if (copies.empty()) return;
-        if (unit.stage != Stage::geometry) {
-            unit.mainEnd.insert(unit.mainEnd.end(), copies.begin(), copies.end());
-            return;
-        }
+        // In front of the user's text, so that no macro or function of theirs gets into it.
         std::string body;
         for (const std::string& each : copies) body += " " + each;
         unit.declare("void glibra_copyVaryings() {" + body + " }");
+        if (unit.stage != Stage::geometry) {
+            unit.mainEnd.emplace_back("glibra_copyVaryings();");
+            return;
+        }
         const auto tiled = unit.renames.find("EmitVertex");
         const std::string emit = tiled == unit.renames.end() ? "EmitVertex" : tiled->second;
         unit.declare("void glibra_EmitVertex() { glibra_copyVaryings(); " + emit + "(); }");

@@ -158,14 +158,17 @@ Type Expressions::index(const Type& array) {
 }
 
 Type Expressions::postfix() {
+    const std::uint32_t first = at_;
     Type type = primary();
     while (at_ < end_) {
         if (peek() == "[") {
             type = index(type);
         } else if (peek() == "." && at_ + 1 < end_) {
-            ++at_;
+            const std::uint32_t dot = at_++;
             const std::string_view member = peek();
             ++at_;
+            if (type.scalar() && names_.memberType(type, member).known())
+                bodies_.scalarSwizzles.push_back({{first, dot}, dot + 1, type});
             if (peek() == "(") {
                 at_ = std::min(std::min(matches_[at_], end_) + 1, end_);
                 type = member == "length" ? scalarType(BaseType::integer) : Type{};

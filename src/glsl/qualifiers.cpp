@@ -125,6 +125,9 @@ void renameTakenWords(ProgramUnits& program) {
             program.report.warning("glsl-W05", "'" + word + "' is a reserved word, renamed", unit.place(at));
         }
         for (const std::string_view word : kEmitted) {
+            // A macro of that name would take the calls that translation emits.
+            if (unit.macros.find(word) != unit.macros.end())
+                unit.wordRenames.try_emplace(std::string(word), "glibra_" + std::string(word));
             const std::uint32_t at = declarationOf(unit, word, false);
             if (at == kNone || unit.macros.find(word) != unit.macros.end()) continue;
             const std::string name(word);

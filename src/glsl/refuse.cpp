@@ -37,6 +37,7 @@ struct Feature {
 constexpr std::array kFeatures = std::to_array<Feature>({
     {"imageLoad", 420, "GL_ARB_shader_image_load_store"},
     {"imageStore", 420, "GL_ARB_shader_image_load_store"},
+    {"memoryBarrier", 420, "GL_ARB_shader_image_load_store"},
     {"packSnorm2x16", 420, "GL_ARB_shading_language_packing"},
     {"unpackSnorm2x16", 420, "GL_ARB_shading_language_packing"},
     {"packHalf2x16", 420, "GL_ARB_shading_language_packing"},
@@ -70,6 +71,9 @@ class Refuser {
                                   "names beginning with 'glibra_' are reserved",
                                   {unit_.files[token.file], token.line, token.column});
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
+        for (const LocalVariable& each : unit_.bodies.locals)
+            if (each.type.arrayDepth > 1)
+                feature(each.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
     }
 
   private:
@@ -88,6 +92,8 @@ class Refuser {
         if (unit_.isDeclared(text)) return;
         for (const Feature& each : kFeatures)
             if (each.word == text) feature(at, text, each.version, each.extension);
+        const bool layer = text == "gl_Layer" || text == "gl_ViewportIndex";
+        if (layer && unit_.stage == Stage::fragment) feature(at, text, 430, "GL_ARB_fragment_layer_viewport");
         if (isImageTypeWord(text) && unit_.dialect.version >= 130)
             feature(at, text, 420, "GL_ARB_shader_image_load_store");
     }
@@ -105,6 +111,14 @@ class Refuser {
                       ", this driver has " + std::to_string(target().version).insert(1, "."));
     }
 
+    void layoutItem(const LayoutItem& item) {
+        const std::uint32_t at = item.tokens.first;
+        if (item.name == "early_fragment_tests")
+            feature(at, item.name, 420, "GL_ARB_shader_image_load_store");
+        if (item.name == "component" || item.name == "align" || item.name.starts_with("xfb_"))
+            feature(at, "layout(" + item.name + ")", 440, "GL_ARB_enhanced_layouts");
+    }
+
     void declaration(const Declaration& each) {
         const bool storageBlock =
             each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
@@ -119,6 +133,10 @@ class Refuser {
                           "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
                               "': scenes have no counters",
                           unit_.place(each.declarators[0].name));
+        for (const LayoutItem& item : each.qualifiers.layout) layoutItem(item);
+        for (const Declarator& name : each.declarators)
+            if (each.type.dimensions.size() + name.dimensions.size() > 1)
+                feature(name.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
         if (each.kind == DeclarationKind::layoutOnly)
             for (const LayoutItem& item : each.qualifiers.layout)
                 if (item.name.starts_with("local_size_"))

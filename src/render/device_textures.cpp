@@ -134,9 +134,9 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
         if (!bytes) return diagnostics;
         const std::vector<std::uint16_t> wide = widened(*bytes);
         const int depth = noise->dimensions == 3 ? noise->size : 1;
-        Result<gpu::Texture> made =
-            gpu::Texture::create(capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
-                                 {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+        Result<gpu::Texture> made = gpu::Texture::create(
+            capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
+            {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
         append(diagnostics, std::move(made.diagnostics));
         made.diagnostics = std::move(diagnostics);
         return made;

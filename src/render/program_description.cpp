@@ -52,10 +52,11 @@ plan::ValueType valueType(const gpu::ValueType& type) {
     return described;
 }
 
-/// The emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y": every part that the translator renamed becomes the
-/// user's again.
+/// The emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y": every part that the translator renamed
+/// becomes the user's again.
 std::string userName(const std::string& emitted, const glsl::TranslatedProgram& facts) {
-    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end()) return whole->second;
+    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end())
+        return whole->second;
     std::string name;
     for (std::size_t begin = 0; begin < emitted.size();) {
         const std::size_t end = std::min(emitted.find_first_of(".[]", begin), emitted.size());

@@ -54,7 +54,8 @@ struct CheckResult {
 };
 
 /// Parses, resolves and reads every file, compiles and links every program; draws nothing, skips nothing.
-CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options);
+CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
+                       const RenderOptions& options);
 
 /// Removes repeated messages; with `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);

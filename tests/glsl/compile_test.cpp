@@ -1,5 +1,5 @@
-// Programs in every dialect, translated and given to a compiler that nobody here wrote: glslangValidator compiles all
-// stages and links them, at the usual target and at the lowest.
+// Programs in every dialect, translated and given to a compiler that nobody here wrote: glslangValidator
+// compiles all stages and links them, at the usual target and at the lowest.
 
 #include <gtest/gtest.h>
 
@@ -89,18 +89,29 @@ void main() { gl_FragColor = vec4(gNormal * gLight, 1.) + gl_Color + gl_TexCoord
 
 std::vector<Sample> samples() {
     std::vector<Sample> all;
-    all.push_back({"GLSL 1.10", {{Stage::vertex, "#version 110" + kVert110}, {Stage::fragment, "#version 110" + kFrag110}}});
-    all.push_back({"GLSL 1.20", {{Stage::vertex, "#version 120" + kVert110}, {Stage::fragment, "#version 120" + kFrag120}}});
+    all.push_back(
+        {"GLSL 1.10",
+         {{Stage::vertex, "#version 110" + kVert110}, {Stage::fragment, "#version 110" + kFrag110}}});
+    all.push_back(
+        {"GLSL 1.20",
+         {{Stage::vertex, "#version 120" + kVert110}, {Stage::fragment, "#version 120" + kFrag120}}});
     all.push_back({"no version", {{Stage::vertex, kVert110}, {Stage::fragment, kFrag110}}});
-    all.push_back({"EXT_geometry_shader4", {{Stage::vertex, "#version 120" + kVert110}, {Stage::geometry, "#version 120" + kGeomOld}, {Stage::fragment, "#version 120" + kFragGeom}}});
-    all.push_back({"EXT_geometry_shader4 on 1.50", {{Stage::vertex, "#version 150 compatibility" + kVert110}, {Stage::geometry, "#version 150 compatibility" + kGeomOld}, {Stage::fragment, "#version 150 compatibility" + kFragGeom}}});
-    all.push_back({"GLSL 1.30", {{Stage::vertex, R"(#version 130
+    all.push_back({"EXT_geometry_shader4",
+                   {{Stage::vertex, "#version 120" + kVert110},
+                    {Stage::geometry, "#version 120" + kGeomOld},
+                    {Stage::fragment, "#version 120" + kFragGeom}}});
+    all.push_back({"EXT_geometry_shader4 on 1.50",
+                   {{Stage::vertex, "#version 150 compatibility" + kVert110},
+                    {Stage::geometry, "#version 150 compatibility" + kGeomOld},
+                    {Stage::fragment, "#version 150 compatibility" + kFragGeom}}});
+    all.push_back({"GLSL 1.30",
+                   {{Stage::vertex, R"(#version 130
 in vec3 aOwn;
 out vec3 vP; flat out int vFace; centroid out vec2 vST; noperspective out float vD;
 uniform mat4 uModelViewProjectionMatrix;
 void main() { vP = aOwn + gl_Normal; vFace = gl_VertexID & 3; vST = gl_MultiTexCoord0.st; vD = vP.z; gl_Position = uModelViewProjectionMatrix * vec4(aOwn, 1); }
 )"},
-                                 {Stage::fragment, R"(#version 130
+                    {Stage::fragment, R"(#version 130
 in vec3 vP; flat in int vFace; in centroid vec2 vST; noperspective in float vD;
 uniform isampler2D uI; uniform samplerCube uCube; uniform int uMode;
 out vec4 fColor;
@@ -111,7 +122,8 @@ void main() {
     fColor += vec4(i) + float(h) + vD + fwidth(vST.x);
 }
 )"}}});
-    all.push_back({"3.30 compatibility", {{Stage::vertex, R"(#version 330 compatibility
+    all.push_back({"3.30 compatibility",
+                   {{Stage::vertex, R"(#version 330 compatibility
 layout(location = 0) in vec4 aVertex;
 out vec2 vST; out vec4 vColor; out float vLightIntensity;
 out Surface { vec3 normal; vec3 eye; } surface;
@@ -123,7 +135,7 @@ void main() {
     gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
 }
 )"},
-                                          {Stage::fragment, R"(#version 330 compatibility
+                    {Stage::fragment, R"(#version 330 compatibility
 in vec2 vST; in vec4 vColor; in float vLightIntensity;
 in Surface { vec3 normal; vec3 eye; } surface;
 uniform float uAd = .1, uTol = 0.01; uniform vec4 uColor;
@@ -137,8 +149,11 @@ void main() {
     gl_FragColor = vec4(rgb * vLightIntensity, vColor.a) + reflect(surface.eye, surface.normal).xyzz * Ar;
 }
 )"}}});
-    all.push_back({"4.00 tessellation", {{Stage::vertex, "#version 400 compatibility\nout vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = gl_Vertex; }\n"},
-                                         {Stage::tessControl, R"(#version 400 compatibility
+    all.push_back({"4.00 tessellation",
+                   {{Stage::vertex,
+                     "#version 400 compatibility\nout vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = "
+                     "gl_Vertex; }\n"},
+                    {Stage::tessControl, R"(#version 400 compatibility
 #extension GL_ARB_tessellation_shader : enable
 uniform float uOuter02, uInner;
 layout( vertices = 3 ) out;
@@ -152,7 +167,7 @@ void main( ) {
     gl_TessLevelInner[0] = uInner;
 }
 )"},
-                                         {Stage::tessEvaluation, R"(#version 400 compatibility
+                    {Stage::tessEvaluation, R"(#version 400 compatibility
 #extension GL_ARB_tessellation_shader : enable
 layout( triangles, equal_spacing, ccw) in;
 in vec3 tcN[]; patch in float tcRadius; out vec3 teN;
@@ -162,7 +177,7 @@ void main() {
     gl_Position = gl_ModelViewMatrix * vec4(tcRadius * normalize(p.xyz), 1.);
 }
 )"},
-                                         {Stage::geometry, R"(#version 400 compatibility
+                    {Stage::geometry, R"(#version 400 compatibility
 #extension GL_EXT_gpu_shader4: enable
 #extension GL_EXT_geometry_shader4: enable
 layout( triangles ) in;
@@ -174,8 +189,11 @@ void main() {
     EndPrimitive();
 }
 )"},
-                                         {Stage::fragment, "#version 400 compatibility\nin float gLightIntensity;\nuniform vec4 uColor;\nvoid main() { gl_FragColor = vec4(gLightIntensity * uColor.rgb, 1.); }\n"}}});
-    all.push_back({"4.30", {{Stage::vertex, R"(#version 430
+                    {Stage::fragment,
+                     "#version 400 compatibility\nin float gLightIntensity;\nuniform vec4 uColor;\nvoid "
+                     "main() { gl_FragColor = vec4(gLightIntensity * uColor.rgb, 1.); }\n"}}});
+    all.push_back({"4.30",
+                   {{Stage::vertex, R"(#version 430
 layout(location = 5) uniform mat4 uModelViewProjectionMatrix;
 layout(location = 0) in vec3 aVertex; in layout(location = 2) vec3 aNormal;
 layout(location = 1) out vec3 vN;
@@ -183,7 +201,7 @@ vec3 table[2] = { { 1., 0., 0. }, { 0., 1., 0. } };
 float half1() { return 1; }
 void main() { const vec3 n = aNormal * half1(); vN = n + table[gl_VertexID & 1]; gl_Position = uModelViewProjectionMatrix * vec4(aVertex, 1.); }
 )"},
-                            {Stage::fragment, R"(#version 430
+                    {Stage::fragment, R"(#version 430
 layout(binding = 3) uniform sampler2D uA; layout(std140, binding = 1) uniform B { vec4 b; };
 in layout(location = 1) vec3 vOther;
 out layout(location = 0) vec4 fA; layout(location = 1) out vec4 fB;
@@ -219,22 +237,33 @@ TEST_P(Compile, TranslationIsAFunction) {
         ProgramRequest request = program(sample.stages);
         request.target.version = GetParam();
         const TranslatedProgram once = translate(request), again = translate(request);
-        for (std::size_t i = 0; i < once.stages.size(); ++i) EXPECT_EQ(once.stages[i].source, again.stages[i].source);
+        for (std::size_t i = 0; i < once.stages.size(); ++i)
+            EXPECT_EQ(once.stages[i].source, again.stages[i].source);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, Compile, testing::Values(410, 430, 450), [](const auto& target) { return std::to_string(target.param); });
+INSTANTIATE_TEST_SUITE_P(Targets, Compile, testing::Values(410, 430, 450),
+                         [](const auto& target) { return std::to_string(target.param); });
 
 TEST(Target410, QualifiersAreReordered) {
-    ProgramRequest request = single(Stage::vertex, "#version 430\nout flat vec3 a; in layout(location = 2) highp vec4 b; out centroid smooth vec2 c;\nvoid main() { a = b.xyz; c = b.xy; gl_Position = b; }");
+    ProgramRequest request =
+        single(Stage::vertex,
+               "#version 430\nout flat vec3 a; in layout(location = 2) highp vec4 b; out centroid smooth "
+               "vec2 c;\nvoid main() { a = b.xyz; c = b.xy; gl_Position = b; }");
     request.target.version = 410;
     const TranslatedProgram translated = translate(request);
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::vertex), "flat out vec3 a; layout(location = 2) in highp vec4 b; smooth centroid out vec2 c;"));
+    EXPECT_TRUE(
+        hasTokens(userPart(translated, Stage::vertex),
+                  "flat out vec3 a; layout(location = 2) in highp vec4 b; smooth centroid out vec2 c;"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Target410, BindingsAreTakenOutAndReported) {
-    ProgramRequest request = single(Stage::fragment, "#version 430\nlayout(binding = 4) uniform sampler2D s; layout(location = 1) uniform float f; layout(std140, binding = 2) uniform B { vec4 b; }; layout(binding = 1, std140) uniform C { vec4 c; };\nout vec4 o; void main() { o = texture(s, vec2(f)) * b * c; }");
+    ProgramRequest request =
+        single(Stage::fragment,
+               "#version 430\nlayout(binding = 4) uniform sampler2D s; layout(location = 1) uniform float f; "
+               "layout(std140, binding = 2) uniform B { vec4 b; }; layout(binding = 1, std140) uniform C { "
+               "vec4 c; };\nout vec4 o; void main() { o = texture(s, vec2(f)) * b * c; }");
     request.target.version = 410;
     const TranslatedProgram translated = translate(request);
     EXPECT_EQ(4, translated.textureBindings.at("s"));
@@ -243,15 +272,23 @@ TEST(Target410, BindingsAreTakenOutAndReported) {
 }
 
 TEST(Target410, BracesBecomeConstructors) {
-    ProgramRequest request = single(Stage::fragment, "const float w[3] = { 1., 2., 3. };\nout vec4 o; void main() { vec2 p[2] = { { 0., 1. }, { 2., 3. } }; vec3 v = { 1., 2., 3. }; float[2] q = { 1., 2., }; o = vec4(w[2], p[1], v.x + q[0]); }");
+    ProgramRequest request = single(
+        Stage::fragment,
+        "const float w[3] = { 1., 2., 3. };\nout vec4 o; void main() { vec2 p[2] = { { 0., 1. }, { 2., 3. } "
+        "}; vec3 v = { 1., 2., 3. }; float[2] q = { 1., 2., }; o = vec4(w[2], p[1], v.x + q[0]); }");
     request.target.version = 410;
     const TranslatedProgram translated = translate(request);
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment), "vec2 p[2] = vec2[](vec2(0., 1.), vec2(2., 3.));"));
+    EXPECT_TRUE(
+        hasTokens(userPart(translated, Stage::fragment), "vec2 p[2] = vec2[](vec2(0., 1.), vec2(2., 3.));"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Target410, LocalConstantsNeedNotBeConstant) {
-    ProgramRequest request = single(Stage::fragment, "uniform float u; const float k = 2.;\nout vec4 o; void f(float p) { const float a = p; const float b = a * 2.; const int n = 3; float x[n]; x[0] = b; o = vec4(x[0]); }\nvoid main() { const vec2 c = vec2(u); const float d = sqrt(k); f(c.x + d); }");
+    ProgramRequest request =
+        single(Stage::fragment,
+               "uniform float u; const float k = 2.;\nout vec4 o; void f(float p) { const float a = p; const "
+               "float b = a * 2.; const int n = 3; float x[n]; x[0] = b; o = vec4(x[0]); }\nvoid main() { "
+               "const vec2 c = vec2(u); const float d = sqrt(k); f(c.x + d); }");
     request.target.version = 410;
     const TranslatedProgram translated = translate(request);
     EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment), "const int n = 3;"));
@@ -260,14 +297,61 @@ TEST(Target410, LocalConstantsNeedNotBeConstant) {
 }
 
 TEST(Target410, ReturnValuesAreConverted) {
-    ProgramRequest request = single(Stage::fragment, "float f(int i) { if (i > 1) return i * 2; return 0; }\nout vec4 o; void main() { o = vec4(f(2)); }");
+    ProgramRequest request = single(
+        Stage::fragment,
+        "float f(int i) { if (i > 1) return i * 2; return 0; }\nout vec4 o; void main() { o = vec4(f(2)); }");
     request.target.version = 410;
-    EXPECT_TRUE(hasTokens(userPart(translate(request), Stage::fragment), "return float(i * 2); return float(0);"));
+    EXPECT_TRUE(
+        hasTokens(userPart(translate(request), Stage::fragment), "return float(i * 2); return float(0);"));
     EXPECT_EQ("", glslangErrors(translate(request)));
 }
 
+TEST(Target410, ScalarSwizzlesBecomeConstructors) {
+    ProgramRequest request =
+        single(Stage::fragment,
+               "uniform float u; out vec4 o;\nfloat f() { return 1.; }\nvoid main() { float a = u.x; a.x = "
+               "2.; o = vec4(u.xxx + f().rrr, (a + 1.).x) * a.xxxx; }");
+    request.target.version = 410;
+    const TranslatedProgram translated = translate(request);
+    EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment),
+                          "float a = u; a = 2.; o = vec4(vec3(u) + vec3(f()), (a + 1.)) * vec4(a);"));
+    EXPECT_EQ("", glslangErrors(translated));
+}
+
+TEST(Target410, LocationsOfBlocksGiveWayToTheirNames) {
+    ProgramRequest request =
+        program({{Stage::vertex,
+                  "#version 440\nlayout(location = 1) out Data { vec3 n; layout(location = 3) vec2 t; } d; "
+                  "void main() { d.n = vec3(1.); d.t = vec2(1.); gl_Position = aVertex; }\n"},
+                 {Stage::fragment,
+                  "#version 440\nlayout(location = 1) in Data { vec3 n; layout(location = 3) vec2 t; } d; "
+                  "layout(depth_less) out float gl_FragDepth; out vec4 o; void main() { o = vec4(d.n, "
+                  "d.t.x); gl_FragDepth = 0.; }\n"}});
+    request.target.version = 410;
+    EXPECT_EQ("", glslangErrors(translate(request)));
+}
+
+TEST(Target410, WhatItLacksIsRefusedByVersion) {
+    for (const auto& [text, version] :
+         {std::pair{"float a[2][3];", "4.30"}, std::pair{"layout(early_fragment_tests) in;", "4.20"},
+          std::pair{"layout(location = 0, component = 1) in float c;", "4.40"},
+          std::pair{"void f() { memoryBarrier(); }", "4.20"},
+          std::pair{"int f() { return gl_Layer; }", "4.30"},
+          std::pair{"float f(vec2 s) { return dFdxFine(s.x); }", "4.50"}}) {
+        ProgramRequest request = single(Stage::fragment, std::string("#version 450\n") + text +
+                                                             "\nout vec4 o; void main() { o = vec4(1.); }");
+        EXPECT_FALSE(has(translate(request).diagnostics, "glsl-E03")) << text;
+        request.target.version = 410;
+        EXPECT_NE(std::string::npos, test::textOf(translate(request).diagnostics, "glsl-E03")
+                                         .find(std::string("needs GLSL ") + version))
+            << text;
+    }
+}
+
 TEST(Target410, InterpolationIsTheReaders) {
-    ProgramRequest request = program({{Stage::vertex, "#version 330\nout int v; void main() { v = 1; gl_Position = aVertex; }\n"}, {Stage::fragment, "#version 330\nflat in int v; out vec4 o; void main() { o = vec4(v); }\n"}});
+    ProgramRequest request = program(
+        {{Stage::vertex, "#version 330\nout int v; void main() { v = 1; gl_Position = aVertex; }\n"},
+         {Stage::fragment, "#version 330\nflat in int v; out vec4 o; void main() { o = vec4(v); }\n"}});
     request.target.version = 410;
     EXPECT_TRUE(hasTokens(userPart(translate(request), Stage::vertex), "flat out int v;"));
 }

@@ -8,69 +8,108 @@ namespace glibra::glsl::test {
 namespace {
 
 TranslatedProgram pair(const std::string& vertexText, const std::string& fragmentText) {
-    return translateStages({{Stage::vertex, "#version 330\n" + vertexText}, {Stage::fragment, "#version 330\nout vec4 fColor;\n" + fragmentText}});
+    return translateStages({{Stage::vertex, "#version 330\n" + vertexText},
+                            {Stage::fragment, "#version 330\nout vec4 fColor;\n" + fragmentText}});
 }
 
 TEST(Interface, UnwrittenInputReadsZero) {
-    const TranslatedProgram translated = pair("void main() { gl_Position = aVertex; }", "in vec3 vECposition; flat in int n; in vec2 a[2];\nvoid main() { fColor = vec4(vECposition, float(n) + a[1].x); }");
+    const TranslatedProgram translated = pair("void main() { gl_Position = aVertex; }",
+                                              "in vec3 vECposition; flat in int n; in vec2 a[2];\nvoid "
+                                              "main() { fColor = vec4(vECposition, float(n) + a[1].x); }");
     EXPECT_EQ("glsl-W11 glsl-W11 glsl-W11", ids(translated.diagnostics));
     EXPECT_EQ("'vECposition' is written by no earlier stage, it reads 0", translated.diagnostics[0].text);
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment), "vec3 vECposition = vec3(0.); int n = 0; vec2 a[2] = vec2[2](vec2(0.), vec2(0.));"));
+    EXPECT_TRUE(
+        hasTokens(userPart(translated, Stage::fragment),
+                  "vec3 vECposition = vec3(0.); int n = 0; vec2 a[2] = vec2[2](vec2(0.), vec2(0.));"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Interface, DeclaredButUnwrittenOutputCountsAsUnwritten) {
-    EXPECT_EQ("glsl-W11", ids(pair("out vec3 v; void main() { gl_Position = aVertex; }", "in vec3 v; void main() { fColor = vec4(v, 1.); }").diagnostics));
+    EXPECT_EQ("glsl-W11", ids(pair("out vec3 v; void main() { gl_Position = aVertex; }",
+                                   "in vec3 v; void main() { fColor = vec4(v, 1.); }")
+                                  .diagnostics));
 }
 
 TEST(Interface, UnusedUnwrittenInputIsSilent) {
-    EXPECT_EQ("", ids(pair("void main() { gl_Position = aVertex; }", "in vec3 v; void main() { fColor = vec4(1.); }").diagnostics));
+    EXPECT_EQ("", ids(pair("void main() { gl_Position = aVertex; }",
+                           "in vec3 v; void main() { fColor = vec4(1.); }")
+                          .diagnostics));
 }
 
 TEST(Interface, EveryWayOfWritingCounts) {
-    for (const char* write : {"v = vec3(1.);", "v.x = 1.;", "v[0] += 1.;", "v.z++;", "--v.x;", "set(v);", "set((v));", "modf(1.5, v.x);", "(v).xy = vec2(1.);"})
-        EXPECT_EQ("", ids(pair("out vec3 v; void set(out vec3 a) { a = vec3(1.); } void main() { gl_Position = aVertex; " + std::string(write) + " }", "in vec3 v; void main() { fColor = vec4(v, 1.); }").diagnostics)) << write;
+    for (const char* write : {"v = vec3(1.);", "v.x = 1.;", "v[0] += 1.;", "v.z++;", "--v.x;", "set(v);",
+                              "set((v));", "modf(1.5, v.x);", "(v).xy = vec2(1.);"})
+        EXPECT_EQ("", ids(pair("out vec3 v; void set(out vec3 a) { a = vec3(1.); } void main() { gl_Position "
+                               "= aVertex; " +
+                                   std::string(write) + " }",
+                               "in vec3 v; void main() { fColor = vec4(v, 1.); }")
+                              .diagnostics))
+            << write;
 }
 
 TEST(Interface, ReadingIsNotWriting) {
-    for (const char* read : {"if (v == vec3(1.)) gl_Position.x = 1.;", "if (v.x > 0.) ++gl_Position.x;", "get(v);", "gl_Position.x = v.x;", "gl_Position[int(v.x)] = 1.;"})
-        EXPECT_EQ("glsl-W11", ids(pair("out vec3 v; void get(vec3 a) { } void main() { gl_Position = aVertex; " + std::string(read) + " }", "in vec3 v; void main() { fColor = vec4(v, 1.); }").diagnostics)) << read;
+    for (const char* read : {"if (v == vec3(1.)) gl_Position.x = 1.;", "if (v.x > 0.) ++gl_Position.x;",
+                             "get(v);", "gl_Position.x = v.x;", "gl_Position[int(v.x)] = 1.;"})
+        EXPECT_EQ("glsl-W11",
+                  ids(pair("out vec3 v; void get(vec3 a) { } void main() { gl_Position = aVertex; " +
+                               std::string(read) + " }",
+                           "in vec3 v; void main() { fColor = vec4(v, 1.); }")
+                          .diagnostics))
+            << read;
 }
 
 TEST(Interface, TypesMustAgree) {
-    const TranslatedProgram translated = pair("out vec3 vN; void main() { vN = vec3(1.); gl_Position = aVertex; }", "\nin vec4 vN; void main() { fColor = vN; }");
+    const TranslatedProgram translated =
+        pair("out vec3 vN; void main() { vN = vec3(1.); gl_Position = aVertex; }",
+             "\nin vec4 vN; void main() { fColor = vN; }");
     EXPECT_EQ("'vN' is vec3 in a.vert:2 and vec4 in a.frag:4", textOf(translated.diagnostics, "glsl-E02"));
 }
 
 TEST(Interface, ArraySizesMustAgree) {
-    EXPECT_TRUE(has(pair("out float v[2]; void main() { v[0] = 1.; gl_Position = aVertex; }", "in float v[3]; void main() { fColor = vec4(v[0]); }").diagnostics, "glsl-E02"));
-    EXPECT_EQ("", ids(pair("out float[2] v; void main() { v[0] = 1.; gl_Position = aVertex; }", "in float v[2]; void main() { fColor = vec4(v[0]); }").diagnostics));
+    EXPECT_TRUE(has(pair("out float v[2]; void main() { v[0] = 1.; gl_Position = aVertex; }",
+                         "in float v[3]; void main() { fColor = vec4(v[0]); }")
+                        .diagnostics,
+                    "glsl-E02"));
+    EXPECT_EQ("", ids(pair("out float[2] v; void main() { v[0] = 1.; gl_Position = aVertex; }",
+                           "in float v[2]; void main() { fColor = vec4(v[0]); }")
+                          .diagnostics));
 }
 
 TEST(Interface, LocationsConnectDifferentNames) {
-    const TranslatedProgram translated = pair("layout(location = 2) out vec3 a; void main() { a = vec3(1.); gl_Position = aVertex; }", "layout(location = 2) in vec3 b; void main() { fColor = vec4(b, 1.); }");
+    const TranslatedProgram translated =
+        pair("layout(location = 2) out vec3 a; void main() { a = vec3(1.); gl_Position = aVertex; }",
+             "layout(location = 2) in vec3 b; void main() { fColor = vec4(b, 1.); }");
     EXPECT_EQ("", ids(translated.diagnostics));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Interface, LocationOfOneSideGivesWayToTheName) {
-    const TranslatedProgram translated = pair("layout(location = 2) out vec3 a; void main() { a = vec3(1.); gl_Position = aVertex; }", "in vec3 a; void main() { fColor = vec4(a, 1.); }");
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::vertex), "330 out vec3 a;") || hasTokens(userPart(translated, Stage::vertex), "out vec3 a;"));
+    const TranslatedProgram translated =
+        pair("layout(location = 2) out vec3 a; void main() { a = vec3(1.); gl_Position = aVertex; }",
+             "in vec3 a; void main() { fColor = vec4(a, 1.); }");
+    EXPECT_TRUE(hasTokens(userPart(translated, Stage::vertex), "330 out vec3 a;") ||
+                hasTokens(userPart(translated, Stage::vertex), "out vec3 a;"));
     EXPECT_EQ(std::string::npos, userPart(translated, Stage::vertex).find("layout"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Interface, UnwrittenBlocksReadZero) {
-    const TranslatedProgram open = pair("void main() { gl_Position = aVertex; }", "in Data { vec3 n; vec2 t[2]; };\nvoid main() { fColor = vec4(n, t[1].x); }");
+    const TranslatedProgram open =
+        pair("void main() { gl_Position = aVertex; }",
+             "in Data { vec3 n; vec2 t[2]; };\nvoid main() { fColor = vec4(n, t[1].x); }");
     EXPECT_EQ("glsl-W11", ids(open.diagnostics));
     EXPECT_EQ("", glslangErrors(open));
-    const TranslatedProgram named = pair("void main() { gl_Position = aVertex; }", "in Data { vec3 n; flat int i; } d;\nvoid main() { fColor = vec4(d.n, float(d.i)); }");
+    const TranslatedProgram named =
+        pair("void main() { gl_Position = aVertex; }",
+             "in Data { vec3 n; flat int i; } d;\nvoid main() { fColor = vec4(d.n, float(d.i)); }");
     EXPECT_EQ("glsl-W11", ids(named.diagnostics));
     EXPECT_EQ("", glslangErrors(named));
 }
 
 TEST(Interface, BlocksConnectByName) {
-    const TranslatedProgram translated = pair("out Data { vec3 n; } o; void main() { o.n = vec3(1.); gl_Position = aVertex; }", "in Data { vec3 n; } i;\nvoid main() { fColor = vec4(i.n, 1.); }");
+    const TranslatedProgram translated =
+        pair("out Data { vec3 n; } o; void main() { o.n = vec3(1.); gl_Position = aVertex; }",
+             "in Data { vec3 n; } i;\nvoid main() { fColor = vec4(i.n, 1.); }");
     EXPECT_EQ("", ids(translated.diagnostics));
     EXPECT_EQ("", glslangErrors(translated));
 }
@@ -78,26 +117,36 @@ TEST(Interface, BlocksConnectByName) {
 TEST(Interface, UnwrittenGeometryAndTessellationInputs) {
     const TranslatedProgram translated = translateStages(
         {{Stage::vertex, kPlainVertex},
-         {Stage::tessEvaluation, "#version 400\nlayout(triangles) in;\nin vec3 a[]; patch in float p;\nvoid main() { gl_Position = vec4(a[2], p); }\n"},
-         {Stage::geometry, "#version 400\nlayout(triangles) in; layout(points, max_vertices = 1) out;\nin vec2 b[];\nvoid main() { gl_Position = vec4(b[2], b.length(), 1.); EmitVertex(); }\n"},
+         {Stage::tessEvaluation,
+          "#version 400\nlayout(triangles) in;\nin vec3 a[]; patch in float p;\nvoid main() { gl_Position = "
+          "vec4(a[2], p); }\n"},
+         {Stage::geometry,
+          "#version 400\nlayout(triangles) in; layout(points, max_vertices = 1) out;\nin vec2 b[];\nvoid "
+          "main() { gl_Position = vec4(b[2], b.length(), 1.); EmitVertex(); }\n"},
          {Stage::fragment, kPlainFragment}});
     EXPECT_EQ("glsl-W11 glsl-W11 glsl-W11", ids(translated.diagnostics));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Interface, MissingPositionIsReported) {
-    EXPECT_EQ("a.vert never writes gl_Position", textOf(pair("void main() { }", "void main() { fColor = vec4(1.); }").diagnostics, "glsl-W14"));
+    EXPECT_EQ("a.vert never writes gl_Position",
+              textOf(pair("void main() { }", "void main() { fColor = vec4(1.); }").diagnostics, "glsl-W14"));
 }
 
 TEST(Samplers, NumberBecomesTheSamplerTheFunctionNames) {
-    const TranslatedProgram translated = translateSingle(Stage::fragment, "#version 120\nuniform int uTexUnit, other;\nvoid main() { gl_FragColor = texture3D(uTexUnit, vec3(.5)) * float(other); }");
+    const TranslatedProgram translated =
+        translateSingle(Stage::fragment,
+                        "#version 120\nuniform int uTexUnit, other;\nvoid main() { gl_FragColor = "
+                        "texture3D(uTexUnit, vec3(.5)) * float(other); }");
     EXPECT_EQ("'uTexUnit' is int, used as sampler3D", textOf(translated.diagnostics, "glsl-W12"));
-    EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment), "uniform sampler3D uTexUnit; uniform int other;"));
+    EXPECT_TRUE(
+        hasTokens(userPart(translated, Stage::fragment), "uniform sampler3D uTexUnit; uniform int other;"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Samplers, ScenesTexturesDecideForGenericFunctions) {
-    ProgramRequest request = single(Stage::fragment, "uniform float u = 5; out vec4 o;\nvoid main() { o = texture(u, vec3(.5)); }");
+    ProgramRequest request = single(
+        Stage::fragment, "uniform float u = 5; out vec4 o;\nvoid main() { o = texture(u, vec3(.5)); }");
     std::string asked;
     request.samplerKindsOfTag = [&](std::string_view tag) {
         asked = tag;
@@ -108,38 +157,64 @@ TEST(Samplers, ScenesTexturesDecideForGenericFunctions) {
     EXPECT_EQ("glsl-W12", ids(translated.diagnostics));
     EXPECT_TRUE(hasTokens(userPart(translated, Stage::fragment), "uniform samplerCube u;"));
     EXPECT_EQ(5, translated.textureBindings.at("u"));
-    request.samplerKindsOfTag = [](std::string_view) { return std::vector{SamplerKind::sampler2D, SamplerKind::samplerCube}; };
+    request.samplerKindsOfTag = [](std::string_view) {
+        return std::vector{SamplerKind::sampler2D, SamplerKind::samplerCube};
+    };
     EXPECT_NE(std::string::npos, textOf(translate(request).diagnostics, "glsl-E08").find("2D and cube"));
     request.samplerKindsOfTag = nullptr;
     EXPECT_TRUE(has(translate(request).diagnostics, "glsl-E08"));
 }
 
 TEST(Samplers, AllStagesAreRetyped) {
-    const TranslatedProgram translated = translateStages({{Stage::vertex, "#version 120\nuniform int t; void main() { gl_Position = texture2DLod(t, vec2(0.), 0.); }\n"},
-                                                          {Stage::fragment, "#version 120\nuniform int t; void main() { gl_FragColor = texture2D(t, vec2(.5)); }\n"}});
+    const TranslatedProgram translated = translateStages(
+        {{Stage::vertex,
+          "#version 120\nuniform int t; void main() { gl_Position = texture2DLod(t, vec2(0.), 0.); }\n"},
+         {Stage::fragment,
+          "#version 120\nuniform int t; void main() { gl_FragColor = texture2D(t, vec2(.5)); }\n"}});
     EXPECT_EQ("glsl-W12 glsl-W12", ids(translated.diagnostics));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Samplers, BindingsAreFacts) {
-    EXPECT_EQ(7, translateSingle(Stage::fragment, "#version 420\nlayout(binding = 7) uniform sampler2D s; out vec4 o; void main() { o = texture(s, vec2(0.)); }").textureBindings.at("s"));
+    EXPECT_EQ(7, translateSingle(Stage::fragment,
+                                 "#version 420\nlayout(binding = 7) uniform sampler2D s; out vec4 o; void "
+                                 "main() { o = texture(s, vec2(0.)); }")
+                     .textureBindings.at("s"));
 }
 
 TEST(Subroutines, FirstFunctionIsCalled) {
-    const TranslatedProgram translated = translateSingle(
-        Stage::fragment, "#version 400\nsubroutine vec4 Shade(float x);\nsubroutine uniform Shade shade;\nout vec4 o;\nvoid main() { o = shade(1.); }\nsubroutine(Shade) vec4 phong(float x) { return vec4(x); }\nsubroutine(Shade) vec4 flatOne(float x) { return vec4(0.); }\n");
-    EXPECT_EQ("subroutine uniform 'shade' uses its first function 'phong'", textOf(translated.diagnostics, "glsl-W19"));
+    const TranslatedProgram translated =
+        translateSingle(Stage::fragment,
+                        "#version 400\nsubroutine vec4 Shade(float x);\nsubroutine uniform Shade shade;\nout "
+                        "vec4 o;\nvoid main() { o = shade(1.); }\nsubroutine(Shade) vec4 phong(float x) { "
+                        "return vec4(x); }\nsubroutine(Shade) vec4 flatOne(float x) { return vec4(0.); }\n");
+    EXPECT_EQ("subroutine uniform 'shade' uses its first function 'phong'",
+              textOf(translated.diagnostics, "glsl-W19"));
     EXPECT_EQ(std::string::npos, sourceOf(translated, Stage::fragment).find("subroutine"));
     EXPECT_EQ("", glslangErrors(translated));
 }
 
 TEST(Buffers, AreRefused) {
-    EXPECT_EQ("buffer block 'Pos': scenes have no storage buffers", textOf(translateSingle(Stage::vertex, "#version 430\nlayout(std430) buffer Pos { vec4 p[]; };\nvoid main() { gl_Position = p[0]; }").diagnostics, "glsl-E09"));
-    EXPECT_TRUE(has(translateSingle(Stage::vertex, "#version 420\nlayout(binding = 0) uniform atomic_uint c;\nvoid main() { }").diagnostics, "glsl-E09"));
+    EXPECT_EQ(
+        "buffer block 'Pos': scenes have no storage buffers",
+        textOf(
+            translateSingle(
+                Stage::vertex,
+                "#version 430\nlayout(std430) buffer Pos { vec4 p[]; };\nvoid main() { gl_Position = p[0]; }")
+                .diagnostics,
+            "glsl-E09"));
+    EXPECT_TRUE(
+        has(translateSingle(Stage::vertex,
+                            "#version 420\nlayout(binding = 0) uniform atomic_uint c;\nvoid main() { }")
+                .diagnostics,
+            "glsl-E09"));
 }
 
 TEST(Facts, UniformsWithPlacesAndInitialisers) {
-    const TranslatedProgram translated = translateSingle(Stage::fragment, "#version 330\nuniform float uA = 1.,\n  uB;\nuniform Block { vec4 uC; };\nout vec4 o; void main() { o = uA + uB * uC; }");
+    const TranslatedProgram translated =
+        translateSingle(Stage::fragment,
+                        "#version 330\nuniform float uA = 1.,\n  uB;\nuniform Block { vec4 uC; };\nout vec4 "
+                        "o; void main() { o = uA + uB * uC; }");
     EXPECT_TRUE(translated.uniforms.at("uA").hasInitializer);
     EXPECT_FALSE(translated.uniforms.at("uB").hasInitializer);
     EXPECT_EQ(3, translated.uniforms.at("uB").place.line);

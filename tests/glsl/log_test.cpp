@@ -11,8 +11,12 @@ namespace {
 /// A fragment stage of two files, with a built-in name and a renamed one.
 TranslatedProgram sample() {
     ProgramRequest request = program({{Stage::vertex, kPlainVertex},
-                                      {Stage::fragment, "#version 120\n#include \"lib.glsl\"\nuniform float sample;\nvoid main() {\n\tgl_FragColor = gl_Color * nothing;\n}\n"}});
-    request.include = [](std::string_view, std::string_view) { return IncludedFile{"dir/lib.glsl", "float a;\nfloat b;\n"}; };
+                                      {Stage::fragment,
+                                       "#version 120\n#include \"lib.glsl\"\nuniform float sample;\nvoid "
+                                       "main() {\n\tgl_FragColor = gl_Color * nothing;\n}\n"}});
+    request.include = [](std::string_view, std::string_view) {
+        return IncludedFile{"dir/lib.glsl", "float a;\nfloat b;\n"};
+    };
     return translate(request);
 }
 
@@ -21,13 +25,17 @@ Diagnostics explain(std::string_view log) {
     return explainCompileLog(translated, translated.stages.at(1), log);
 }
 
-std::string first(std::string_view log) { return toString(explain(log).at(0)); }
+std::string first(std::string_view log) {
+    return toString(explain(log).at(0));
+}
 
 TEST(CompileLog, Mesa) {
-    EXPECT_EQ("a.frag:5:28: error: `nothing' undeclared [glsl-E01]", first("0:5(41): error: `nothing' undeclared\n"));
+    EXPECT_EQ("a.frag:5:28: error: `nothing' undeclared [glsl-E01]",
+              first("0:5(41): error: `nothing' undeclared\n"));
     EXPECT_EQ("a.frag:3:1: warning: unused", first("0:3(1): warning: unused\n").substr(0, 27));
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("1:2(1): error: oops\n"));
-    EXPECT_EQ("a.frag:4:1: error: Illegal non-directive after # [glsl-E01]", first("0:4(1): preprocessor error: Illegal non-directive after #\n"));
+    EXPECT_EQ("a.frag:4:1: error: Illegal non-directive after # [glsl-E01]",
+              first("0:4(1): preprocessor error: Illegal non-directive after #\n"));
 }
 
 TEST(CompileLog, MesaWithNames) {
@@ -36,27 +44,44 @@ TEST(CompileLog, MesaWithNames) {
 }
 
 TEST(CompileLog, Nvidia) {
-    EXPECT_EQ("a.frag:5:1: error: undefined variable \"nothing\" [glsl-E01]", first("0(5) : error C1008: undefined variable \"nothing\"\n"));
-    EXPECT_EQ("dir/lib.glsl:2:1: error: syntax error, unexpected ';' [glsl-E01]", first("1(2) : error C0000: syntax error, unexpected ';'\n"));
-    EXPECT_EQ(Severity::warning, explain("0(4) : warning C7050: \"x\" might be used before being initialized\n").at(0).severity);
+    EXPECT_EQ("a.frag:5:1: error: undefined variable \"nothing\" [glsl-E01]",
+              first("0(5) : error C1008: undefined variable \"nothing\"\n"));
+    EXPECT_EQ("dir/lib.glsl:2:1: error: syntax error, unexpected ';' [glsl-E01]",
+              first("1(2) : error C0000: syntax error, unexpected ';'\n"));
+    EXPECT_EQ(Severity::warning,
+              explain("0(4) : warning C7050: \"x\" might be used before being initialized\n").at(0).severity);
 }
 
 TEST(CompileLog, AmdAndApple) {
-    EXPECT_EQ("a.frag:5:1: error: Use of undeclared identifier 'nothing' [glsl-E01]", first("ERROR: 0:5: Use of undeclared identifier 'nothing'\n"));
-    EXPECT_EQ("a.frag:5:1: error: Undeclared identifier: nothing [glsl-E01]", first("Fragment shader failed to compile with the following errors:\nERROR: 0:5: error(#143) Undeclared identifier: nothing\nERROR: error(#273) 1 compilation errors.  No code generated\n"));
+    EXPECT_EQ("a.frag:5:1: error: Use of undeclared identifier 'nothing' [glsl-E01]",
+              first("ERROR: 0:5: Use of undeclared identifier 'nothing'\n"));
+    EXPECT_EQ(
+        "a.frag:5:1: error: Undeclared identifier: nothing [glsl-E01]",
+        first(
+            "Fragment shader failed to compile with the following errors:\nERROR: 0:5: error(#143) "
+            "Undeclared identifier: nothing\nERROR: error(#273) 1 compilation errors.  No code generated\n"));
     EXPECT_EQ(Severity::warning, explain("WARNING: 0:4: Overflow\n").at(0).severity);
 }
 
 TEST(CompileLog, Glslang) {
-    EXPECT_EQ("a.frag:5:1: error: 'nothing' : undeclared identifier [glsl-E01]", first("t.frag\nERROR: a.frag:5: 'nothing' : undeclared identifier \nERROR: 1 compilation errors.  No code generated.\n\n"));
-    EXPECT_EQ("dir/lib.glsl:1:1: error: '' : syntax error [glsl-E01]", first("ERROR: dir/lib.glsl:1: '' : syntax error\n"));
+    EXPECT_EQ("a.frag:5:1: error: 'nothing' : undeclared identifier [glsl-E01]",
+              first("t.frag\nERROR: a.frag:5: 'nothing' : undeclared identifier \nERROR: 1 compilation "
+                    "errors.  No code generated.\n\n"));
+    EXPECT_EQ("dir/lib.glsl:1:1: error: '' : syntax error [glsl-E01]",
+              first("ERROR: dir/lib.glsl:1: '' : syntax error\n"));
 }
 
 TEST(CompileLog, EmittedNamesAreTheUsers) {
-    EXPECT_EQ("type mismatch of gl_Color, sample and gl_FragColor in main", explain("0:5(1): error: type mismatch of glibra_Color, glibra_sample and glibra_FragColor in glibra_main\n").at(0).text);
+    EXPECT_EQ("type mismatch of gl_Color, sample and gl_FragColor in main",
+              explain("0:5(1): error: type mismatch of glibra_Color, glibra_sample and glibra_FragColor in "
+                      "glibra_main\n")
+                  .at(0)
+                  .text);
 }
 
-TEST(CompileLog, LinesOfTheTranslatorAreHidden) { EXPECT_TRUE(explain("0:100000003(5): warning: `glibra_noise' is odd\n").empty()); }
+TEST(CompileLog, LinesOfTheTranslatorAreHidden) {
+    EXPECT_TRUE(explain("0:100000003(5): warning: `glibra_noise' is odd\n").empty());
+}
 
 TEST(CompileLog, NoteNamesTheProgramOnce) {
     const Diagnostics found = explain("0:5(1): error: a\n0:5(2): error: b\n");
@@ -71,33 +96,49 @@ TEST(CompileLog, TextWithoutAPlaceIsKept) {
     EXPECT_TRUE(explain("\n\n").empty());
 }
 
-TEST(CompileLog, LineBehindTheEndIsTheLastOne) { EXPECT_EQ(6, explain("0:9(1): error: syntax error, unexpected end of file\n").at(0).place.line); }
+TEST(CompileLog, LineBehindTheEndIsTheLastOne) {
+    EXPECT_EQ(6, explain("0:9(1): error: syntax error, unexpected end of file\n").at(0).place.line);
+}
 
 TEST(CompileLog, ColumnsFollowTheEdits) {
     // Mesa counts a run of blanks as one; the names in front are longer in the emitted text.
-    const TranslatedProgram translated = translateSingle(Stage::fragment, "#version 120\nvoid main() {    gl_FragColor   = /* c */ gl_FragCoord + other; }\n");
-    const Diagnostics found = explainCompileLog(translated, translated.stages.at(0), "0:2(51): error: `other' undeclared\n");
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment, "#version 120\nvoid main() {    gl_FragColor   = /* c */ gl_FragCoord + other; }\n");
+    const Diagnostics found =
+        explainCompileLog(translated, translated.stages.at(0), "0:2(51): error: `other' undeclared\n");
     EXPECT_EQ(58, found.at(0).place.column);
-    const Diagnostics blind = explainCompileLog(translated, translated.stages.at(0), "0:2(15): error: something\n");
+    const Diagnostics blind =
+        explainCompileLog(translated, translated.stages.at(0), "0:2(15): error: something\n");
     EXPECT_EQ(18, blind.at(0).place.column);
 }
 
 TEST(LinkLog, MesaNamesAreFound) {
-    const TranslatedProgram translated = translateStages({{Stage::vertex, "#version 330\nuniform vec4 c; void main() { gl_Position = c; }\n"}, {Stage::fragment, "#version 330\nuniform vec3 c; out vec4 o;\nvoid main() { o.xyz = c; }\n"}});
-    const Diagnostics found = explainLinkLog(translated, "error: uniform `c' declared as type `vec3' and type `vec4'\n", {"s.glib", 9, 1});
-    EXPECT_EQ("s.glib:9:1: error: uniform `c' declared as type `vec3' and type `vec4' (a.vert:2, a.frag:2) [glsl-E02]", toString(found.at(0)));
+    const TranslatedProgram translated = translateStages(
+        {{Stage::vertex, "#version 330\nuniform vec4 c; void main() { gl_Position = c; }\n"},
+         {Stage::fragment, "#version 330\nuniform vec3 c; out vec4 o;\nvoid main() { o.xyz = c; }\n"}});
+    const Diagnostics found = explainLinkLog(
+        translated, "error: uniform `c' declared as type `vec3' and type `vec4'\n", {"s.glib", 9, 1});
+    EXPECT_EQ(
+        "s.glib:9:1: error: uniform `c' declared as type `vec3' and type `vec4' (a.vert:2, a.frag:2) "
+        "[glsl-E02]",
+        toString(found.at(0)));
 }
 
 TEST(LinkLog, NvidiaSectionsNameTheStage) {
-    const Diagnostics found = explainLinkLog(sample(), "Fragment info\n-------------\n0(5) : error C1008: undefined variable \"nothing\"\n", {"s.glib", 9, 1});
+    const Diagnostics found = explainLinkLog(
+        sample(), "Fragment info\n-------------\n0(5) : error C1008: undefined variable \"nothing\"\n",
+        {"s.glib", 9, 1});
     EXPECT_EQ("a.frag:5:1: error: undefined variable \"nothing\" [glsl-E02]", toString(found.at(0)));
 }
 
 TEST(LinkLog, WarningsStayWarnings) {
-    EXPECT_EQ(Severity::warning, explainLinkLog(sample(), "warning: unused varying\n", {"s.glib", 9, 1}).at(0).severity);
+    EXPECT_EQ(Severity::warning,
+              explainLinkLog(sample(), "warning: unused varying\n", {"s.glib", 9, 1}).at(0).severity);
 }
 
-TEST(LinkLog, EmptyLogStillSaysSomething) { EXPECT_EQ(1U, explainLinkLog(sample(), "", {"s.glib", 9, 1}).size()); }
+TEST(LinkLog, EmptyLogStillSaysSomething) {
+    EXPECT_EQ(1U, explainLinkLog(sample(), "", {"s.glib", 9, 1}).size());
+}
 
 TEST(LogLine, FileNamesMayHaveColonsAndBlanks) {
     const std::vector<std::string> files = {"C:/my shaders/a.frag"};

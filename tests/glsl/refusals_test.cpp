@@ -7,52 +7,80 @@
 namespace glibra::glsl::test {
 namespace {
 
-Diagnostics messages(Stage stage, const std::string& text) { return translateSingle(stage, text).diagnostics; }
+Diagnostics messages(Stage stage, const std::string& text) {
+    return translateSingle(stage, text).diagnostics;
+}
 
 TEST(Refusals, VertexInputsOutsideTheVertexStage) {
-    for (const char* name : {"gl_Vertex", "gl_Normal", "gl_MultiTexCoord0", "gl_FogCoord", "aVertex", "aTexCoord0", "Tangent", "FaceIndex"}) {
-        const Diagnostics found = messages(Stage::fragment, "out vec4 o; void main() { o = vec4(" + std::string(name) + "); }");
+    for (const char* name : {"gl_Vertex", "gl_Normal", "gl_MultiTexCoord0", "gl_FogCoord", "aVertex",
+                             "aTexCoord0", "Tangent", "FaceIndex"}) {
+        const Diagnostics found =
+            messages(Stage::fragment, "out vec4 o; void main() { o = vec4(" + std::string(name) + "); }");
         EXPECT_EQ("glsl-E03", ids(found)) << name;
         EXPECT_NE(std::string::npos, textOf(found, "glsl-E03").find("vertex stage")) << name;
     }
-    EXPECT_TRUE(has(messages(Stage::geometry, "void main() { gl_Position = gl_Color; EmitVertex(); }"), "glsl-E03"));
+    EXPECT_TRUE(
+        has(messages(Stage::geometry, "void main() { gl_Position = gl_Color; EmitVertex(); }"), "glsl-E03"));
 }
 
-TEST(Refusals, OwnVaryingOfSuchANameIsFine) { EXPECT_FALSE(has(messages(Stage::fragment, "in vec4 aVertex; out vec4 o; void main() { o = aVertex; }"), "glsl-E03")); }
+TEST(Refusals, OwnVaryingOfSuchANameIsFine) {
+    EXPECT_FALSE(has(messages(Stage::fragment, "in vec4 aVertex; out vec4 o; void main() { o = aVertex; }"),
+                     "glsl-E03"));
+}
 
 TEST(Refusals, FaceIndexAsUniformOutsideTheVertexStage) {
-    const Diagnostics found = messages(Stage::fragment, "uniform int FaceIndex; out vec4 o; void main() { o = vec4(FaceIndex); }");
+    const Diagnostics found =
+        messages(Stage::fragment, "uniform int FaceIndex; out vec4 o; void main() { o = vec4(FaceIndex); }");
     EXPECT_NE(std::string::npos, textOf(found, "glsl-E03").find("flat"));
 }
 
 TEST(Refusals, BuiltinRedeclaredWithAnotherType) {
-    EXPECT_TRUE(has(messages(Stage::vertex, "#version 120\nuniform mat3 gl_ModelViewMatrix; void main() { gl_Position = vec4(gl_ModelViewMatrix[0], 1.); }"), "glsl-E03"));
-    const TranslatedProgram same = translateSingle(Stage::vertex, "#version 120\nuniform mat4 gl_ModelViewMatrix; void main() { gl_Position = gl_ModelViewMatrix[0]; }");
+    EXPECT_TRUE(has(messages(Stage::vertex,
+                             "#version 120\nuniform mat3 gl_ModelViewMatrix; void main() { gl_Position = "
+                             "vec4(gl_ModelViewMatrix[0], 1.); }"),
+                    "glsl-E03"));
+    const TranslatedProgram same = translateSingle(Stage::vertex,
+                                                   "#version 120\nuniform mat4 gl_ModelViewMatrix; void "
+                                                   "main() { gl_Position = gl_ModelViewMatrix[0]; }");
     EXPECT_EQ("", ids(same.diagnostics));
     EXPECT_EQ("", glslangErrors(same));
 }
 
 TEST(Refusals, ReservedPrefix) {
-    EXPECT_EQ("names beginning with 'glibra_' are reserved", textOf(messages(Stage::vertex, "uniform float glibra_x; void main() { gl_Position = vec4(glibra_x); }"), "glsl-E05"));
+    EXPECT_EQ("names beginning with 'glibra_' are reserved",
+              textOf(messages(Stage::vertex,
+                              "uniform float glibra_x; void main() { gl_Position = vec4(glibra_x); }"),
+                     "glsl-E05"));
 }
 
 TEST(Refusals, ComputeAndUnknownSamplers) {
-    EXPECT_TRUE(has(messages(Stage::vertex, "#version 430\nlayout(local_size_x = 8) in; void main() { }"), "glsl-E03"));
-    EXPECT_TRUE(has(messages(Stage::vertex, "#version 430\nvoid main() { uint x = gl_GlobalInvocationID.x; }"), "glsl-E03"));
+    EXPECT_TRUE(has(messages(Stage::vertex, "#version 430\nlayout(local_size_x = 8) in; void main() { }"),
+                    "glsl-E03"));
+    EXPECT_TRUE(
+        has(messages(Stage::vertex, "#version 430\nvoid main() { uint x = gl_GlobalInvocationID.x; }"),
+            "glsl-E03"));
     EXPECT_TRUE(has(messages(Stage::fragment, "uniform sampler3DRect s; void main() { }"), "glsl-E03"));
 }
 
 TEST(Refusals, TargetTooOldNamesTheVersion) {
-    ProgramRequest request = single(Stage::fragment, "#version 420\nlayout(rgba8) uniform image2D i; out vec4 o; void main() { o = imageLoad(i, ivec2(0)); }");
+    ProgramRequest request = single(Stage::fragment,
+                                    "#version 420\nlayout(rgba8) uniform image2D i; out vec4 o; void main() "
+                                    "{ o = imageLoad(i, ivec2(0)); }");
     EXPECT_EQ("", glslangErrors(translate(request)));
     request.target.version = 410;
-    EXPECT_EQ("image2D needs GLSL 4.20, this driver has 4.10", textOf(translate(request).diagnostics, "glsl-E03"));
-    request.target.hasExtension = [](std::string_view name) { return name == "GL_ARB_shader_image_load_store"; };
+    EXPECT_EQ("image2D needs GLSL 4.20, this driver has 4.10",
+              textOf(translate(request).diagnostics, "glsl-E03"));
+    request.target.hasExtension = [](std::string_view name) {
+        return name == "GL_ARB_shader_image_load_store";
+    };
     EXPECT_EQ("", ids(translate(request).diagnostics));
-    EXPECT_NE(std::string::npos, sourceOf(translate(request), Stage::fragment).find("#extension GL_ARB_shader_image_load_store : enable"));
+    EXPECT_NE(std::string::npos, sourceOf(translate(request), Stage::fragment)
+                                     .find("#extension GL_ARB_shader_image_load_store : enable"));
 }
 
-TEST(Refusals, NothingIsEmittedAfterAnError) { EXPECT_TRUE(translateSingle(Stage::vertex, "uniform float glibra_x; void main() { }").stages.empty()); }
+TEST(Refusals, NothingIsEmittedAfterAnError) {
+    EXPECT_TRUE(translateSingle(Stage::vertex, "uniform float glibra_x; void main() { }").stages.empty());
+}
 
 TEST(Refusals, EmptyFile) {
     EXPECT_EQ("'a.vert' is empty", textOf(translateStages({{Stage::vertex, ""}}).diagnostics, "file-E02"));

@@ -46,11 +46,14 @@ void translateEverywhere(const std::string& text, std::uint32_t seed) {
     const auto stage = static_cast<Stage>(seed % kStageCount);
     ProgramRequest request = program({{stage, text}, {seed & 1U ? Stage::fragment : Stage::vertex, kSource}});
     request.target.version = seed & 2U ? 410 : 450;
-    request.include = [&](std::string_view, std::string_view) { return IncludedFile{"inc", text.substr(0, 200)}; };
+    request.include = [&](std::string_view, std::string_view) {
+        return IncludedFile{"inc", text.substr(0, 200)};
+    };
     const TranslatedProgram translated = translate(request);
     EXPECT_TRUE(!translated.stages.empty() || hasError(translated.diagnostics));
     for (const TranslatedStage& each : translated.stages)
-        EXPECT_EQ(static_cast<std::size_t>(std::count(each.source.begin(), each.source.end(), '\n')), each.lineMap.lines.size());
+        EXPECT_EQ(static_cast<std::size_t>(std::count(each.source.begin(), each.source.end(), '\n')),
+                  each.lineMap.lines.size());
 }
 
 TEST(Robustness, MutatedSourcesEnd) {
@@ -62,13 +65,27 @@ TEST(Robustness, MutatedSourcesEnd) {
             const std::size_t at = random % text.size();
             const std::uint32_t length = mix(random) % 20;
             switch (random >> 29) {
-                case 0: text.erase(at, length); break;
-                case 1: text.insert(at, 1, kPieces[mix(random + 1) % kPieces.size()]); break;
-                case 2: text[at] = static_cast<char>(mix(random + 2) & 255U); break;
-                case 3: text.insert(at, text.substr(mix(random + 3) % text.size(), length * 4)); break;
-                case 4: text.resize(at + 1); break;
-                case 5: text.insert(at, "#include \"x\"\n"); break;
-                default: text[at] = kPieces[mix(random + 4) % kPieces.size()]; break;
+                case 0:
+                    text.erase(at, length);
+                    break;
+                case 1:
+                    text.insert(at, 1, kPieces[mix(random + 1) % kPieces.size()]);
+                    break;
+                case 2:
+                    text[at] = static_cast<char>(mix(random + 2) & 255U);
+                    break;
+                case 3:
+                    text.insert(at, text.substr(mix(random + 3) % text.size(), length * 4));
+                    break;
+                case 4:
+                    text.resize(at + 1);
+                    break;
+                case 5:
+                    text.insert(at, "#include \"x\"\n");
+                    break;
+                default:
+                    text[at] = kPieces[mix(random + 4) % kPieces.size()];
+                    break;
             }
         }
         translateEverywhere(text, seed);
@@ -76,7 +93,8 @@ TEST(Robustness, MutatedSourcesEnd) {
 }
 
 TEST(Robustness, EveryPrefixEnds) {
-    for (std::size_t length = 1; length < kSource.size(); ++length) translateEverywhere(kSource.substr(0, length), static_cast<std::uint32_t>(length));
+    for (std::size_t length = 1; length < kSource.size(); ++length)
+        translateEverywhere(kSource.substr(0, length), static_cast<std::uint32_t>(length));
 }
 
 std::string repeated(std::string_view part, std::size_t bytes) {
@@ -86,27 +104,49 @@ std::string repeated(std::string_view part, std::size_t bytes) {
 }
 
 TEST(Robustness, DeepNestingEnds) {
-    for (const char* open : {"(", "[", "{", "a(", "a[", "a?", "-", "!", "const ", "x = ", "struct S{", "if(", "for(;;)", "vec3(", "pow(a, ", "gl_PositionIn[", "layout(", "subroutine(", "f(g,", "1+", "a.", "in vec3 ", "{{", "#if 1\n", "/*", "#define A(x) x\n"})
+    for (const char* open : {"(",         "[",
+                             "{",         "a(",
+                             "a[",        "a?",
+                             "-",         "!",
+                             "const ",    "x = ",
+                             "struct S{", "if(",
+                             "for(;;)",   "vec3(",
+                             "pow(a, ",   "gl_PositionIn[",
+                             "layout(",   "subroutine(",
+                             "f(g,",      "1+",
+                             "a.",        "in vec3 ",
+                             "{{",        "#if 1\n",
+                             "/*",        "#define A(x) x\n"})
         for (const char* before : {"void main() { x = ", "", "float a = ", "uniform "}) {
             const std::string text = "#version 120\n" + std::string(before) + repeated(open, 40'000);
-            for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment}) translateSingle(stage, text);
+            for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment})
+                translateSingle(stage, text);
         }
 }
 
 TEST(Robustness, MacroBombsAreBounded) {
     std::string text = "#version 330\n#define A0 x x\n";
-    for (int i = 1; i < 40; ++i) text += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A" + std::to_string(i - 1) + "\n";
+    for (int i = 1; i < 40; ++i)
+        text += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A" +
+                std::to_string(i - 1) + "\n";
     text += "float y = A39;\n#if A39\n#endif\n";
     translateSingle(Stage::vertex, text);
     std::string empty = "#version 330\n#define A0\n";
-    for (int i = 1; i < 40; ++i) empty += "#define A" + std::to_string(i) + "(a) A" + std::to_string(i - 1) + "(a) A" + std::to_string(i - 1) + "(a)\n";
+    for (int i = 1; i < 40; ++i)
+        empty += "#define A" + std::to_string(i) + "(a) A" + std::to_string(i - 1) + "(a) A" +
+                 std::to_string(i - 1) + "(a)\n";
     translateSingle(Stage::vertex, empty + "float y = A39(A39(1));\n");
-    translateSingle(Stage::vertex, "#version 330\n#define A B\n#define B A\n#define F(x) F(F(x))\nfloat y = A + F(F(1));\n");
+    translateSingle(Stage::vertex,
+                    "#version 330\n#define A B\n#define B A\n#define F(x) F(F(x))\nfloat y = A + F(F(1));\n");
 }
 
 TEST(Robustness, LargeSourcesEnd) {
-    for (const char* part : {"uniform float a;\n", "a b c d;\n", "void f() { g(1, 2); }\n", "x = pow(a, 2.);\n", ";", "#define X 1\n", "#if 0\n#endif\n", "gl_PositionIn[0];\n", "\\\n", "// \\\n", "varying vec3 a, b;\n", "0", "a", "\"", "struct S { int a; };\n"})
-        for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment}) translateSingle(stage, "#version 120\n" + repeated(part, 300'000));
+    for (const char* part :
+         {"uniform float a;\n", "a b c d;\n", "void f() { g(1, 2); }\n", "x = pow(a, 2.);\n", ";",
+          "#define X 1\n", "#if 0\n#endif\n", "gl_PositionIn[0];\n", "\\\n", "// \\\n",
+          "varying vec3 a, b;\n", "0", "a", "\"", "struct S { int a; };\n"})
+        for (const Stage stage : {Stage::vertex, Stage::geometry, Stage::fragment})
+            translateSingle(stage, "#version 120\n" + repeated(part, 300'000));
 }
 
 }  // namespace

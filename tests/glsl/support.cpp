@@ -98,12 +98,14 @@ std::string glslangErrors(const TranslatedProgram& translated) {
     if (translated.stages.empty()) return "nothing was emitted: " + ids(translated.diagnostics);
     static int counter = 0;
     const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("glibra-glsl-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
+        std::filesystem::temp_directory_path() /
+        ("glibra-glsl-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
     std::filesystem::create_directories(folder);
     std::string command = "glslangValidator -l";
     std::string sources;
     for (const TranslatedStage& each : translated.stages) {
-        const std::filesystem::path file = folder / (std::string("t.") + kSuffixes[static_cast<std::size_t>(each.stage)]);
+        const std::filesystem::path file =
+            folder / (std::string("t.") + kSuffixes[static_cast<std::size_t>(each.stage)]);
         std::ofstream(file, std::ios::binary) << each.source;
         command += " " + file.string();
         sources += each.source;
@@ -113,7 +115,8 @@ std::string glslangErrors(const TranslatedProgram& translated) {
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
     if (!pipe) return "cannot run glslangValidator";
     std::array<char, 4096> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) output.append(buffer.data(), count);
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get()))
+        output.append(buffer.data(), count);
     std::filesystem::remove_all(folder);
     if (output.find("not found") != std::string::npos) return "glslangValidator is not installed: " + output;
     // Without an error it repeats the file names only.

@@ -23,7 +23,8 @@ std::string sourceOf(const TranslatedProgram& translated, Stage stage);
 /// What is emitted for the user's own text: behind the prologue.
 std::string userPart(const TranslatedProgram& translated, Stage stage);
 
-/// True if the tokens of `wanted` stand in a row in `text`, whatever blanks, lines and comments are between them.
+/// True if the tokens of `wanted` stand in a row in `text`, whatever blanks, lines and comments are between
+/// them.
 bool hasTokens(std::string_view text, std::string_view wanted);
 
 /// Ids of all messages, in order, separated by blanks.
@@ -37,6 +38,7 @@ bool has(const Diagnostics& diagnostics, std::string_view id);
 std::string glslangErrors(const TranslatedProgram& translated);
 
 inline const std::string kPlainVertex = "#version 330\nvoid main() { gl_Position = vec4(0.); }\n";
-inline const std::string kPlainFragment = "#version 330\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
+inline const std::string kPlainFragment =
+    "#version 330\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
 
 }  // namespace glibra::glsl::test

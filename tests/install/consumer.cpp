@@ -1,4 +1,5 @@
-// Draws the scene named by the first argument; succeeds if the picture has the size asked for and more than one colour.
+// Draws the scene named by the first argument; succeeds if the picture has the size asked for and more than
+// one colour.
 #include <glibra/render.h>
 
 #include <algorithm>

@@ -250,8 +250,8 @@ void main() {
 varying float vSmooth;
 void main() { gl_FragColor = gl_Color * vec4(1., 1., vSmooth, 1.); }
 )glsl"},
-         .draws = "Flat\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\nRotate 200 0 1 0\nCone .8 1 9 3\nQuadXY -1 1.2 "
-                  "3 3\n",
+         .draws = "Flat\nRotate 35 1 2 0\nTorus 1.1 .5 12 16\n"
+                  "Rotate 200 0 1 0\nCone .8 1 9 3\nQuadXY -1 1.2 3 3\n",
          .written = {.backColors = true}},
         {.name = "v110_point_sizes",
          .stages = {.vertex = R"glsl(

@@ -57,7 +57,6 @@ void main() { gl_FragColor = texture2D(uPicture, texture) * LOD(.75) + texture2D
         {.name = "collision_of_macros_with_clamp",
          .stages = {.vertex = R"glsl(
 #define clamp(x) (min(max((x), 0.), .5) + .25)
-#define main main
 varying float vShade;
 void main() {
     vShade = clamp(gl_Normal.y);
@@ -213,22 +212,6 @@ void main() { gl_FragColor = look(uMaterial, vST) + texture2D(uOther.texture, vS
 )glsl"},
          .before = "Texture2D 5 pattern.png\nTexture2D 6 back.png\n",
          .tags = "uMaterial.map 5 uMaterial.strength .6 uOther.texture 6 uOther.sample [.4 .3 .2]"},
-        {.name = "collision_of_interpolation_with_built_in_colors",
-         .stages = {.vertex = R"glsl(#version 130
-flat out vec4 gl_FrontColor;
-noperspective out vec4 gl_FrontSecondaryColor;
-void main() {
-    gl_FrontColor = vec4(.5 + .5 * gl_Normal, 1.);
-    gl_FrontSecondaryColor = vec4(gl_MultiTexCoord0.st, 0., 1.);
-    gl_Position = ftransform();
-}
-)glsl",
-                    .fragment = R"glsl(#version 130
-flat in vec4 gl_Color;
-noperspective in vec4 gl_SecondaryColor;
-void main() { gl_FragColor = gl_Color * .75 + gl_SecondaryColor * .25; }
-)glsl"},
-         .draws = "Rotate 35 1 2 0\nTorus 1.1 .5 12 16\n"},
         {.name = "collision_of_arb_compatibility_with_v140",
          .stages = {.vertex = R"glsl(#version 140
 #extension GL_ARB_compatibility : enable

@@ -127,13 +127,13 @@ void main() {
         {.name = "text_in_unusual_layout",
          .stages = {.vertex = "/* a comment before it */\n"
                               "# version 110  // and one behind\r\n"
-                              "varying\n    vec3 // of the vertex\r\n  vPoint ; attribute /* a */ float /* b "
-                              "*/ FaceIndex;\r\n"
+                              "varying\n    vec3 // of the vertex\r\n  vPoint ; "
+                              "attribute /* a */ float /* b */ FaceIndex;\r\n"
                               "void main ( void )\r\n{\r\n  vPoint=gl_Vertex . xyz+FaceIndex ;\r\n"
                               "  gl_Position=gl_ProjectionMatrix\n*gl_ModelViewMatrix*/**/gl_Vertex;\r\n}",
                     .fragment = "varying vec3 vPoint;void main(){gl_FragColor=vec4(.5+vPoint*.5e0,1.E0);"
-                                "gl_FragColor.stpq=gl_FragColor.pstq;if(vPoint.x>float(0x0))\n;gl_FragColor."
-                                "r+=float(017)*.01;}"}},
+                                "gl_FragColor.stpq=gl_FragColor.pstq;"
+                                "if(vPoint.x>float(0x0))\n;gl_FragColor.r+=float(017)*.01;}"}},
     };
 }
 

@@ -109,14 +109,13 @@ class Drawing {
         gl_.Disable(GL_DITHER);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+        // Mesa derives gl_LightSource[i].halfVector when a position is set to another one, not before.
         gl_.MatrixMode(GL_MODELVIEW);
         gl_.LoadIdentity();
         for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light)
             for (const auto& position :
-                 {std::array<GLfloat, 4>{0, 1, 0, 0}, std::array<GLfloat, 4>{0, 0, 1, 0}}) {
+                 {std::array<GLfloat, 4>{0, 1, 0, 0}, std::array<GLfloat, 4>{0, 0, 1, 0}})
                 gl_.Lightfv(light, GL_POSITION, position.data());
-                gl_.Lightf(light, GL_SPOT_CUTOFF, position[1] ? 45.f : 180.f);
-            }
         gl_.Enable(GL_POINT_SPRITE);  // without it gl_PointCoord has no value in this profile
         if (written_.backColors)
             gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);

@@ -206,7 +206,7 @@ std::vector<CompatibilityProgram::Uniform> CompatibilityProgram::uniforms() cons
 
 void CompatibilityProgram::setUniform(const Uniform& uniform, const std::vector<double>& values) const {
     const TypeShape shape = shapeOf(uniform.type);
-    const auto perElement = static_cast<std::size_t>(shape.columns * shape.rows);
+    const auto perElement = static_cast<std::size_t>(shape.columns) * static_cast<std::size_t>(shape.rows);
     const auto count = std::min(uniform.size, static_cast<GLsizei>(values.size() / perElement));
     const std::vector<GLfloat> floats(values.begin(), values.end());
     const std::vector<GLint> integers(values.begin(), values.end());

@@ -10,6 +10,13 @@
 #include "both_pictures.h"
 
 namespace glibra::oracle {
+
+/// What failure messages call a case; gtest finds it by this name.
+// NOLINTNEXTLINE(readability-identifier-naming)
+static void PrintTo(const Case& each, std::ostream* stream) {
+    *stream << each.name;
+}
+
 namespace {
 
 /// Two colours of a picture may round to neighbouring bytes, no more.
@@ -25,9 +32,9 @@ BothWays& bothWays() {
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto& group :
-         {casesOf110(), casesOf110State(), casesOf110Textures(), casesOf120(), casesOf130(), casesOfGeometryShader4(),
-          casesOf150(), casesOf330(), casesOf400(), casesOfNames(), casesOfMacros(), casesOfStructures(),
-          casesOfIdioms(), casesOfCollisions()})
+         {casesOf110(), casesOf110State(), casesOf110Textures(), casesOf120(), casesOf130(),
+          casesOfGeometryShader4(), casesOf150(), casesOf330(), casesOf400(), casesOfNames(), casesOfMacros(),
+          casesOfStructures(), casesOfIdioms(), casesOfCollisions()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
@@ -52,12 +59,12 @@ std::string color(const Pixels& picture, int x, int y) {
 class TranslatedShaders : public testing::TestWithParam<Case> {
   public:
     static void TearDownTestSuite() {
-        std::cout << "pictures equal in every byte: " << equal_ << " of " << drawn_ << "\n";
+        std::cout << "pictures equal in every byte: " << equal << " of " << drawn << "\n";
     }
 
   protected:
-    static inline int drawn_ = 0;
-    static inline int equal_ = 0;
+    static inline int drawn = 0;
+    static inline int equal = 0;
 };
 
 TEST_P(TranslatedShaders, DrawWhatTheyDrawUnmodified) {
@@ -71,8 +78,8 @@ TEST_P(TranslatedShaders, DrawWhatTheyDrawUnmodified) {
         EXPECT_LE(apart.largest, kTolerance)
             << apart.pixels << " pixels differ; pixel " << apart.x << ", " << apart.y << " is"
             << color(seen, apart.x, apart.y) << " and should be" << color(expected, apart.x, apart.y);
-        ++drawn_;
-        if (apart.largest == 0) ++equal_;
+        ++drawn;
+        if (apart.largest == 0) ++equal;
     } catch (const std::exception& failure) {
         ADD_FAILURE() << failure.what();
     }
