@@ -1,0 +1,64 @@
+#pragma once
+// What became of the shots of a run: the value that every report is made from, and its JSON lines.
+
+#include <glibra/diagnostic.h>
+#include <glibra/result.h>
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "image/judge.h"
+
+namespace glibra::suite {
+
+enum class Verdict {
+    passed,    ///< the picture is the golden one, or within the tolerance; or the expected error came
+    failed,    ///< the picture differs, the scene fails, or an expected error did not come
+    missing,   ///< there is no golden yet
+    unstable,  ///< two renderings on this machine differ
+    updated,   ///< --update wrote the golden
+    refused,   ///< --update would have written a blank, one-coloured or non-finite picture
+    crashed,   ///< the worker that drew it ended
+    timedOut,  ///< not drawn within its time
+    skipped    ///< not run: another machine's part, or the run was stopped
+};
+
+/// All words of Verdict: "passed", ..., "timed-out", "skipped".
+const char* name(Verdict verdict);
+/// True for what makes a run fail (exit status 1).
+bool isFailure(Verdict verdict);
+
+/// One shot's outcome. Paths are relative to the results folder unless they are outside of it.
+struct ShotResult {
+    std::string suite, shot;
+    Verdict verdict = Verdict::skipped;
+    std::string reason;  ///< one sentence; empty for a plain pass
+    std::filesystem::path script;
+    std::filesystem::path got, expected, difference;  ///< pictures; empty where there is none
+    std::string goldenVariant;  ///< "" for the one for everybody, else "llvmpipe", "nvidia"
+    bool exact = false;         ///< decided by the exact hash or equal bytes
+    bool changed = false;       ///< passed, but this very driver and processor once gave other bytes
+    int width = 0, height = 0;
+    image::Judgement judgement;  ///< filled where pictures were compared
+    Diagnostics diagnostics;     ///< of the scene
+    double milliseconds = 0;     ///< load, draw, read back and compare
+    std::string reproduce;       ///< the command line that renders this shot again
+    std::string accept;          ///< the command line that makes the picture the new golden
+};
+
+struct RunResult {
+    std::string driver;             ///< GL_RENDERER and GL_VERSION
+    std::string machine;            ///< processor model and system
+    std::string shard;              ///< "2/8", or empty
+    std::string command;            ///< as it was given
+    double seconds = 0;             ///< wall time
+    std::vector<ShotResult> shots;  ///< in the order of the suites
+};
+
+/// One line of JSON a shot, without line end; parse() reads it back whole.
+std::string toJsonLine(const ShotResult& shot);
+Result<ShotResult> parseJsonLine(std::string_view line, const Place& place);
+
+}  // namespace glibra::suite
