@@ -229,6 +229,19 @@ void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report) {
     if (unit.stage == Stage::geometry) OldNames(unit, walk, report).run();
 }
 
+void readFactsAsIs(ProgramUnits& program) {
+    if (const Unit* unit = program.find(Stage::geometry))
+        program.result->geometryInput = layoutOf(*unit).input;
+    const Unit* fragment = program.find(Stage::fragment);
+    if (!fragment) return;
+    const bool old = fragment->isUsed("gl_FragColor") || fragment->isUsed("gl_FragData");
+    if (old)
+        program.result->fragmentOutputs =
+            fragment->isUsed("gl_FragColor") ? program.request->colorTargets : 8;
+    else
+        placeFragmentOutputs(program);
+}
+
 void completeGeometryLayout(ProgramUnits& program) {
     if (Unit* unit = program.find(Stage::geometry)) Completion(program, *unit).run();
 }

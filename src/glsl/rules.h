@@ -35,6 +35,8 @@ void placeFragmentOutputs(ProgramUnits& program);
 void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report);
 /// 7.7: layouts of the geometry stage. After all its outputs are known.
 void completeGeometryLayout(ProgramUnits& program);
+/// What the runtime has to know of a program whose sources stay as they are.
+void readFactsAsIs(ProgramUnits& program);
 /// 7.8.
 void checkTessellation(ProgramUnits& program);
 /// 7.9: the user's own interfaces between stages.

@@ -200,7 +200,11 @@ class SourceReader {
         } else if (has) {
             pass();
         } else if (behaviour == "require") {
-            report_.error("glsl-E03", "extension " + name + " is required, but the driver does not have it",
+            report_.error("glsl-E03",
+                          "extension " + name +
+                              " is required, but the driver does not have it; ask for it with 'enable' and "
+                              "put what needs it into '#ifdef " +
+                              name + "'",
                           place);
         } else {
             report_.warning("glsl-W06", "extension " + name + " is unknown, ignored", place);

@@ -9,6 +9,8 @@
 namespace glibra::glsl {
 namespace {
 
+constexpr int kMostClipDistances = 8;  // what every GL 4 has
+
 void readControl(const Unit& unit, TranslatedProgram& result) {
     for (const Declaration& each : unit.syntax.declarations) {
         const LayoutItem* item =
@@ -32,6 +34,27 @@ void readEvaluation(const Unit& unit, TranslatedProgram& result) {
     if (points) result.tessellationOutput = "points";
 }
 
+/// Elements of gl_ClipDistance that the stage writes: by its constant indices, or the size it declares.
+int clipDistances(const Unit& unit) {
+    const auto writes = unit.writes.find("gl_ClipDistance");
+    if (writes == unit.writes.end()) return 0;
+    int declared = kMostClipDistances;
+    for (const Variable& each : unit.variables) {
+        const Declarator& declarator =
+            unit.syntax.declarations[each.declaration].declarators[each.declarator];
+        long long size = 0;
+        if (each.name == "gl_ClipDistance" && !declarator.dimensions.empty() &&
+            integerValue(unit, declarator.dimensions.front(), size) && size > 0 && size < kMostClipDistances)
+            declared = static_cast<int>(size);
+    }
+    int count = 0;
+    for (const std::uint32_t at : writes->second) {
+        const int index = constantIndex(unit, at + 1);
+        count = std::max(count, index < 0 ? declared : std::min(index + 1, declared));
+    }
+    return count;
+}
+
 }  // namespace
 
 void checkTessellation(ProgramUnits& program) {
@@ -49,19 +72,7 @@ void checkTessellation(ProgramUnits& program) {
     Unit* last = program.lastBeforeRaster();
     if (!last) return;
     program.result->writesPointSize = last->isWritten("gl_PointSize");
-    const auto clip = last->writes.find("gl_ClipDistance");
-    if (clip == last->writes.end()) return;
-    // A redeclaration with a size says how many there are; else the largest constant index does.
-    long long declared = 0;
-    if (const Variable* own = last->variable("gl_ClipDistance"); own && !own->nameSizes.empty())
-        declared = std::strtoll(own->nameSizes.front().c_str(), nullptr, 10);
-    int count = static_cast<int>(std::clamp<long long>(declared, 0, 8));
-    for (const std::uint32_t at : clip->second) {
-        if (declared > 0) break;
-        const int index = constantIndex(*last, at + 1);
-        count = std::max(count, index < 0 ? 8 : std::min(index + 1, 8));
-    }
-    program.result->clipDistances = count;
+    program.result->clipDistances = clipDistances(*last);
 }
 
 }  // namespace glibra::glsl

@@ -96,6 +96,7 @@ TranslatedProgram translate(const ProgramRequest& request) {
             applyRules(program);
         } else {
             checkTessellation(program);
+            readFactsAsIs(program);
             collectFacts(program);
         }
     }

@@ -180,6 +180,10 @@ TEST(Facts, PointSizeAndClipDistancesOfTheLastStage) {
     EXPECT_TRUE(translated.writesPointSize);
     EXPECT_EQ(3, translated.clipDistances);
     EXPECT_FALSE(translateSingle(Stage::vertex, "void main() { gl_Position = aVertex; }").writesPointSize);
+    EXPECT_EQ(2, translateSingle(Stage::vertex,
+                                 "out float gl_ClipDistance[2];\nvoid main() { for (int i = 0; i < 2; i++) "
+                                 "gl_ClipDistance[i] = 1.; gl_Position = aVertex; }")
+                     .clipDistances);
 }
 
 }  // namespace

@@ -200,5 +200,21 @@ TEST(NoShim, OnlyVersionAndIncludesAreHandled) {
     EXPECT_TRUE(hasTokens(source, "gl_FragColor = texture2D(s, vec2(0.)) * gl_Color; };"));
 }
 
+TEST(NoShim, FactsAreReadAllTheSame) {
+    ProgramRequest request = program(
+        {{Stage::vertex, kPlainVertex},
+         {Stage::geometry,
+          "#version 330\nlayout(lines) in; layout(points, max_vertices = 1) out;\nvoid main() { "
+          "EmitVertex(); }\n"},
+         {Stage::fragment,
+          "#version 330\nuniform float u = 1.;\nout vec4 a, b;\nvoid main() { a = b = vec4(u); }\n"}});
+    request.shim = false;
+    const TranslatedProgram translated = translate(request);
+    EXPECT_EQ("lines", translated.geometryInput);
+    EXPECT_EQ(2, translated.fragmentOutputs);
+    EXPECT_TRUE(translated.uniforms.at("u").hasInitializer);
+    EXPECT_FALSE(hasTokens(sourceOf(translated, Stage::fragment), "layout"));
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test
