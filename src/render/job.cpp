@@ -139,7 +139,7 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         result.failed = true;
         return result;
     }
-    const auto writeOne = [&](image::Image picture) {
+    const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
     };
@@ -148,7 +148,7 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         append(result.diagnostics, std::move(picture.diagnostics));
         if (picture) {
             remarkOnPicture(*picture, job.scene.string(), result.diagnostics);
-            append(result.diagnostics, writeOne(std::move(*picture)));
+            append(result.diagnostics, writeOne(*picture));
         }
     } else {
         PictureWriter writer(frameWritten);
