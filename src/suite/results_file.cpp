@@ -99,6 +99,13 @@ fs::path resultsFile(const fs::path& folder) {
     return fs::is_regular_file(folder, ignored) ? folder : folder / "results.jsonl";
 }
 
+fs::path located(const fs::path& path, const fs::path& resultsFolder) {
+    if (path.empty()) return path;
+    const fs::path inside = resultsFolder / path;  // the path itself if it is absolute
+    std::error_code ignored;
+    return !fs::exists(inside, ignored) && fs::exists(path, ignored) ? path : inside;
+}
+
 Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
     std::string text = toJsonLine(run) + '\n';

@@ -13,6 +13,10 @@ namespace glibra::suite {
 /// FOLDER/results.jsonl; a path that is no folder but a file is the results file itself.
 std::filesystem::path resultsFile(const std::filesystem::path& folder);
 
+/// Where a path of a ShotResult is: relative ones are looked for in the results folder, then from the current
+/// folder. Gives the place in the results folder where there is no such file.
+std::filesystem::path located(const std::filesystem::path& path, const std::filesystem::path& resultsFolder);
+
 /// Writes the whole file, in the order of `run.shots`; it appears when it is whole. The folder is made if
 /// need be. Empty if that worked, else one file-E10.
 Diagnostics writeResults(const RunResult& run, const std::filesystem::path& folder);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
@@ -38,6 +39,7 @@ class SuiteBuilder {
     SuiteBuilder(TomlReader& reader, Suite& suite) : reader_(reader), suite_(suite) {}
 
     void add(const toml::table& table, const fs::path& folder, const ShotTemplate& defaults) {
+        const std::size_t errorsBefore = reader_.errorCount();
         ShotTemplate shot = defaults;
         shot.shot.place = reader_.placeOf(table);
         readTemplate(reader_, table, folder, false, shot);
@@ -46,7 +48,8 @@ class SuiteBuilder {
         dropSwept(shot, defaults);
         if (shot.scripts.empty()) return;
         const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);
-        if (scripts.empty() || !isFewEnough(shot, scripts.size())) return;
+        // What is wrong itself would only give wrong messages about others.
+        if (reader_.errorCount() > errorsBefore || !isFewEnough(shot, scripts.size())) return;
         const std::vector<Combination> all = combinations(shot.sweeps);
         for (const FoundScript& script : scripts)
             for (const Combination& combination : all)
@@ -59,9 +62,18 @@ class SuiteBuilder {
     }
 
   private:
-    /// A scene that has to fail makes no picture.
+    /// A scene that has to fail makes no picture, and a warning alone fails none.
     void checkAgreement(const ShotTemplate& shot) {
         if (!shot.shot.expectedError) return;
+        const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
+        if (row && row->severity != Severity::error &&
+            !(row->severity == Severity::warning && shot.shot.options.strict))
+            reader_.error(
+                "suite-E12",
+                fmt::format(
+                    "expect-error: {} is a {}, which fails {}", row->id, name(row->severity),
+                    row->severity == Severity::warning ? "a scene only with strict = true" : "no scene"),
+                shot.shot.place);
         for (const auto* each : {&shot.match, &shot.differ})
             if (*each)
                 reader_.error("suite-E12",
@@ -111,9 +123,12 @@ class SuiteBuilder {
 
         const Place place = from.name ? from.name->place : script.place;
         if (const auto [old, isNew] = byName_.emplace(shot.name, place); !isNew) {
+            const std::string name = glib::quoted(shot.name);
             reader_.error("suite-E06",
-                          fmt::format("there are two shots {}; the other one is on line {}",
-                                      glib::quoted(shot.name), old->second.line),
+                          old->second == place
+                              ? fmt::format("this makes two shots {}", name)
+                              : fmt::format("there are two shots {}; the other one is on line {}", name,
+                                            old->second.line),
                           place);
             return;
         }

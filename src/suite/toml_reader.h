@@ -50,6 +50,7 @@ class TomlReader {
     void wrongType(const toml::node& node, std::string_view name, std::string_view wanted);
     void error(const char* id, std::string text, Place place);
 
+    [[nodiscard]] std::size_t errorCount() const { return count_; }
     [[nodiscard]] bool hasErrors() const { return count_ > 0; }
     /// All messages in the order of their places, at most 100 and a note that counts the rest.
     Diagnostics take();
