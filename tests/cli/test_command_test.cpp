@@ -92,7 +92,7 @@ TEST_F(TestCommand, ABrokenSceneIsStatusThreeAndTheOthersAreDrawn) {
 
 TEST_F(TestCommand, WrongUsageIsStatusTwo) {
     for (const char* each : {"", "s.toml --shard 4/3", "s.toml --only nothing", "s.toml --force",
-                             "--merge r s.toml", "s.toml --jobs 0", "s.toml --driver gl"}) {
+                             "s.toml --merge r", "s.toml --jobs 0", "s.toml --driver gl"}) {
         const Finished run = this->run(each);
         EXPECT_EQ(run.status, 2) << each << "\n" << run.err;
         EXPECT_FALSE(run.err.empty()) << each;
@@ -118,12 +118,13 @@ TEST_F(TestCommand, ShardsMergeToTheWholeRun) {
 }
 
 TEST_F(TestCommand, AHangingShotCostsOnlyItself) {
-    folder.write(
-        "hang.frag",
-        "#version 330 core\nuniform float uKd;\nout vec4 f;\nvoid main() { float x = 0.; while (uKd < 5.) x "
-        "+= uKd; f = vec4(x); }\n");
+    // Drivers end a loop after some ten thousand rounds; so there are many pixels to do them for.
+    folder.write("hang.frag",
+                 "#version 330 core\nuniform float uKd;\nout vec4 f;\nvoid main() { float x = uKd; "
+                 "while (x < 9.) x = sin(x + uKd); f = vec4(x); }\n");
     folder.write("h.glib", "Vertex a.vert\nFragment hang.frag\nProgram P uKd <0. 1. 2.>\nSphere 1 8 8\n");
-    folder.write("t.toml", readFile(folder / "s.toml") + "[[shot]]\nscript = \"h.glib\"\n");
+    folder.write("t.toml",
+                 readFile(folder / "s.toml") + "[[shot]]\nscript = \"h.glib\"\nsize = [4000, 4000]\n");
     const Finished run = this->run("t.toml --timeout 2 --update --jobs 1");
     EXPECT_EQ(run.status, 3);
     EXPECT_TRUE(contains(run.out, "1 timed-out, 3 updated")) << run.out;
