@@ -12,8 +12,8 @@
 namespace glibra::image {
 namespace {
 
-constexpr int kWindow = 8, kWindowStep = 4;
-constexpr int kBlockWindows = 8, kBlockStep = 4;  // in windows: 32 and 16 pixels
+constexpr int kWindow = 4, kWindowStep = 2;
+constexpr int kBlockWindows = 16, kBlockStep = 8;  // in windows: 32 and 16 pixels
 
 /// Stands for NaN: one against a number moves a window's mean so far that the window is lost.
 constexpr float kNan = -16.F * kWindow * kWindow;
