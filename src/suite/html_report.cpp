@@ -97,6 +97,13 @@ std::string filled(std::string_view page, std::span<const Slot> slots) {
     }
 }
 
+std::string headline(const RunResult& run) {
+    const auto failures = std::count_if(run.shots.begin(), run.shots.end(),
+                                        [](const ShotResult& shot) { return isFailure(shot.verdict); });
+    if (failures > 0) return fmt::format("{} of {} shots failed", failures, run.shots.size());
+    return run.shots.empty() ? "No shots" : fmt::format("None of {} shots failed", run.shots.size());
+}
+
 std::string runDetails(const RunResult& run) {
     std::string html = "<dl>";
     const auto add = [&](std::string_view title, const std::string& value) {
@@ -127,8 +134,8 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
         script += part;
     const Slot slots[] = {
         {"title", escapeXml(counts(run) + " - glibra")},
-        {"summary", escapeXml(counts(run))},
-        {"run", escapeXml(fmt::format("{} shots in {}", run.shots.size(), readableTime(run.seconds)))},
+        {"headline", headline(run)},
+        {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
         {"runDetails", runDetails(run)},
         {"style", std::string(report_page::report_css())},
         {"script", std::move(script)},

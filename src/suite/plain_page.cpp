@@ -71,7 +71,7 @@ std::string article(const ShotResult& shot, const ShownShot& shown, std::span<co
 
 std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
                       std::span<const Source> sources) {
-    std::string html = "<div class=\"plain\">\n";
+    std::string html = fmt::format("<div class=\"plain\">\n<p>{}</p>\n", counts(run));
     for (const Verdict verdict : kVerdictsByConcern)
         for (std::size_t i = 0; i < run.shots.size(); ++i)
             if (run.shots[i].verdict == verdict && !isPlain(run.shots[i]))

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -16,6 +16,12 @@ namespace glibra::suite {
 namespace {
 
 constexpr std::size_t kMostMessages = 100;
+constexpr std::size_t kBlock = 1024;  // bytes
+
+/// False for the second and later bytes of a character of UTF-8.
+bool beginsCharacter(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+}
 
 /// What the parser says, without its preamble; and what people who write scenes get wrong most, named.
 std::string syntaxMessage(std::string_view said, std::string_view rest) {
@@ -28,6 +34,46 @@ std::string syntaxMessage(std::string_view said, std::string_view rest) {
     else if (rest.size() > 1 && isDigit(rest[0]) && rest[1] == '.' && (rest.size() == 2 || !isDigit(rest[2])))
         text += "; a number needs a digit after its point, as 1.0";
     return text;
+}
+
+/// The offset after the string that begins at `begin`: of one line, or of several between three quotes.
+std::size_t endOfString(std::string_view text, std::size_t begin) {
+    const char quote = text[begin];
+    const std::string three(3, quote);
+    const bool isLong = text.substr(begin).starts_with(three);
+    std::size_t at = begin + (isLong ? 3 : 1);
+    for (; at < text.size(); ++at) {
+        if (quote == '"' && text[at] == '\\')
+            ++at;
+        else if (isLong && text.substr(at).starts_with(three))
+            return at + 3;
+        else if (!isLong && (text[at] == quote || text[at] == '\n'))
+            return at + 1;
+    }
+    return text.size();
+}
+
+/// The offset of the first key with more parts ("a.b.c") than anybody needs, if there is one. The parser
+/// makes a table of each part and is done with them by recursion, which a key of 100,000 parts would not
+/// survive.
+std::optional<std::size_t> endlessKey(std::string_view text) {
+    constexpr int kMostParts = 16;
+    int dots = 0;
+    std::size_t begin = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"' || c == '\'') {
+            at = endOfString(text, at) - 1;
+        } else if (c == '#') {
+            at = std::min(text.find('\n', at), text.size()) - 1;
+        } else if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) {
+            dots = 0;
+            begin = at + 1;
+        } else if (c == '.' && ++dots == kMostParts) {
+            return std::min(text.find_first_not_of(" \t", begin), at);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -53,8 +99,20 @@ std::string described(const toml::node& node) {
 
 TomlReader::TomlReader(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
     lines_.push_back(0);
-    for (std::size_t i = 0; i < text_.size(); ++i)
+    std::size_t characters = 0;
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+        if (i % kBlock == 0) blocks_.push_back(characters);
+        if (beginsCharacter(text_[i])) ++characters;
         if (text_[i] == '\n') lines_.push_back(i + 1);
+    }
+}
+
+std::size_t TomlReader::charactersBefore(std::size_t offset) const {
+    if (offset >= text_.size() && blocks_.empty()) return 0;
+    const std::size_t block = std::min(offset / kBlock, blocks_.size() - 1);
+    const std::string_view rest = text_.substr(block * kBlock, offset - block * kBlock);
+    return blocks_[block] +
+           static_cast<std::size_t>(std::count_if(rest.begin(), rest.end(), beginsCharacter));
 }
 
 Place TomlReader::place(const toml::source_position& position) const {
@@ -62,16 +120,27 @@ Place TomlReader::place(const toml::source_position& position) const {
     if (position.line == 0) return {path_, 1, 1};
     const std::size_t line = std::min<std::size_t>(position.line, lines_.size());
     const std::size_t begin = lines_[line - 1];
-    std::size_t at = begin;
-    if (begin == 0 && text_.starts_with("\xef\xbb\xbf")) at += 3;
-    for (std::size_t left = position.column; left > 1 && at < text_.size() && text_[at] != '\n'; --left) {
-        ++at;
-        while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xc0U) == 0x80U) ++at;
-    }
-    return {path_, static_cast<int>(line), static_cast<int>(at - begin) + 1};
+    const std::size_t end = line < lines_.size() ? lines_[line] - 1 : text_.size();
+    const bool hasMark =
+        begin == 0 && text_.starts_with("\xef\xbb\xbf");  // one character that does not count
+    const std::size_t wanted =
+        charactersBefore(begin) + std::max<std::size_t>(position.column, 1) - 1 + (hasMark ? 1 : 0);
+    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), wanted);
+    const auto block = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - blocks_.begin(), 1) - 1);
+    std::size_t at = std::max(begin, block * kBlock);
+    for (std::size_t seen = charactersBefore(at); at < end; ++at)
+        if (beginsCharacter(text_[at]) && seen++ == wanted) break;
+    return {path_, static_cast<int>(line), static_cast<int>(std::min(at, end) - begin) + 1};
 }
 
 const toml::table* TomlReader::root() {
+    if (const auto offset = endlessKey(text_)) {
+        const auto line = std::upper_bound(lines_.begin(), lines_.end(), *offset) - lines_.begin();
+        const std::size_t column = *offset - lines_[static_cast<std::size_t>(line) - 1] + 1;
+        error("suite-E01", "a key has too many parts",
+              {path_, static_cast<int>(line), static_cast<int>(column)});
+        return nullptr;
+    }
     try {
         root_ = toml::parse(text_, path_);
     } catch (const toml::parse_error& wrong) {

@@ -57,10 +57,12 @@ class TomlReader {
 
   private:
     [[nodiscard]] Place place(const toml::source_position& position) const;
+    [[nodiscard]] std::size_t charactersBefore(std::size_t offset) const;
 
     std::string path_;
     std::string_view text_;
-    std::vector<std::size_t> lines_;  // offsets of their first bytes
+    std::vector<std::size_t> lines_;   // offsets of their first bytes
+    std::vector<std::size_t> blocks_;  // characters before every block of bytes
     std::optional<toml::table> root_;
     Diagnostics problems_;
     std::size_t count_ = 0;

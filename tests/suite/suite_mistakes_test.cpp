@@ -193,6 +193,16 @@ TEST(SuiteMistakes, OfAHugeSweepAreToldBeforeItIsMade) {
     EXPECT_EQ(suite.diagnostics[0].place.line, 3);
 }
 
+TEST(SuiteMistakes, HaveTheirColumnInBytesInLongLinesToo) {
+    const SceneFolder folder{"a.glib"};
+    std::string text = "expect-error = { text = \"";
+    for (int i = 0; i < 3000; ++i) text += i % 2 == 0 ? "\xc3\xa4" : "\xe2\x82\xac";
+    text += "\", line = ";
+    EXPECT_EQ(folder.show("[[shot]]\nscript = 'a.glib'\n" + text + "0 }\n"),
+              "3:" + std::to_string(text.size() + 1) +
+                  " suite-E04 expect-error.line: 0 is not between 1 and 2147483647\n");
+}
+
 TEST(SuiteMistakes, AreCountedBeyondAHundred) {
     const SceneFolder folder{"a.glib"};
     std::string text = "[[shot]]\nscript = 'a.glib'\n";

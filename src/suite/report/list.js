@@ -86,7 +86,8 @@ class List {
         const sentinel = element("div", {className: "sentinel"});
         let next = 0;
         sentinel.fill = () => {
-            const some = shots.slice(next, next + kChunk).map((shot) => this.item(shot));
+            const count = Math.max(kChunk, next);  // doubles, so that the end of thousands is soon reached
+            const some = shots.slice(next, next + count).map((shot) => this.item(shot));
             next += some.length;
             sentinel.before(...some);
             this.observer.unobserve(sentinel);

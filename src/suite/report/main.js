@@ -27,9 +27,9 @@ function choose(shot) {
 }
 
 function row(title, value, limit = "", beyond = false) {
-    return element("tr", {}, element("th", {textContent: title, scope: "row"}),
-        element("td", {textContent: value, className: beyond ? "beyond" : ""}),
-        element("td", {textContent: limit ? `limit ${limit}` : ""}));
+    const cells = [element("td", {textContent: value, className: beyond ? "beyond" : "", colSpan: limit ? 1 : 2})];
+    if (limit) cells.push(element("td", {textContent: `limit ${limit}`}));
+    return element("tr", {}, element("th", {textContent: title, scope: "row"}), ...cells);
 }
 
 function showFigures(shot) {

@@ -80,10 +80,13 @@ class Viewer {
         this.resized();
     }
 
-    // Canvases get as many pixels as the screen has for them.
+    // Panes have the picture's shape as far as the window is high enough, canvases as many pixels as the screen
+    // has for them.
     resized() {
-        const ratio = window.devicePixelRatio || 1;
+        const ratio = window.devicePixelRatio || 1, {width: across, height: down} = this.size();
         for (const {canvas} of this.panes) {
+            const high = Math.min(0.62 * window.innerHeight, Math.max(96, canvas.clientWidth * down / across));
+            if (canvas.clientWidth) canvas.style.height = `${Math.round(high) + 2}px`;
             const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
             if (width && (canvas.width !== width || canvas.height !== height))
                 Object.assign(canvas, {width, height});
