@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <system_error>
 
-#include "image/file.h"
+#include "image/heat_map.h"
 #include "image/inspect.h"
 #include "image/write.h"
 #include "suite/verdict_commands.h"
-#include "suite/verdict_difference.h"
 
 namespace glibra::suite {
 namespace {
@@ -213,6 +212,12 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
     return bad ? fs::path() : name;
 }
 
+void ShotJudge::showDifference(const Shot& shot, const image::Image& expected, const image::Image& got,
+                               ShotResult& result) const {
+    if (expected.width == got.width && expected.height == got.height)
+        result.difference = write(shot, "difference", image::differenceHeatMap(expected, got), result);
+}
+
 /// Copies of what a report shows beside each other, so that a results folder can be carried elsewhere.
 void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image::Image& got,
                            ShotResult& result) const {
@@ -223,8 +228,7 @@ void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image:
         return;
     }
     result.expected = write(shot, "expected", *found.picture, result);
-    if (const auto heat = differencePicture(*found.picture, got))
-        result.difference = write(shot, "difference", *heat, result);
+    showDifference(shot, *found.picture, got, result);
 }
 
 void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& result) const {
@@ -237,8 +241,7 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
         result.accept.clear();
         if (!found.partner) return;
         result.expected = write(shot, "partner", *found.partner->picture, result);
-        if (const auto heat = differencePicture(*found.partner->picture, got))
-            result.difference = write(shot, "difference", *heat, result);
+        showDifference(shot, *found.partner->picture, got, result);
         return;
     }
     showGolden(shot, found, got, result);
@@ -302,8 +305,7 @@ Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
                                           figures.differingPixels, figures.largest * 255)
                             : "two renderings differ in size";
         result.expected = write(shot, "again", *again.own.picture, result);
-        if (const auto heat = differencePicture(*again.own.picture, got))
-            result.difference = write(shot, "difference", *heat, result);
+        showDifference(shot, *again.own.picture, got, result);
         return judged;
     }
     const Findings found = look(attempt, true);

@@ -26,9 +26,9 @@ struct Attempt {
 };
 
 struct JudgeOptions {
-    bool update = false;            ///< what differs becomes the golden
-    bool force = false;             ///< ... even a picture of one colour, or with NaN
-    bool variant = false;           ///< ... for this family of drivers alone
+    bool update = false;              ///< what differs becomes the golden
+    bool force = false;               ///< ... even a picture of one colour, or with NaN
+    bool variant = false;             ///< ... for this family of drivers alone
     std::filesystem::path results{};  ///< folder for what a report shows
 };
 
@@ -62,6 +62,8 @@ class ShotJudge {
     /// Writes into the results folder; the path is relative to it, empty if it could not be written.
     std::filesystem::path write(const Shot& shot, std::string_view what, const image::Image& picture,
                                 ShotResult& result) const;
+    void showDifference(const Shot& shot, const image::Image& expected, const image::Image& got,
+                        ShotResult& result) const;
     void showGolden(const Shot& shot, const Findings& found, const image::Image& got,
                     ShotResult& result) const;
 
