@@ -75,8 +75,8 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
             warning("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
-std::string ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, const std::string& name,
-                                    ShownShot& shown) {
+ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot,
+                                          const std::string& name, bool wantsPixels, ShownShot& shown) {
     if (picture.empty()) return {};
     const fs::path file = located(picture, resultsFolder_);
     Result<std::vector<std::byte>> bytes = image::readFile(file, {picture.string(), {}});
@@ -84,40 +84,39 @@ std::string ReportFiles::addPicture(const fs::path& picture, const ShotResult& s
         remark(shown, shot, bytes.diagnostics.front().text);
         return {};
     }
-    if (image::formatOf(*bytes) != image::Format::png) {
-        const Result<image::Image> decoded = image::decodeImage(*bytes, picture);
+    Copy copy;
+    const bool isPng = image::formatOf(*bytes) == image::Format::png;
+    if (wantsPixels || !isPng) {
+        Result<image::Image> decoded = image::decodeImage(*bytes, file);
         if (!decoded) {
             remark(shown, shot, decoded.diagnostics.front().text);
             return {};
         }
-        *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
+        if (!isPng) *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
+        copy.pixels = std::move(*decoded);
     }
     const std::string to = "pictures/" + name + ".png";
-    return write(to, *bytes) ? to : std::string();
+    if (write(to, *bytes)) copy.file = to;
+    return copy;
 }
 
-void ReportFiles::addPixels(const ShotResult& shot, const std::string& name, ShownShot& shown) {
-    const std::string file = "pixels/" + name + ".js";
+std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, const std::string& name,
+                                   ShownShot& shown) {
     std::string members;
-    for (const auto& [key, path, copy] : {std::tuple<const char*, const fs::path&, const std::string&>(
-                                              "expected", shot.expected, shown.expected),
-                                          {"got", shot.got, shown.got}}) {
-        if (copy.empty()) continue;
-        const Result<image::Image> picture = image::readImage(located(path, resultsFolder_));
-        if (!picture) {
-            remark(shown, shot, picture.diagnostics.front().text);
-            continue;
-        }
-        if (std::int64_t{picture->width} * picture->height > kMostPixels) {
+    for (const auto& [key, copy] :
+         {std::pair<const char*, const Copy&>{"expected", expected}, {"got", got}}) {
+        if (copy.file.empty()) continue;
+        if (std::int64_t{copy.pixels.width} * copy.pixels.height > kMostPixels) {
             shown.remarks.push_back(
-                fmt::format("the pixels of '{}' are too many to be read here", path.string()));
+                fmt::format("the picture '{}' is too large for reading its pixels here", key));
             continue;
         }
-        members += fmt::format("{}\"{}\":{}", members.empty() ? "" : ",", key, packedPixels(*picture));
+        members += fmt::format("{}\"{}\":{}", members.empty() ? "" : ",", key, packedPixels(copy.pixels));
     }
-    if (members.empty()) return;
+    if (members.empty()) return {};
+    const std::string file = "pixels/" + name + ".js";
     const std::string script = fmt::format("glibraPixels(\"{}\",{{{}}});\n", file, members);
-    if (write(file, std::as_bytes(std::span(script)))) shown.pixels = file;
+    return write(file, std::as_bytes(std::span(script))) ? file : std::string();
 }
 
 void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
@@ -141,16 +140,20 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
 ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
     ShownShot shown;
     const std::string name = fmt::format("{:05}", number);
+    const auto add = [&](const fs::path& picture, const char* ending) {
+        return addPicture(picture, shot, name + ending, !isPlain(shot), shown);
+    };
     if (isPlain(shot)) {
         const bool same = shot.exact || shot.got.empty() || shot.expected.empty();
-        shown.got = addPicture(shot.got.empty() ? shot.expected : shot.got, shot, name + ".got", shown);
-        shown.expected = same ? shown.got : addPicture(shot.expected, shot, name + ".expected", shown);
+        shown.got = add(shot.got.empty() ? shot.expected : shot.got, ".got").file;
+        shown.expected = same ? shown.got : add(shot.expected, ".expected").file;
         return shown;
     }
-    shown.expected = addPicture(shot.expected, shot, name + ".expected", shown);
-    shown.got = addPicture(shot.got, shot, name + ".got", shown);
-    shown.difference = addPicture(shot.difference, shot, name + ".difference", shown);
-    addPixels(shot, name, shown);
+    const Copy expected = add(shot.expected, ".expected"), got = add(shot.got, ".got");
+    shown.expected = expected.file;
+    shown.got = got.file;
+    shown.difference = add(shot.difference, ".difference").file;
+    shown.pixels = addPixels(expected, got, name, shown);
     addSource(shot.script, shown);
     for (const Diagnostic& each : shot.diagnostics) addSource(each.place.file, shown);
     return shown;

@@ -48,9 +48,14 @@ class ReportFiles {
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
 
   private:
-    std::string addPicture(const std::filesystem::path& picture, const ShotResult& shot,
-                           const std::string& name, ShownShot& shown);
-    void addPixels(const ShotResult& shot, const std::string& name, ShownShot& shown);
+    /// A picture in the report; `pixels` is there where it was asked for or had to be decoded.
+    struct Copy {
+        std::string file;
+        image::Image pixels;
+    };
+    Copy addPicture(const std::filesystem::path& picture, const ShotResult& shot, const std::string& name,
+                    bool wantsPixels, ShownShot& shown);
+    std::string addPixels(const Copy& expected, const Copy& got, const std::string& name, ShownShot& shown);
     void addSource(const std::filesystem::path& file, ShownShot& shown);
     bool write(const std::string& name, std::span<const std::byte> bytes);
     void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);
