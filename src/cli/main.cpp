@@ -14,6 +14,7 @@ int run(int argc, char** argv) {
     int status = glibra::cli::kDone;
     try {
         glibra::cli::addRender(app, status);
+        glibra::cli::addTest(app, status);
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
         glibra::cli::addInfo(app, status);
