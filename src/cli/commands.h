@@ -22,6 +22,7 @@ inline constexpr int kSceneIsWrong = 3;
 inline constexpr int kNoDriver = 4;
 
 void addRender(CLI::App& app, int& status);
+void addTest(CLI::App& app, int& status);
 void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);

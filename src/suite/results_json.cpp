@@ -255,12 +255,18 @@ void members(Archive& archive, Value& value) {
         archive("reason", value.reason);
         archive("comparison", value.comparison);
         archive("beyond", value.beyond);
+        archive("cluster", value.cluster);
+        archive("clusterX", value.clusterX);
+        archive("clusterY", value.clusterY);
         archive("bias", value.bias);
+        archive("biasX", value.biasX);
+        archive("biasY", value.biasY);
         archive("flip", value.flip);
         archive("structure", value.structure);
     } else if constexpr (std::is_same_v<Type, image::Tolerance>) {
         archive("largest", value.largest);
         archive("fraction", value.fraction);
+        archive("cluster", value.cluster);
         archive("bias", value.bias);
         archive("flip", value.flip);
         archive("structure", value.structure);

@@ -90,7 +90,9 @@ ShotResult ResultsMaker::shot() {
     made.judgement.bias = figure();
     made.judgement.flip = maybe();
     made.judgement.structure = maybe();
-    made.tolerance = {figure(), figure(), figure(), maybe(), maybe(), figure(), figure()};
+    made.tolerance = {figure(), figure(), static_cast<int>(below(100)), figure(), maybe(), maybe(),
+                      figure(), figure()};
+    made.judgement.cluster = random_();
     for (std::size_t count = below(3); count > 0; --count) made.diagnostics.push_back(diagnostic());
     made.milliseconds = figure();
     made.reproduce = text();
@@ -142,6 +144,8 @@ void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(bits(a.judgement.structure), bits(b.judgement.structure));
     EXPECT_EQ(bits(a.tolerance.largest), bits(b.tolerance.largest));
     EXPECT_EQ(bits(a.tolerance.fraction), bits(b.tolerance.fraction));
+    EXPECT_EQ(a.tolerance.cluster, b.tolerance.cluster);
+    EXPECT_EQ(a.judgement.cluster, b.judgement.cluster);
     EXPECT_EQ(bits(a.tolerance.bias), bits(b.tolerance.bias));
     EXPECT_EQ(bits(a.tolerance.flip), bits(b.tolerance.flip));
     EXPECT_EQ(bits(a.tolerance.structure), bits(b.tolerance.structure));
