@@ -7,7 +7,7 @@ build_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev 
  libosmesa6"
 # What testing needs besides.
 test_packages="libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev glslang-tools clang-format clang-tidy python3
- chromium chromium-driver"
+ chromium chromium-driver imagemagick"
 
 say() { printf 'glibra: %s\n' "$*" >&2; }
 

@@ -60,6 +60,7 @@ nlohmann::ordered_json toJson(const image::Judgement& judged, const image::Image
     json["beyond"] = judged.beyond;
     json["cluster"] = judged.cluster;
     json["clusterAt"] = {judged.clusterX, judged.clusterY};
+    json["line"] = judged.line;
     json["bias"] = judged.bias;
     json["biasAt"] = {judged.biasX, judged.biasY};
     json["nonFinite"] = found.nonFinite;
@@ -153,6 +154,9 @@ void addCompare(CLI::App& app, int& status) {
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     command->add_option("--cluster", tolerance.cluster, "how many of those may touch each other")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--line", tolerance.line, "how many of those may lie in one row or column")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command

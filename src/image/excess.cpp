@@ -5,8 +5,6 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace glibra::image {
@@ -122,32 +120,82 @@ class BlockMeans {
     std::size_t components_;
 };
 
-/// The largest group of touching pixels, by flooding. `pixels` are indices y * width + x.
-void findCluster(const std::vector<std::size_t>& pixels, std::size_t width, Excess& excess) {
-    std::unordered_map<std::size_t, bool> seen;
-    for (const std::size_t pixel : pixels) seen[pixel] = false;
-    std::vector<std::size_t> open;
-    for (const std::size_t first : pixels) {
-        if (std::exchange(seen[first], true)) continue;
+/// Which pixels are beyond the limit; memory only once there is one.
+class BeyondMap {
+  public:
+    BeyondMap(int width, int height)
+        : width_(static_cast<std::size_t>(width)), height_(static_cast<std::size_t>(height)) {}
+
+    void add(std::size_t x, int y) {
+        if (pixels_.empty()) {
+            pixels_.resize(width_ * height_);
+            firstRow_ = static_cast<std::size_t>(y);
+        }
+        lastRow_ = static_cast<std::size_t>(y);
+        pixels_[lastRow_ * width_ + x] = true;
+    }
+
+    /// The row or column with the most pixels.
+    void findLine(Excess& excess) const {
+        if (pixels_.empty()) return;
+        std::vector<std::uint64_t> inColumn(width_);
+        for (std::size_t y = firstRow_; y <= lastRow_; ++y) {
+            std::uint64_t inRow = 0;
+            for (std::size_t x = 0; x < width_; ++x) {
+                if (!pixels_[y * width_ + x]) continue;
+                ++inRow;
+                ++inColumn[x];
+            }
+            if (inRow <= excess.line) continue;
+            excess.line = inRow;
+            excess.lineY = static_cast<int>(y);
+        }
+        const auto most = std::max_element(inColumn.begin(), inColumn.end());
+        if (*most <= excess.line) return;
+        excess.line = *most;
+        excess.lineX = static_cast<int>(most - inColumn.begin());
+        excess.lineY = -1;
+    }
+
+    /// The largest group of touching pixels, by flooding; empties the map.
+    void findCluster(Excess& excess) {
+        if (pixels_.empty()) return;
+        for (std::size_t first = firstRow_ * width_; first < (lastRow_ + 1) * width_; ++first) {
+            const std::uint64_t size = take(first);
+            if (size <= excess.cluster) continue;
+            excess.cluster = size;
+            excess.clusterX = static_cast<int>(first % width_);
+            excess.clusterY = static_cast<int>(first / width_);
+        }
+    }
+
+  private:
+    /// Size of the group that a pixel belongs to, which is taken out of the map.
+    std::uint64_t take(std::size_t first) {
+        if (!pixels_[first]) return 0;
         std::uint64_t size = 0;
-        open.assign(1, first);
-        while (!open.empty()) {
-            const std::size_t pixel = open.back(), x = pixel % width;
-            open.pop_back();
+        open_.assign(1, first);
+        pixels_[first] = false;
+        while (!open_.empty()) {
+            const std::size_t x = open_.back() % width_, y = open_.back() / width_;
+            open_.pop_back();
             ++size;
-            for (std::size_t row = pixel < width ? 1 : 0; row < 3; ++row)
-                for (std::size_t column = x == 0 ? 1 : 0; column < (x + 1 == width ? 2U : 3U); ++column) {
-                    const auto near = seen.find(pixel + row * width - width + column - 1);
-                    if (near == seen.end() || std::exchange(near->second, true)) continue;
-                    open.push_back(near->first);
+            for (std::size_t row = y == 0 ? 0 : y - 1; row <= std::min(y + 1, height_ - 1); ++row)
+                for (std::size_t column = x == 0 ? 0 : x - 1; column <= std::min(x + 1, width_ - 1);
+                     ++column) {
+                    const std::size_t near = row * width_ + column;
+                    if (!pixels_[near]) continue;
+                    pixels_[near] = false;
+                    open_.push_back(near);
                 }
         }
-        if (size <= excess.cluster) continue;
-        excess.cluster = size;
-        excess.clusterX = static_cast<int>(first % width);
-        excess.clusterY = static_cast<int>(first / width);
+        return size;
     }
-}
+
+    std::size_t width_, height_, firstRow_ = 0, lastRow_ = 0;
+    std::vector<bool> pixels_;
+    std::vector<std::size_t> open_;
+};
 
 template <class Value>
 Excess measure(const Image& a, const Image& b, const ExcessLimits& limits) {
@@ -158,7 +206,7 @@ Excess measure(const Image& a, const Image& b, const ExcessLimits& limits) {
     const double unit = 255 / kFull<Value>;
     const BlockMeans means(limits.block, a.width, a.height, components);
     std::vector<Step<Value>> sums(width * components);
-    std::vector<std::size_t> pixels;
+    BeyondMap map(a.width, a.height);
     bool anySum = false;
     for (int y = 0; y < a.height; ++y) {
         const std::byte* rowA = a.row(y).data();
@@ -172,15 +220,17 @@ Excess measure(const Image& a, const Image& b, const ExcessLimits& limits) {
                         beyond |= isBeyond(valueAt<Value>(rowA, c), valueAt<Value>(rowB, c), limit, limits);
                     if (!beyond) continue;
                     ++excess.beyond;
-                    if (excess.beyond <= limits.allowed)
-                        pixels.push_back(static_cast<std::size_t>(y) * width + x);
+                    if (excess.beyond <= limits.allowed) map.add(x, y);
                 }
         }
         if (!anySum || limits.relativeOnly || !means.endsWith(y)) continue;
         means.add(sums, y, unit, excess);
         anySum = false;
     }
-    if (excess.beyond <= limits.allowed) findCluster(pixels, width, excess);
+    if (excess.beyond <= limits.allowed) {
+        map.findLine(excess);
+        map.findCluster(excess);
+    }
     return excess;
 }
 

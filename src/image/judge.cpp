@@ -36,8 +36,10 @@ ExcessLimits limitsFor(const Image& a, const Image& b, const Tolerance& toleranc
     return limits;
 }
 
-/// The rungs of plain figures: what they decide, with the reason.
-void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, Judgement& result) {
+/// The rungs of plain figures: what they decide, with the reason. `line` names the row or column with the
+/// most pixels beyond.
+void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const std::string& line,
+                  Judgement& result) {
     const std::string limit = limits.relativeOnly
                                   ? fmt::format("{:g} + {:g} of the value", limits.absolute, limits.relative)
                                   : fmt::format("{:g} of 255", limits.largest);
@@ -49,6 +51,9 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, Judgem
         result.reason = fmt::format("{} that touch at {}, {} differ by more than {}, {} may; {}",
                                     count(result.cluster), result.clusterX, result.clusterY, limit,
                                     tolerance.cluster, largestDifference(result.comparison));
+    } else if (result.line > static_cast<std::uint64_t>(std::max(tolerance.line, 0))) {
+        result.reason = fmt::format("{} in {} differ by more than {}, {} may; {}", count(result.line), line,
+                                    limit, tolerance.line, largestDifference(result.comparison));
     } else if (result.bias > tolerance.bias) {
         result.decidedBy = Rung::bias;
         result.reason =
@@ -101,7 +106,7 @@ Judgement equalBytes(const Image& picture) {
 Tolerance exactTolerance() {
     Tolerance nothing;
     nothing.largest = nothing.fraction = nothing.bias = nothing.relative = nothing.absolute = 0;
-    nothing.cluster = 0;
+    nothing.cluster = nothing.line = 0;
     return nothing;
 }
 
@@ -123,6 +128,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
     if (expected.components == got.components && expected.type == got.type && expected.data == got.data)
         return equalBytes(expected);
     const ExcessLimits limits = limitsFor(expected, got, tolerance);
+    std::string place;
     withAlike(expected, got, [&](const Image& a, const Image& b) {
         result.comparison = compare(a, b);
         if (result.comparison.identical) return;
@@ -131,6 +137,9 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         result.cluster = excess.cluster;
         result.clusterX = excess.clusterX;
         result.clusterY = excess.clusterY;
+        result.line = excess.line;
+        place =
+            excess.lineY >= 0 ? fmt::format("row {}", excess.lineY) : fmt::format("column {}", excess.lineX);
         result.bias = excess.bias;
         result.biasX = excess.biasX;
         result.biasY = excess.biasY;
@@ -140,7 +149,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         result.reason = "equal values";
         return result;
     }
-    judgePlainly(limits, tolerance, result);
+    judgePlainly(limits, tolerance, place, result);
     judgePerceptually(expected, got, tolerance, everything, result);
     return result;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace glibra::suite {
 namespace {
@@ -69,12 +70,21 @@ std::vector<Figure> figures(const ShotResult& shot) {
     list.push_back({"pixels beyond it", share(judgement.beyond, pixels),
                     fmt::format("{:.3g} %", 100 * shot.tolerance.fraction),
                     pixels > 0 && static_cast<double>(judgement.beyond) > shot.tolerance.fraction * pixels});
+    if (judgement.cluster > 0)
+        list.push_back(
+            {"largest group",
+             fmt::format("{} (at {} {})", judgement.cluster, judgement.clusterX, judgement.clusterY),
+             fmt::format("{}", shot.tolerance.cluster),
+             std::cmp_greater(judgement.cluster, shot.tolerance.cluster)});
     list.push_back({"pixels that differ", share(judgement.comparison.differingPixels, pixels), "", false});
     list.push_back(
         {"root mean square", fmt::format("{:.4g}", judgement.comparison.rootMeanSquare), "", false});
     if (!isFloat(shot))
-        list.push_back({"bias of a block", of255(judgement.bias), of255(shot.tolerance.bias),
-                        judgement.bias > shot.tolerance.bias});
+        list.push_back(
+            {"bias of a block",
+             of255(judgement.bias) +
+                 (judgement.bias > 0 ? fmt::format(" (at {} {})", judgement.biasX, judgement.biasY) : ""),
+             of255(shot.tolerance.bias), judgement.bias > shot.tolerance.bias});
     if (judgement.flip) list.push_back(perceptual("FLIP", *judgement.flip, shot.tolerance.flip));
     if (judgement.structure)
         list.push_back(perceptual("structure", *judgement.structure, shot.tolerance.structure));

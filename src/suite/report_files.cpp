@@ -140,8 +140,8 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
 ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
     ShownShot shown;
     const std::string name = fmt::format("{:05}", number);
-    const auto add = [&](const fs::path& picture, const char* ending) {
-        return addPicture(picture, shot, name + ending, !isPlain(shot), shown);
+    const auto add = [&](const fs::path& picture, const char* ending, bool wantsPixels = false) {
+        return addPicture(picture, shot, name + ending, wantsPixels, shown);
     };
     if (isPlain(shot)) {
         const bool same = shot.exact || shot.got.empty() || shot.expected.empty();
@@ -149,7 +149,7 @@ ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
         shown.expected = same ? shown.got : add(shot.expected, ".expected").file;
         return shown;
     }
-    const Copy expected = add(shot.expected, ".expected"), got = add(shot.got, ".got");
+    const Copy expected = add(shot.expected, ".expected", true), got = add(shot.got, ".got", true);
     shown.expected = expected.file;
     shown.got = got.file;
     shown.difference = add(shot.difference, ".difference").file;

@@ -7,17 +7,17 @@ namespace glibra::suite {
 namespace {
 
 struct VerdictRow {
-    Verdict verdict;
     const char* word;
+    Verdict verdict;
     bool failure;
 };
 
 constexpr VerdictRow kVerdicts[] = {
-    {Verdict::passed, "passed", false},   {Verdict::failed, "failed", true},
-    {Verdict::missing, "missing", true},  {Verdict::unstable, "unstable", true},
-    {Verdict::updated, "updated", false}, {Verdict::refused, "refused", true},
-    {Verdict::crashed, "crashed", true},  {Verdict::timedOut, "timed-out", true},
-    {Verdict::skipped, "skipped", false},
+    {"passed", Verdict::passed, false},   {"failed", Verdict::failed, true},
+    {"missing", Verdict::missing, true},  {"unstable", Verdict::unstable, true},
+    {"updated", Verdict::updated, false}, {"refused", Verdict::refused, true},
+    {"crashed", Verdict::crashed, true},  {"timed-out", Verdict::timedOut, true},
+    {"skipped", Verdict::skipped, false},
 };
 
 const VerdictRow& rowOf(Verdict verdict) {

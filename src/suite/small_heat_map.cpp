@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "image/convert.h"
@@ -91,14 +92,15 @@ std::vector<std::string> smallHeatMap(const image::Image& difference, int column
     // A character is about twice as high as wide.
     const double rowsPerColumn = 0.5 * picture.height / picture.width;
     columns = std::min(columns, picture.width);
-    int rows = static_cast<int>(columns * rowsPerColumn + 0.5);
+    int rows = static_cast<int>(std::lround(columns * rowsPerColumn));
     if (rows > kMostRows) {
         rows = kMostRows;
-        columns = std::clamp(static_cast<int>(rows / rowsPerColumn + 0.5), 1, columns);
+        columns = std::clamp(static_cast<int>(std::lround(rows / rowsPerColumn)), 1, columns);
     }
     rows = std::max(rows, 1);
     const Grid grid = reduced(picture, columns, color ? 2 * rows : rows);
     std::vector<std::string> lines;
+    lines.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row)
         lines.push_back(color ? colorRow(grid, 2 * row) : shadeRow(grid, row));
     return lines;

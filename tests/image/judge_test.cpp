@@ -36,7 +36,7 @@ Image floats(int width, int height, const std::vector<float>& values) {
 Tolerance loose() {
     Tolerance tolerance;
     tolerance.fraction = 1;
-    tolerance.cluster = 1 << 20;
+    tolerance.cluster = tolerance.line = 1 << 20;
     tolerance.bias = 255;
     return tolerance;
 }
@@ -124,6 +124,25 @@ TEST(Judge, PixelsThatTouchAreAShape) {
     EXPECT_EQ(result.cluster, 5U);
     EXPECT_EQ(result.clusterX, 60);
     EXPECT_EQ(result.clusterY, 10);
+}
+
+TEST(Judge, PixelsOfOneRowOrColumnAreALine) {
+    for (const bool row : {true, false}) {
+        Tolerance tolerance = loose();
+        tolerance.line = 5;
+        Image b = grey(100);
+        for (int i = 0; i < 5; ++i) row ? change(b, 3 + 7 * i, 9, 90) : change(b, 9, 3 + 7 * i, 90);
+        change(b, 50, 50, 90);
+        EXPECT_TRUE(judge(grey(100), b, tolerance).same);
+        row ? change(b, 60, 9, 90) : change(b, 9, 60, 90);
+        const Judgement result = judge(grey(100), b, tolerance);
+        EXPECT_FALSE(result.same);
+        EXPECT_EQ(result.decidedBy, Rung::differences);
+        EXPECT_EQ(result.line, 6U);
+        EXPECT_NE(result.reason.find(row ? "6 pixels in row 9 differ" : "6 pixels in column 9 differ"),
+                  std::string::npos)
+            << result.reason;
+    }
 }
 
 TEST(Judge, BiasSeesASmallChangeOfManyPixelsAndNotNoise) {

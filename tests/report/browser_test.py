@@ -55,7 +55,8 @@ class Report(unittest.TestCase):
     def setUp(self):
         self.browser.open("about:blank")
         self.browser.open(self.page)
-        self.shown("sample/failed")
+        self.first = self.browser.wait("return document.querySelector('#panes').dataset.shown")
+        self.go("sample/failed")
 
     def tearDown(self):
         # Reading the canvases back is the test's doing; the page never does.
@@ -86,6 +87,7 @@ class Report(unittest.TestCase):
         groups = self.browser.run("return [...document.querySelectorAll('.group')].map((each) => each.dataset.verdict)")
         self.assertEqual(groups, ["failed", "crashed", "timed-out", "unstable", "refused", "missing", "updated",
                                   "skipped", "passed"])
+        self.assertEqual(self.first, "sample/failed")
         self.assertEqual(self.listed()[0], "sample/failed")
         tops = self.browser.run("return [...document.querySelectorAll('.group')].map((each) => each.offsetTop)")
         self.assertEqual(tops, sorted(tops))

@@ -93,6 +93,10 @@ ShotResult ResultsMaker::shot() {
     made.tolerance = {figure(), figure(), static_cast<int>(below(100)), figure(), maybe(), maybe(),
                       figure(), figure()};
     made.judgement.cluster = random_();
+    made.judgement.clusterX = static_cast<int>(random_());
+    made.judgement.clusterY = static_cast<int>(random_());
+    made.judgement.biasX = static_cast<int>(random_());
+    made.judgement.biasY = static_cast<int>(random_());
     for (std::size_t count = below(3); count > 0; --count) made.diagnostics.push_back(diagnostic());
     made.milliseconds = figure();
     made.reproduce = text();
@@ -146,6 +150,10 @@ void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(bits(a.tolerance.fraction), bits(b.tolerance.fraction));
     EXPECT_EQ(a.tolerance.cluster, b.tolerance.cluster);
     EXPECT_EQ(a.judgement.cluster, b.judgement.cluster);
+    EXPECT_EQ(a.judgement.clusterX, b.judgement.clusterX);
+    EXPECT_EQ(a.judgement.clusterY, b.judgement.clusterY);
+    EXPECT_EQ(a.judgement.biasX, b.judgement.biasX);
+    EXPECT_EQ(a.judgement.biasY, b.judgement.biasY);
     EXPECT_EQ(bits(a.tolerance.bias), bits(b.tolerance.bias));
     EXPECT_EQ(bits(a.tolerance.flip), bits(b.tolerance.flip));
     EXPECT_EQ(bits(a.tolerance.structure), bits(b.tolerance.structure));

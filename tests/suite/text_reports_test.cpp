@@ -28,6 +28,10 @@ ShotResult failedShot() {
     shot.judgement.comparison = {true, false, 300, 40 / 255., 17, 4, 2, 0.01};
     shot.judgement.beyond = 240;
     shot.judgement.bias = 0.25;
+    shot.judgement.biasX = 16;
+    shot.judgement.cluster = 91;
+    shot.judgement.clusterX = 12;
+    shot.judgement.clusterY = 3;
     shot.judgement.flip = 0.0125;
     shot.difference = "teapot.difference.png";
     shot.reproduce = "glibra render glib/start/teapot.glib --size 256x256";
@@ -61,15 +65,18 @@ int occurrences(const std::string& text, const std::string& part) {
 
 TEST(Figures, SayWhatWasMeasuredAndWhatIsBeyondItsLimit) {
     const std::vector<Figure> list = figures(failedShot());
-    ASSERT_EQ(list.size(), 6U);
+    ASSERT_EQ(list.size(), 7U);
     EXPECT_EQ(list[0].value, "40/255 (blue, at 17 4)");
     EXPECT_EQ(list[0].limit, "3/255");
     EXPECT_TRUE(list[0].beyond);
     EXPECT_EQ(list[1].value, "240 (0.366 %)");
     EXPECT_TRUE(list[1].beyond);
-    EXPECT_EQ(list[4].value, "0.25/255");
-    EXPECT_FALSE(list[4].beyond);
-    EXPECT_EQ(list[5].value, "0.01250");
+    EXPECT_EQ(list[2].value, "91 (at 12 3)");
+    EXPECT_EQ(list[2].limit, "8");
+    EXPECT_TRUE(list[2].beyond);
+    EXPECT_EQ(list[5].value, "0.25/255 (at 16 0)");
+    EXPECT_FALSE(list[5].beyond);
+    EXPECT_EQ(list[6].value, "0.01250");
 }
 
 TEST(Figures, AreNoneWhereNothingWasCompared) {
