@@ -76,6 +76,10 @@ std::vector<Figure> figures(const ShotResult& shot) {
              fmt::format("{} (at {} {})", judgement.cluster, judgement.clusterX, judgement.clusterY),
              fmt::format("{}", shot.tolerance.cluster),
              std::cmp_greater(judgement.cluster, shot.tolerance.cluster)});
+    if (judgement.line > 0)
+        list.push_back({"most in a row or column", fmt::format("{}", judgement.line),
+                        fmt::format("{}", shot.tolerance.line),
+                        std::cmp_greater(judgement.line, shot.tolerance.line)});
     list.push_back({"pixels that differ", share(judgement.comparison.differingPixels, pixels), "", false});
     list.push_back(
         {"root mean square", fmt::format("{:.4g}", judgement.comparison.rootMeanSquare), "", false});

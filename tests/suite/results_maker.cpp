@@ -90,9 +90,17 @@ ShotResult ResultsMaker::shot() {
     made.judgement.bias = figure();
     made.judgement.flip = maybe();
     made.judgement.structure = maybe();
-    made.tolerance = {figure(), figure(), static_cast<int>(below(100)), figure(), maybe(), maybe(),
-                      figure(), figure()};
+    made.tolerance = {.largest = figure(),
+                      .fraction = figure(),
+                      .cluster = static_cast<int>(below(100)),
+                      .line = static_cast<int>(below(100)),
+                      .bias = figure(),
+                      .flip = maybe(),
+                      .structure = maybe(),
+                      .relative = figure(),
+                      .absolute = figure()};
     made.judgement.cluster = random_();
+    made.judgement.line = random_();
     made.judgement.clusterX = static_cast<int>(random_());
     made.judgement.clusterY = static_cast<int>(random_());
     made.judgement.biasX = static_cast<int>(random_());
