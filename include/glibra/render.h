@@ -35,6 +35,8 @@ struct RenderOptions {
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
+
+    friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats.

@@ -171,6 +171,19 @@ constexpr CatalogueRow kRows[] = {
     {"suite-E15", Severity::error, "--only 'teapto' means no shot; did you mean 'teapot'?"},
     {"suite-E16", Severity::error, "--shard '9 of 8' is not I/N, as 2/8"},
     {"suite-E17", Severity::error, "expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?"},
+    // Results of suites
+    {"result-E01", Severity::error, "this is no line of results: no verdict is called 'good'"},
+    {"result-E02", Severity::error,
+     "another run is writing its results to 'results'; give each run a folder of its own"},
+    {"result-E03", Severity::error,
+     "2 of 4 shards are missing: 2/4, 4/4; their shots are not in this result"},
+    {"result-E04", Severity::error,
+     "these runs do not belong together: shards of 2, 3; give the folders of one run"},
+    {"result-E05", Severity::error, "no folder of results is given"},
+    {"result-W01", Severity::warning,
+     "'start/teapot' is passed in 'a' and failed in 'b'; it counts as failed"},
+    {"result-W02", Severity::warning, "report of 'start/teapot': cannot find 'got/teapot.png'"},
+    {"result-N01", Severity::note, "the last line is torn, its shot is not counted"},
 };
 
 }  // namespace

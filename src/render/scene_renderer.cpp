@@ -167,6 +167,17 @@ int SceneRenderer::height() const {
     return state_->height;
 }
 
+bool SceneRenderer::remembersFrames() const {
+    const auto& passes = state_->scene.passes;
+    const auto& programs = state_->plan.programs;
+    return std::any_of(passes.begin(), passes.end(),
+                       [](const auto& each) { return !each.targets.empty(); }) ||
+           std::any_of(programs.begin(), programs.end(), [this](const auto& each) {
+               return each.variant.program != scene::kNone &&
+                      state_->programs.mayWriteImages(each.variant.program);
+           });
+}
+
 Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
                                           const RenderOptions& options, Stats& stats) {
     const auto refuse = [&](Diagnostics diagnostics) {

@@ -29,6 +29,9 @@ class SceneRenderer {
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
+    /// True if a picture may show what an earlier one left behind: rendered textures, or images that a shader
+    /// writes to. Otherwise the pictures of one load are those of a load each.
+    [[nodiscard]] bool remembersFrames() const;
 
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;

@@ -108,9 +108,10 @@ void readTolerance(const Context& in, const toml::node& node) {
         double most;
         void (*store)(image::Tolerance&, double);
     };
-    static constexpr std::array<Field, 7> kFields{{
+    static constexpr std::array<Field, 8> kFields{{
         {"max", 255, [](image::Tolerance& to, double v) { to.largest = v; }},
         {"fraction", 1, [](image::Tolerance& to, double v) { to.fraction = v; }},
+        {"cluster", 1e9, [](image::Tolerance& to, double v) { to.cluster = static_cast<int>(v); }},
         {"bias", 255, [](image::Tolerance& to, double v) { to.bias = v; }},
         {"flip", 1, [](image::Tolerance& to, double v) { to.flip = v; }},
         {"structure", 1, [](image::Tolerance& to, double v) { to.structure = v; }},
