@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
                 "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
+                "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
                 "3:19 suite-E03 set.uColor: one value is wanted, not a list of lists; a list of values "
                 "belongs in sweep\n"},
