@@ -198,6 +198,11 @@ std::vector<Pair> pairs(int width = 96, int height = 80) {
     return all;
 }
 
+float errorOf(const FlipResult& result, int x, int y) {
+    return result.errors[static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) +
+                         static_cast<std::size_t>(x)];
+}
+
 TEST(Flip, IsWithinATenThousandthOfADirectEvaluationInDouble) {
     for (const double ppd : {FlipOptions{}.pixelsPerDegree, 30.})
         for (const Pair& pair : pairs(48, 40)) {
@@ -208,8 +213,7 @@ TEST(Flip, IsWithinATenThousandthOfADirectEvaluationInDouble) {
                 for (int x = 0; x < a.width; ++x) {
                     const double exact = errorAt(a, b, x, y, ppd);
                     sum += exact;
-                    const double got =
-                        static_cast<double>(result.errors[static_cast<std::size_t>(y * a.width + x)]);
+                    const double got = static_cast<double>(errorOf(result, x, y));
                     worst = std::max(worst, std::abs(got - exact));
                 }
             EXPECT_NEAR(result.mean, sum / (a.width * a.height), 2e-6) << pair.name << ' ' << ppd;
@@ -252,14 +256,14 @@ TEST(Flip, EqualPicturesHaveNoError) {
 TEST(Flip, IsTheSameForAnyNumberOfThreadsAndAcrossTiles) {
     const Image a = testing::noisyImage(300, 150, 3, Component::u8);
     Image b = a;
-    b.data[3 * (300 * 66 + 130)] ^= std::byte{0x80};  // beside the corner where four tiles meet
+    b.data[3 * (std::size_t{300} * 66 + 130)] ^= std::byte{0x80};  // beside the corner where four tiles meet
     const FlipResult one = flip(a, b, {.threads = 1}), four = flip(a, b, {.threads = 4});
     EXPECT_EQ(one.errors, four.errors);
     EXPECT_GT(one.mean, 0);
     // Only pixels within the filters' reach differ, and those on all sides of it.
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 300; ++x) {
-            const float error = one.errors[static_cast<std::size_t>(y * 300 + x)];
+            const float error = errorOf(one, x, y);
             const int distance = std::max(std::abs(x - 130), std::abs(y - 66));
             if (distance > 10) {
                 EXPECT_EQ(error, 0) << x << ' ' << y;
@@ -298,7 +302,7 @@ TEST(Flip, NanAgainstANumberIsAnErrorOfOne) {
     Image a{30, 30, 3, Component::f32, std::vector<std::byte>(std::size_t{30} * 30 * 12)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    std::memcpy(&b.data[12 * (7 * 30 + 4)], &nan, 4);
+    std::memcpy(&b.data[12 * (std::size_t{7} * 30 + 4)], &nan, 4);
     const FlipResult result = flip(a, b);
     EXPECT_EQ(result.largest, 1);
     EXPECT_EQ(result.x, 4);

@@ -97,7 +97,7 @@ TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
     Image a{16, 16, 1, Component::f32, std::vector<std::byte>(1024)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    std::memcpy(&b.data[4 * (8 * 16 + 8)], &nan, 4);
+    std::memcpy(&b.data[4 * (std::size_t{8} * 16 + 8)], &nan, 4);
     // Of 7 x 7 windows one has it inside; the three others that hold it can step aside.
     EXPECT_NEAR(structure(a, b).difference, 1. / 49, 1e-6);
     EXPECT_EQ(structure(b, b).difference, 0);
