@@ -319,6 +319,8 @@ void addRender(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--tile", to.options.tileSize, "side of the tiles of large pictures in pixels")
         ->check(CLI::Range(16, 16384));
+    command->add_flag("--check-nan", to.options.checkNan,
+                      "name the draws that put NaN or infinity into the picture");
     command->add_flag("--strict", to.options.strict, "warnings are errors");
     command->add_flag("--no-shim", to.noShim,
                       "compile the shaders as they are, without translating their dialect");

@@ -83,7 +83,12 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
     glDepthMask(GL_TRUE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    std::size_t drawsBefore = 0;  // of the passes above this one
     for (const plan::PlannedPass& pass : plan_.passes) {
+        std::size_t drawIndex = drawsBefore;
+        drawsBefore += static_cast<std::size_t>(
+            std::count_if(pass.steps.begin(), pass.steps.end(),
+                          [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
         const bool isWindow = pass.pass->targets.empty();
         if (!isWindow && !texturePasses) continue;
         const gpu::Target* target = &window;
@@ -95,9 +100,11 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
         }
         beginPass(pass, *target);
         for (const auto& step : pass.steps) {
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+            if (drawIndex >= drawLimit_) break;
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
                 append(diagnostics, drawOne(*draw, *target, isWindow, time));
-            else
+                ++drawIndex;
+            } else
                 clear(*target, *std::get<const scene::Clear*>(step));
         }
         stats_.add("passes", 1);

@@ -10,6 +10,7 @@
 
 #include "image/inspect.h"
 #include "image/write.h"
+#include "render/nan_search.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 
@@ -92,11 +93,12 @@ class PictureWriter {
 };
 
 /// A picture of one colour is legal, but seldom meant; NaN never is.
-void remarkOnPicture(const image::Image& picture, const std::string& scene, Diagnostics& diagnostics) {
+void remarkOnPicture(const image::Image& picture, const std::string& scene, bool toBeSearched,
+                     Diagnostics& diagnostics) {
     if (image::isOneColor(picture))
         diagnostics.push_back(note("draw-N02", "the picture has only one colour", {scene, 1, 1}));
     const image::NonFinite bad = image::countNonFinite(picture);
-    if (bad.nan + bad.infinite > 0)
+    if (bad.nan + bad.infinite > 0 && !toBeSearched)
         diagnostics.push_back(warning(
             "draw-W06",
             fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
@@ -139,6 +141,11 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         result.failed = true;
         return result;
     }
+    Result<NanSearch> search;
+    if (options.checkNan) search = NanSearch::load(context, job.scene, options);
+    const auto checkNan = [&](double time) {
+        if (search) append(result.diagnostics, search->at(time));
+    };
     const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
@@ -146,8 +153,9 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
     if (job.frames == 1) {
         Result<image::Image> picture = loaded->draw(options.time, stats);
         append(result.diagnostics, std::move(picture.diagnostics));
+        checkNan(options.time);
         if (picture) {
-            remarkOnPicture(*picture, job.scene.string(), result.diagnostics);
+            remarkOnPicture(*picture, job.scene.string(), options.checkNan, result.diagnostics);
             append(result.diagnostics, writeOne(*picture));
         }
     } else {
@@ -155,8 +163,9 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         for (int i = 0; i < job.frames; ++i) {
             Result<image::Image> picture = loaded->draw(options.time + i / job.framesPerSecond, stats);
             append(result.diagnostics, std::move(picture.diagnostics));
+            checkNan(options.time + i / job.framesPerSecond);
             if (!picture || hasError(result.diagnostics)) break;
-            if (i == 0) remarkOnPicture(*picture, job.scene.string(), result.diagnostics);
+            if (i == 0) remarkOnPicture(*picture, job.scene.string(), options.checkNan, result.diagnostics);
             if (!writer.add(std::move(*picture), frameFile(job.output, i, job.frames))) break;
         }
         append(result.diagnostics, writer.finish());
