@@ -40,6 +40,13 @@ GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
 
+/// Fraction of the period that has passed. The remainder is exact, after any time; the largest float below 1
+/// keeps what rounds up from becoming 1.
+double timerAt(double time, double period) {
+    const double rest = std::fmod(time, period);
+    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
+}
+
 void enable(GLenum capability, bool on) {
     if (on)
         glEnable(capability);
@@ -159,7 +166,7 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
     facts.modelView = draw.modelView;
     if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
         facts.modelView = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -eyeDistance_)) * facts.modelView;
-    facts.timer = time / draw.timerPeriod - std::floor(time / draw.timerPeriod);
+    facts.timer = timerAt(time, draw.timerPeriod);
     facts.color = draw.color;
     facts.pointSize = draw.raster.pointSize;
     for (const plan::UniformBinding& binding :
