@@ -1,6 +1,8 @@
 #pragma once
 // Draws a FramePlan: the passes in order, each draw with its complete state.
 
+#include <cstddef>
+#include <limits>
 #include <set>
 
 #include "gpu/context.h"
@@ -27,6 +29,10 @@ class FrameDrawer {
     void setPictureSize(int width, int height);
     /// Distance the view policy moves the eye back, for draws with a perspective projection.
     void setEyeDistance(double distance) { eyeDistance_ = distance; }
+
+    /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
+    /// still begin with their implicit clears.
+    void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
 
     /// Draws one frame into `window`, which shows `tile`. With `texturePasses` false only the window's passes
     /// are drawn.
@@ -65,6 +71,7 @@ class FrameDrawer {
     std::vector<ProgramState> states_;
     int width_ = 1, height_ = 1;
     double eyeDistance_ = 0;
+    std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     Tile tile_;
     int clipDistances_ = 0;
     bool lineWidthTold_ = false;

@@ -10,6 +10,7 @@
 
 #include "image/inspect.h"
 #include "image/write.h"
+#include "render/nan_search.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 
@@ -105,13 +106,13 @@ bool wantsFloat(const std::filesystem::path& output) {
 
 }  // namespace
 
-Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene) {
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene, bool isSearched) {
     Diagnostics remarks;
     const Place place{scene.string(), 1, 1};
     if (image::isOneColor(picture))
         remarks.push_back(note("draw-N02", "the picture has only one colour", place));
     const image::NonFinite bad = image::countNonFinite(picture);
-    if (bad.nan + bad.infinite > 0)
+    if (bad.nan + bad.infinite > 0 && !isSearched)
         remarks.push_back(warning(
             "draw-W06",
             fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
@@ -141,6 +142,11 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         result.failed = true;
         return result;
     }
+    Result<NanSearch> search;
+    if (options.checkNan) search = NanSearch::load(context, job.scene, options);
+    const auto checkNan = [&](double time) {
+        if (search) append(result.diagnostics, search->at(time));
+    };
     const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
@@ -148,8 +154,9 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
     if (job.frames == 1) {
         Result<image::Image> picture = loaded->draw(options.time, stats);
         append(result.diagnostics, std::move(picture.diagnostics));
+        checkNan(options.time);
         if (picture) {
-            append(result.diagnostics, remarksOn(*picture, job.scene));
+            append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
             append(result.diagnostics, writeOne(*picture));
         }
     } else {
@@ -157,8 +164,9 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         for (int i = 0; i < job.frames; ++i) {
             Result<image::Image> picture = loaded->draw(options.time + i / job.framesPerSecond, stats);
             append(result.diagnostics, std::move(picture.diagnostics));
+            checkNan(options.time + i / job.framesPerSecond);
             if (!picture || hasError(result.diagnostics)) break;
-            if (i == 0) append(result.diagnostics, remarksOn(*picture, job.scene));
+            if (i == 0) append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
             if (!writer.add(std::move(*picture), frameFile(job.output, i, job.frames))) break;
         }
         append(result.diagnostics, writer.finish());

@@ -25,6 +25,11 @@ class SceneRenderer {
     /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
 
+    /// What colour output `color` of the target of plan().passes[pass] holds after the first `draws` draws of
+    /// the plan, counted over all passes: of the window the picture as draw() gives it, of a texture RGBA as
+    /// floats. For searches.
+    Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
+
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
