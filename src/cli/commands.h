@@ -24,6 +24,7 @@ inline constexpr int kNoDriver = 4;
 void addRender(CLI::App& app, int& status);
 void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
+void addView(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);
 void addLanguage(CLI::App& app, int& status);
 

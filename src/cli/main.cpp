@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     int status = glibra::cli::kDone;
     try {
         glibra::cli::addRender(app, status);
+        glibra::cli::addView(app, status);
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
         glibra::cli::addInfo(app, status);
