@@ -79,7 +79,9 @@ void helpWindow(Ui& ui) {
     ImGui::SetNextWindowPos({io.DisplaySize.x / 2, io.DisplaySize.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
     if (ImGui::Begin("Keys and mouse", &ui.showHelp,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
-        mark(ui, "helpWindow");
+        const ImVec2 at = ImGui::GetWindowPos();
+        const ImVec2 size = ImGui::GetWindowSize();
+        ui.widgets["helpWindow"] = {at.x, at.y, size.x, size.y};
         if (ImGui::BeginTable("keys", 2)) {
             const auto row = [](const char* keys, const char* what) {
                 ImGui::TableNextRow();

@@ -51,8 +51,9 @@ void slider(Ui& ui, std::size_t index, std::size_t component, const std::string&
                                       &knob.minimum, &knob.maximum, kNumberFormat);
     }
     mark(ui, name);
-    if (ImGui::IsItemActivated()) ui.valuesBeforeClick = knob.current;
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (ImGui::IsItemActivated() && !isSecondClick) ui.valuesBeforeClick = knob.current;
+    if (ImGui::IsItemHovered() && isSecondClick) {
         // The first click of the two has moved the slider.
         ui.session.setValue(index, ui.valuesBeforeClick);
         ui.typing = name;

@@ -10,6 +10,7 @@ import tempfile
 import time
 
 PAUSE = 0.02
+HANGING = 60  # seconds after which a window counts as hanging; nothing is measured by it
 
 
 class Desktop:
@@ -50,7 +51,8 @@ class Window:
     def close(self):
         if self.process.poll() is None:
             self.process.terminate()
-        self.process.communicate()
+        self.process.wait()
+        self.process.stderr.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def xdotool(self, *arguments):
@@ -66,8 +68,12 @@ class Window:
             return None
 
     def wait(self, holds):
-        """The first state for which that holds. CTest's time limit ends a wait for nothing."""
+        """The first state for which that holds. A wait for nothing ends with what the window says."""
+        end = time.monotonic() + HANGING
         while True:
+            if time.monotonic() > end:
+                shown = {k: v for k, v in (self.state() or {}).items() if k != "widgets"}
+                raise AssertionError(f"this never came: {shown}")
             if self.process.poll() is not None:
                 raise AssertionError("the window is gone: " + self.process.stderr.read())
             state = self.state()
@@ -134,7 +140,7 @@ class Window:
         time.sleep(3 * PAUSE)
 
     def type(self, text):
-        self.xdotool("type", "--delay", "40", text)
+        self.xdotool("type", "--delay", "40", "--", text)
         time.sleep(3 * PAUSE)
 
     def resize(self, width, height):

@@ -263,7 +263,7 @@ class Time(WindowTest):
         stepped = window.wait(lambda s: s["time"] > paused["time"])
         self.assertAlmostEqual(stepped["time"] - paused["time"], 1 / 30, 6)
         window.drag_widget("time/scrub", 0.2, 0.75)
-        scrubbed = window.wait(lambda s: 6 < s["time"] < 9)
+        scrubbed = window.wait(lambda s: 6 < s["time"] <= 10 and s["waiting"])
         self.assertFalse(scrubbed["playing"])
         self.assertShows(window, scene, "--time", repr(window.settle()["time"]))
 
@@ -334,8 +334,7 @@ class Frame(WindowTest):
         window.key("t")
         window.wait(lambda s: s["lightTheme"])
         window.key("ctrl+q")
-        window.process.communicate()
-        self.assertEqual(window.process.returncode, 0)
+        self.assertEqual(window.process.wait(), 0)
         remembered = json.loads((settings / "glibra/view.json").read_text())
         self.assertEqual(remembered["recent"], [str(OVALS)])
         again = self.open(OVALS, settings=settings)
