@@ -75,6 +75,8 @@ class Session {
 
     /// True if the picture is not what it should be.
     [[nodiscard]] bool needsFrame() const { return isStale_ && live_ != nullptr; }
+    /// Somebody drew into the picture.
+    void setNeedsFrame() { isStale_ = true; }
     /// Draws if that is needed. True if it did.
     bool drawIfNeeded();
     /// The picture drawn last; null before.

@@ -12,6 +12,7 @@ namespace glibra::view {
 struct Display::Events {
     bool active = true;
     std::vector<std::filesystem::path> dropped;
+    std::vector<KeyPress> pressed;
 };
 
 namespace {
@@ -68,8 +69,10 @@ Result<Display> Display::open(int width, int height, const std::string& title) {
     glfwSetScrollCallback(window, [](GLFWwindow* at, double, double) {
         static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* at, int, int, int, int) {
-        static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
+    glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int modifiers) {
+        auto& all = *static_cast<Events*>(glfwGetWindowUserPointer(at));
+        all.active = true;
+        if (action == GLFW_PRESS) all.pressed.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0});
     });
     glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int) {
         static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
@@ -157,6 +160,9 @@ void Display::wake() {
 }
 bool Display::takeActivity() {
     return std::exchange(events_->active, false);
+}
+std::vector<Display::KeyPress> Display::takePressedKeys() {
+    return std::exchange(events_->pressed, {});
 }
 std::vector<std::filesystem::path> Display::takeDropped() {
     return std::exchange(events_->dropped, {});

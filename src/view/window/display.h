@@ -44,6 +44,12 @@ class Display {
     static void wake();
     /// True once after any event reached the window.
     bool takeActivity();
+    /// A key that went down, also one that was up again before the next frame.
+    struct KeyPress {
+        int key = 0;  ///< GLFW's number
+        bool control = false;
+    };
+    std::vector<KeyPress> takePressedKeys();
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "view/save_values.h"
 #include "view/source_lines.h"
@@ -19,7 +20,7 @@ const ImVec4 kErrorColor{.95F, .35F, .30F, 1};
 const ImVec4 kWarningColor{.90F, .65F, .15F, 1};
 
 void recentMenu(Ui& ui) {
-    if (ImGui::Button("Open...")) ImGui::OpenPopup("open");
+    if (ImGui::Button("Open...") || std::exchange(ui.requests.openMenu, false)) ImGui::OpenPopup("open");
     mark(ui, "scene/open");
     if (!ImGui::BeginPopup("open")) return;
     ImGui::SetNextItemWidth(320 * ui.scale);

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "view/window/ui.h"
 
@@ -30,7 +32,7 @@ void toggleProjection(Ui& ui) {
     ui.session.setView(std::move(view));
 }
 
-const std::array<Shortcut, 21> kShortcuts{{
+const std::array<Shortcut, 23> kShortcuts{{
     {GLFW_KEY_SPACE, false, "Space", "play or pause",
      [](Ui& ui) {
          Clock clock = ui.session.clock();
@@ -60,6 +62,9 @@ const std::array<Shortcut, 21> kShortcuts{{
     {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view",
      [](Ui& ui) { ui.history.undo(ui.session); }},
     {GLFW_KEY_Y, true, "Ctrl+Y", "redo it", [](Ui& ui) { ui.history.redo(ui.session); }},
+    {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { ui.requests.openMenu = true; }},
+    {GLFW_KEY_I, false, "I", "look into textures and targets",
+     [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
     {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
 }};
@@ -67,10 +72,11 @@ const std::array<Shortcut, 21> kShortcuts{{
 }  // namespace
 
 void shortcuts(Ui& ui) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
-    for (const Shortcut& each : kShortcuts)
-        if (each.control == io.KeyCtrl && ImGui::IsKeyPressed(each.key, false)) each.act(ui);
+    const std::vector<Display::KeyPress> pressed = std::exchange(ui.pressed, {});
+    if (ImGui::GetIO().WantTextInput) return;
+    for (const Display::KeyPress& press : pressed)
+        for (const Shortcut& each : kShortcuts)
+            if (each.control == press.control && each.key == press.key) each.act(ui);
 }
 
 void helpWindow(Ui& ui) {

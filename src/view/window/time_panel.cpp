@@ -26,7 +26,8 @@ void timePanel(Ui& ui) {
     mark(ui, "time/zero");
     if (!ui.session.live().isAnimated()) {
         ImGui::SameLine();
-        ImGui::TextDisabled("no shader reads Timer");
+        ImGui::TextDisabled("no Timer");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("No shader of this scene reads Timer: it stands still");
     }
 
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Seconds ").x);

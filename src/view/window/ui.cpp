@@ -38,6 +38,7 @@ float panel(Ui& ui) {
             viewPanel(ui);
             timePanel(ui);
             hardcopyPanel(ui);
+            costPanel(ui);
         }
         if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
     }
@@ -55,6 +56,7 @@ void showAll(Ui& ui) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = ui.showPanel ? panel(ui) : 0;
     ui.picture = {0, 0, std::max(1.F, window.x - width), std::max(1.F, window.y)};
+    inspectorWindow(ui);
     helpWindow(ui);
     pictureInput(ui);
 }

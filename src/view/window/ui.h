@@ -10,8 +10,11 @@
 #include <vector>
 
 #include "gpu/context.h"
+#include "view/frame_cost.h"
 #include "view/history.h"
 #include "view/session.h"
+#include "view/texel_view.h"
+#include "view/window/display.h"
 #include "view/window/settings.h"
 
 namespace glibra::view {
@@ -23,6 +26,7 @@ using Rectangle = std::array<float, 4>;
 struct Requests {
     std::optional<std::filesystem::path> open;
     bool reload = false;
+    bool openMenu = false;
     bool close = false;
 };
 
@@ -34,6 +38,21 @@ struct HardcopyEntries {
     float framesPerSecond = 30;
     std::string message;  ///< how the last one went
     bool failed = false;
+};
+
+/// The window that looks into textures and targets.
+struct Inspector {
+    bool isOpen = false;
+    int chosen = -1;  ///< index of a texture of the scene; -1 the picture's colour, -2 its depth
+    int slice = 0;
+    float zoom = 1;
+    Showing showing;
+    std::uint64_t frame = 0;  ///< of the session, that `image` was read after
+    int readChosen = -3, readSlice = -1;
+    std::string readScene;
+    TexelImage image;
+    std::optional<gpu::Texture> shown;
+    std::string hovered;  ///< what is under the mouse: "12, 40: 0.5 0.25 0 1"
 };
 
 struct Ui {
@@ -56,8 +75,11 @@ struct Ui {
     bool typingBegins = false;  ///< it has to get the keyboard
     double typed = 0;
     std::vector<double> valuesBeforeClick;
-    int dragButton = -1;                       ///< mouse button that drags the picture
-    float dragLength = 0;                      ///< pixels so far
+    int dragButton = -1;   ///< mouse button that drags the picture
+    float dragLength = 0;  ///< pixels so far
+    Inspector inspector;
+    std::optional<FrameCost> cost;
+    std::vector<Display::KeyPress> pressed;
     std::string notice;                        ///< what the last action did, for the status line
     std::map<std::string, Rectangle> widgets;  ///< of this frame, by name
 };
@@ -72,6 +94,8 @@ void uniformsPanel(Ui& ui);
 void viewPanel(Ui& ui);
 void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
+void costPanel(Ui& ui);
+void inspectorWindow(Ui& ui);
 
 /// The mouse over the picture, and what is drawn over it.
 void pictureInput(Ui& ui);

@@ -75,6 +75,11 @@ void projection(Ui& ui) {
     if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
     mark(ui, "view/wireframe");
 
+    ImGui::SameLine();
+    ImGui::Checkbox("Textures", &ui.inspector.isOpen);
+    mark(ui, "view/inspector");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
+
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
         if (own)

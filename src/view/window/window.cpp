@@ -86,6 +86,7 @@ class Window {
     std::optional<InputRecorder> recorder_;
     std::vector<FrameInput> replay_;
     std::size_t replayed_ = 0;
+    std::vector<int> replayedKeys_;
     int framesWanted_ = kFramesAfterEvent;
     std::uint64_t framesPresented_ = 0;
     std::uint64_t reloads_ = 0;
@@ -199,6 +200,11 @@ bool Window::nextInput() {
     imposeInput(frame);
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui_.requests.open = *frame.open;
+    const bool control = ImGui::GetIO().KeyCtrl;
+    for (const int key : frame.keys)
+        if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
+            ui_.pressed.push_back({key, control});
+    replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
 }
@@ -208,6 +214,7 @@ void Window::drawFrame() {
     lastFrame_ = RealClock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    ui_.pressed = display_.takePressedKeys();
     const bool isReplayed = nextInput();
     if (recorder_) recorder_->add(presentInput());
     session_.advance(isReplayed ? 1.0 / 60 : passed);
@@ -266,6 +273,9 @@ void Window::writeState() {
     state["notice"] = ui_.notice;
     state["hardcopyMessage"] = ui_.hardcopy.message;
     state["lightTheme"] = lightTheme_;
+    state["inspected"] = ui_.inspector.hovered;
+    if (ui_.cost)
+        state["cost"] = {{"frames", ui_.cost->frames}, {"milliseconds", ui_.cost->millisecondsAFrame}};
     state["waiting"] = framesWanted_ <= 0 && !session_.isMoving() && replayed_ >= replay_.size();
     timespec cpu{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);

@@ -10,6 +10,7 @@ import time
 import unittest
 
 from desktop import Desktop, Window, rendered
+from random_input import frames
 
 PROGRAM = os.environ["GLIBRA_PROGRAM"]
 SOURCES = pathlib.Path(os.environ["GLIBRA_SOURCE_DIR"])
@@ -344,6 +345,62 @@ class Frame(WindowTest):
         window = self.open(OVALS, "--size", "600x600")
         window.click("help")
         window.wait(lambda s: "helpWindow" in s["widgets"])
+
+
+class Looking(WindowTest):
+    def test_the_inspector_tells_the_numbers_under_the_mouse(self):
+        window = self.open(self.files / "kinds.glib", "--size", "600x600")
+        window.click("view/inspector")
+        window.wait(lambda s: "inspector/image" in s["widgets"])
+        window.move(*window.point("inspector/what", 0.3))
+        left, top, _, _ = window.state()["widgets"]["inspector/image"]
+        window.move(left + 40.5, top + 30.5)
+        told = window.wait(lambda s: s["inspected"])["inspected"]
+        place, values = told.split(": ")
+        x, row = (int(each) for each in place.split(", "))
+        width, height, screen = rendered(PROGRAM, self.files / "kinds.glib", 600, 600)
+        at = 3 * ((height - 1 - row) * width + x)
+        for channel, value in zip(screen[at:at + 3], values.split()):
+            self.assertEqual(round(float(value) * 255), channel)
+
+    def test_the_frame_rate_is_measured(self):
+        window = self.open(self.files / "kinds.glib", "--size", "300x860")
+        window.click("cost")
+        window.click("cost/measure")
+        cost = window.wait(lambda s: "cost" in s)["cost"]
+        self.assertGreaterEqual(cost["frames"], 20)
+        self.assertGreater(cost["milliseconds"], 0)
+
+
+class Replay(WindowTest):
+    def test_recorded_input_gives_the_same_values_again(self):
+        record = self.files / "input.jsonl"
+        scene = self.files / "kinds.glib"
+        window = self.open(scene, "--size", "200x560", "--record", str(record))
+        window.drag_widget("uniform/Kinds/uFloat", 0.25, 0.8)
+        window.click("uniform/Kinds/uBool")
+        window.wait_knob("uBool", lambda v: v == [1])
+        window.drag((100, 280), (140, 250))
+        window.key("a")
+        recorded = window.wait(lambda s: s["axes"] and s["waiting"])
+        window.close()
+        state = self.files / "state.json"
+        subprocess.run([PROGRAM, "view", str(scene), "--size", "200x560", "--replay", str(record), "--state", str(state)],
+                       env=dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "fresh")), check=True)
+        replayed = json.loads(state.read_text())
+        self.assertEqual(replayed["knobs"], recorded["knobs"])
+        self.assertEqual(replayed["view"], recorded["view"])
+        self.assertTrue(replayed["axes"])
+
+    def test_random_input_does_no_harm(self):
+        (self.files / "broken.glib").write_text("Program {\nSphere -1 9999999 2\nVertex none.vert\nObj none.obj\n")
+        scenes = [str(self.files / "kinds.glib"), str(self.files / "broken.glib"), str(self.files / "none.glib"),
+                  str(self.files / "moving.glib"), str(OVALS)]
+        script = self.files / "random.jsonl"
+        script.write_text("".join(json.dumps(each) + "\n" for each in frames(1, 400, scenes)))
+        done = subprocess.run([PROGRAM, "view", str(OVALS), "--replay", str(script)], text=True, stderr=subprocess.PIPE,
+                              env=dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "fresh")))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 class NoDisplay(unittest.TestCase):
