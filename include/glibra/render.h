@@ -4,9 +4,11 @@
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,31 @@ enum class Driver { automatic, egl, eglDevice, osmesa };
 
 /// How the eye is placed: `automatic` moves it back from a scene that would be seen from inside.
 enum class ViewPolicy { automatic, glman };
+
+/// 4 x 4 numbers, column by column.
+using Matrix = std::array<double, 16>;
+inline constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+/// Whether the scene's own projections hold. `orthographic` shows what lies at the origin of the world as
+/// large as the scene's perspective does; `perspective` (50 degrees) shows an orthographic scene so.
+enum class ProjectionMode { scene, perspective, orthographic };
+
+/// What a window adds to the matrices of a scene, and replaces of it. The default changes nothing.
+struct ViewState {
+    Matrix scene = kIdentity;    ///< Projection becomes Projection * scene
+    Matrix eye = kIdentity;      ///< ModelView becomes eye * ModelView
+    Matrix texture = kIdentity;  ///< gl_TextureMatrix[0]
+    /// One object's own transform: ModelView * matrix for the draw of that line of the scene, counted from 1.
+    struct Object {
+        int line = 0;
+        Matrix matrix = kIdentity;
+        friend bool operator==(const Object&, const Object&) = default;
+    };
+    std::vector<Object> objects{};
+    ProjectionMode projection = ProjectionMode::scene;
+    std::optional<std::array<double, 4>> background{};  ///< instead of the window's clear colours
+    friend bool operator==(const ViewState&, const ViewState&) = default;
+};
 
 /// What may be asked of a picture beyond what the scene says.
 struct RenderOptions {
@@ -36,6 +63,7 @@ struct RenderOptions {
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
+    ViewState viewState{};
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

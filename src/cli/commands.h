@@ -25,8 +25,12 @@ void addRender(CLI::App& app, int& status);
 void addTest(CLI::App& app, int& status);
 void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
+void addView(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);
 void addLanguage(CLI::App& app, int& status);
+
+/// --scene-transform, --eye-transform and the other options of a window's view.
+void addViewOptions(CLI::App& command, ViewState& view);
 
 /// Words of --driver.
 inline const std::map<std::string, Driver> kDriverWords{{"auto", Driver::automatic},

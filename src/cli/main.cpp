@@ -15,6 +15,7 @@ int run(int argc, char** argv) {
     try {
         glibra::cli::addRender(app, status);
         glibra::cli::addTest(app, status);
+        glibra::cli::addView(app, status);
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
         glibra::cli::addInfo(app, status);

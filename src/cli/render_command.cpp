@@ -329,6 +329,7 @@ void addRender(CLI::App& app, int& status) {
         ->transform(CLI::CheckedTransformer(std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic},
                                                                               {"glman", ViewPolicy::glman}}));
     command->add_option("--samples", to.options.samples, "samples a pixel")->check(CLI::Range(1, 64));
+    addViewOptions(*command, to.options.viewState);
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
     command->add_option("--driver", to.driver, "which OpenGL: auto, egl, egl-device, osmesa")

@@ -75,12 +75,6 @@ void setInitialState() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
-/// llvmpipe reads it when it is loaded, so it has to be there before. A value of the user's own is left
-/// alone.
-void prepareEnvironment(const ContextOptions& options) {
-    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
-}
-
 std::string joined(const std::vector<std::string>& phrases) {
     std::string text;
     for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
@@ -88,6 +82,11 @@ std::string joined(const std::vector<std::string>& phrases) {
 }
 
 }  // namespace
+
+void prepareEnvironment(const ContextOptions& options) {
+    // A value of the user's own is left alone.
+    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
+}
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;

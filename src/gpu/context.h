@@ -82,6 +82,10 @@ class ContextOpening {
     std::future<Result<Context>> pending_;
 };
 
+/// Sets what drivers read from the environment when they are loaded (ContextOptions::floatFiltering). openContext
+/// does it by itself; who makes a context to adopt calls it first, before any thread exists.
+void prepareEnvironment(const ContextOptions& options = {});
+
 /// Takes over a context that is current on this thread (a window's). `loader` gives the address of a GL
 /// function or null. It is not destroyed with the Context. gpu-E01 if it is older than 4.1.
 Result<Context> adopt(const std::function<void*(const char*)>& loader);

@@ -60,6 +60,10 @@ Result<Override> parseOverride(std::string_view text) {
     if (equals == std::string_view::npos) return bad("NAME=VALUE is wanted");
     Override result;
     result.name = trimmed(text.substr(0, equals));
+    if (const std::size_t colon = result.name.rfind(':'); colon != std::string::npos) {
+        result.program = trimmed(std::string_view(result.name).substr(0, colon));
+        result.name = trimmed(std::string(result.name.substr(colon + 1)));
+    }
     if (result.name.empty()) return bad("the name is missing");
 
     std::string_view value = trimmed(text.substr(equals + 1));

@@ -77,18 +77,28 @@ class Resolver {
 
     void supply() {
         for (std::size_t i = 0; i < rows_.size(); ++i)
-            if (rows_[i] != nullptr && !isNoise(*rows_[i]))
-                result_.values.push_back({static_cast<int>(i), 0, Supplied{rows_[i]->value}});
+            if (rows_[i] != nullptr && !isNoise(*rows_[i])) {
+                UniformBinding& binding = result_.values.emplace_back();
+                binding.uniform = static_cast<int>(i);
+                binding.value.emplace<Supplied>(rows_[i]->value);
+            }
     }
 
     /// What the command line replaces; a value that means nothing for the type leaves the scene's alone.
     void findOverridden() {
-        for (const Override& each : overrides_)
+        for (const Override& each : overrides_) {
+            if (!isMeant(each)) continue;
             for (const NamedUniform& named : names_.find(each.name))
                 if (!readValue({each.name, each.form, each.values, {}, {}}, uniform(named.uniform),
                                named.oneElement)
                          .ignored)
                     overridden_.insert({named.uniform, named.element});
+        }
+    }
+
+    bool isMeant(const Override& each) const {
+        return each.program.empty() || each.program == program_.name ||
+               each.program == std::to_string(program_.place.line);
     }
 
     void applyPairs() {
@@ -109,6 +119,7 @@ class Resolver {
         if (used.size() < overrides_.size()) used.resize(overrides_.size());
         for (std::size_t i = 0; i < overrides_.size(); ++i) {
             const Override& each = overrides_[i];
+            if (!isMeant(each)) continue;
             const GivenValue given{each.name, each.form, each.values, {}, {}};
             const std::vector<NamedUniform> named = names_.find(each.name);
             if (!named.empty()) used[i] = true;

@@ -2,13 +2,11 @@
 
 #include <embedded/builtin_shaders.h>
 #include <array>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 #include <vector>
 
 #include "gpu/uniform.h"
-#include "scene/view.h"
 
 namespace glibra::render {
 namespace {
@@ -92,7 +90,7 @@ Result<Axes> Axes::create(const gpu::Context& context) {
                 static_cast<int>(lines.size()));
 }
 
-void Axes::draw(const scene::Scene& scene, double eyeDistance, const Tile& tile, int width,
+void Axes::draw(const scene::Scene& scene, const ViewMatrices& view, const Tile& tile, int width,
                 int height) const {
     const double aspect = static_cast<double>(width) / height;
     // The tile's part of clip space, as for the scene's own programs.
@@ -101,8 +99,7 @@ void Axes::draw(const scene::Scene& scene, double eyeDistance, const Tile& tile,
     part[1][1] = static_cast<double>(height) / tile.height;
     part[3][0] = (width - 2.0 * tile.x - tile.width) / tile.width;
     part[3][1] = (height - 2.0 * tile.y - tile.height) / tile.height;
-    const glm::dmat4 view = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -eyeDistance)) * scene.view;
-    const glm::dmat4 matrix = part * scene::projectionMatrix(lastProjection(scene), aspect) * view;
+    const glm::dmat4 matrix = part * view.projection(lastProjection(scene), aspect) * view.worldView();
     program_.use();
     gpu::setUniform(program_, matrix_, {glm::value_ptr(matrix), 16});
     lines_.bind();

@@ -18,9 +18,9 @@ class Axes {
     static Result<Axes> create(const gpu::Context& context);
 
     /// Draws into the bound target, which shows `tile` of a picture of that size: with the projection of the
-    /// scene's last draw into the window and the viewing matrix of its last LookAt, the eye moved back by
-    /// `eyeDistance`.
-    void draw(const scene::Scene& scene, double eyeDistance, const Tile& tile, int width, int height) const;
+    /// scene's last draw into the window and the world's view.
+    void draw(const scene::Scene& scene, const ViewMatrices& view, const Tile& tile, int width,
+              int height) const;
 
   private:
     Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "glsl/builtins.h"
+#include "render/reuse.h"
 #include "scene/primitives.h"
 
 namespace glibra::render {
@@ -36,14 +37,50 @@ bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string
 Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs) {
     Diagnostics diagnostics;
     deviceMeshes_.resize(plan.meshes.size());
+    deviceMeshKeys_.resize(plan.meshes.size());
     for (std::size_t i = 0; i < plan.meshes.size(); ++i) append(diagnostics, upload(plan, i, programs));
     for (const int texture : plan.textures) append(diagnostics, makeTexture(texture));
+    previous_ = nullptr;
     return diagnostics;
+}
+
+bool DeviceScene::takeMesh(std::size_t planned, const std::string& key) {
+    deviceMeshKeys_[planned] = key;
+    if (!previous_ || key.empty()) return false;
+    for (std::size_t i = 0; i < previous_->deviceMeshes_.size(); ++i)
+        if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key) {
+            deviceMeshes_[planned] = std::move(previous_->deviceMeshes_[i]);
+            return true;
+        }
+    return false;
+}
+
+bool DeviceScene::takeTexture(int index, const std::string& key) {
+    if (key.empty()) return false;
+    textureKeys_[index] = key;
+    if (!previous_) return false;
+    for (const auto& [known, knownKey] : previous_->textureKeys_) {
+        const auto found = previous_->textures_.find(known);
+        if (knownKey != key || found == previous_->textures_.end()) continue;
+        textures_.emplace(index, std::move(found->second));
+        previous_->textures_.erase(found);
+        return true;
+    }
+    return false;
 }
 
 const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics& diagnostics) {
     const auto [entry, isNew] = meshes_.try_emplace(shape);
     if (isNew) {
+        const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
+        if (!key.empty()) meshKeys_[shape] = key + (withTangents ? " t" : "");
+        if (previous_ && !key.empty())
+            for (auto& [known, mesh] : previous_->meshes_)
+                if (mesh && previous_->meshKeys_[known] == meshKeys_[shape]) {
+                    entry->second = std::move(mesh);
+                    mesh.reset();
+                    return &*entry->second;
+                }
         const StageTimer timer(stats_, "geometry");
         Result<geometry::Mesh> made = scene::makeMesh(scene_, shape, withTangents);
         append(diagnostics, std::move(made.diagnostics));
@@ -58,6 +95,11 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     const plan::PlannedMesh& wanted = plan.meshes[planned];
     const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(),
                                         geometry::kTangent) != wanted.attributes.end();
+    std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(wanted.shape)]);
+    if (!key.empty())
+        for (const std::string& each : wanted.attributes)
+            key += (wantsIntegers(plan, planned, each, programs) ? " i" : " ") + each;
+    if (takeMesh(planned, key)) return diagnostics;
     const geometry::Mesh* source = mesh(wanted.shape, withTangents, diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 

@@ -38,6 +38,9 @@ class DeviceScene {
     DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats)
         : context_(context), scene_(scene), stats_(stats) {}
 
+    /// What the scene had before it was read again: prepare() takes meshes and textures that are still the
+    /// same from it. It must live until then, and cannot draw afterwards.
+    void inherit(DeviceScene& previous) { previous_ = &previous; }
     /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
@@ -49,6 +52,7 @@ class DeviceScene {
 
     /// Null if the mesh has nothing to draw.
     [[nodiscard]] const DeviceMesh* deviceMesh(int planned) const;
+    /// Null if it has not been made.
     [[nodiscard]] const gpu::Texture* texture(int texture) const;
     /// Reads (0, 0, 0, 1) everywhere.
     const gpu::Texture& emptyTexture(scene::TextureTarget target);
@@ -59,6 +63,8 @@ class DeviceScene {
     Result<const gpu::Target*> target(const scene::Pass& pass);
 
   private:
+    bool takeMesh(std::size_t planned, const std::string& key);
+    bool takeTexture(int index, const std::string& key);
     Diagnostics upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs);
     Diagnostics makeTexture(int index);
     Result<gpu::Texture> createTexture(const scene::Texture& texture);
@@ -66,7 +72,11 @@ class DeviceScene {
     const gpu::Context& context_;
     const scene::Scene& scene_;
     Stats& stats_;
+    DeviceScene* previous_ = nullptr;
     std::map<int, std::optional<geometry::Mesh>> meshes_;
+    std::map<int, std::string> meshKeys_;  ///< of meshes_
+    std::vector<std::string> deviceMeshKeys_;
+    std::map<int, std::string> textureKeys_;
     std::vector<std::unique_ptr<DeviceMesh>> deviceMeshes_;
     std::map<int, gpu::Texture> textures_;
     std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it

@@ -5,6 +5,7 @@
 #include "image/texture_file.h"
 #include "noise/cache.h"
 #include "render/device_scene.h"
+#include "render/reuse.h"
 
 namespace glibra::render {
 namespace {
@@ -106,6 +107,7 @@ Diagnostics DeviceScene::makeTexture(int index) {
             return {};
         }
     }
+    if (takeTexture(index, reuseKey(scene_, texture))) return {};
     Result<gpu::Texture> made = createTexture(texture);
     if (made) {
         const gpu::TextureSize size = made->size();

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/uniform.h"
-#include "render/supplied.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::render {
 namespace {
+
+/// What is drawn with a program that is wrong.
+constexpr glm::dvec4 kMagenta{1, 0, 1, 1};
 
 std::array<float, 4> asFloats(const glm::dvec4& color) {
     return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b),
@@ -111,8 +113,9 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
                 append(diagnostics, drawOne(*draw, *target, isWindow, time));
                 ++drawIndex;
-            } else
-                clear(*target, *std::get<const scene::Clear*>(step));
+            } else {
+                clear(*target, *std::get<const scene::Clear*>(step), isWindow);
+            }
         }
         stats_.add("passes", 1);
     }
@@ -124,14 +127,26 @@ void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& ta
     target.bind();
     for (std::size_t i = 0; i < pass.pass->clearColors.size(); ++i)
         if (const auto& color = pass.pass->clearColors[i])
-            target.clearColor(static_cast<int>(i), asFloats(*color));
+            target.clearColor(static_cast<int>(i), asFloats(clearColor(*color, pass.pass->targets.empty())));
     if (pass.pass->clearDepth) target.clearDepth();
 }
 
-void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear) const {
+void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const {
     const int colors = target.readable().colorCount();
-    for (int i = 0; i < colors; ++i) target.clearColor(i, asFloats(clear.color));
+    for (int i = 0; i < colors; ++i) target.clearColor(i, asFloats(clearColor(clear.color, isWindow)));
     target.clearDepth();
+}
+
+glm::dvec4 FrameDrawer::clearColor(const glm::dvec4& color, bool isWindow) const {
+    const auto& chosen = view_.state().background;
+    if (!isWindow || !chosen) return color;
+    return {(*chosen)[0], (*chosen)[1], (*chosen)[2], (*chosen)[3]};
+}
+
+void FrameDrawer::forgetLiterals(int program) {
+    ProgramState& state = states_[static_cast<std::size_t>(program)];
+    state.literalsSet = false;
+    state.blocks.clear();
 }
 
 void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
@@ -159,16 +174,26 @@ void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
     }
 }
 
-void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                              const scene::Draw& draw, double aspect, bool isWindow, double time) {
+DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect, double time) const {
     DrawFacts facts;
-    facts.projection = scene::projectionMatrix(draw.projection, aspect);
-    facts.modelView = draw.modelView;
-    if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
-        facts.modelView = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -eyeDistance_)) * facts.modelView;
+    facts.projection = view_.projection(draw.projection, aspect);
+    facts.modelView = view_.modelView(draw);
+    facts.texture = view_.texture();
     facts.timer = timerAt(time, draw.timerPeriod);
     facts.color = draw.color;
     facts.pointSize = draw.raster.pointSize;
+    return facts;
+}
+
+void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts) {
+    for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i)
+        if (const glsl::BuiltinUniform* row = plan::suppliedBy(built.interface.uniforms[i]))
+            gpu::setUniform(*built.program, built.reflected.uniforms[i],
+                            suppliedValue(row->value, facts, built.reflected.uniforms[i].arraySize));
+}
+
+void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                              const DrawFacts& facts, bool isWindow) {
     for (const plan::UniformBinding& binding :
          plan_.programs[static_cast<std::size_t>(planned.program)].values) {
         const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
@@ -195,7 +220,7 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
 }
 
 void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                                    const scene::Draw& draw) const {
+                                    const glm::dvec4& color) const {
     const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
     for (const gpu::ActiveInput& input : built.reflected.inputs) {
         if (input.location < 0) continue;
@@ -207,7 +232,7 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
                         [&](const DeviceMesh::Attribute& each) { return each.name == attribute; });
         if (fed) continue;
         std::array<double, 4> value{0, 0, 0, 1};
-        if (attribute == geometry::kColor) value = {draw.color.r, draw.color.g, draw.color.b, draw.color.a};
+        if (attribute == geometry::kColor) value = {color.r, color.g, color.b, color.a};
         gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type.type, value);
     }
 }
@@ -262,22 +287,35 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
     if (!mesh) return diagnostics;
     const scene::Draw& draw = *planned.draw;
-    const BuiltProgram& built =
-        *programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    const BuiltProgram* own =
+        programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    const bool isUsable = own != nullptr && own->program;
+    if (!isUsable && (fallback_ == nullptr || !fallback_->program)) return diagnostics;
+    const BuiltProgram& built = isUsable ? *own : *fallback_;
     context_.debugLog().setPlace(draw.place);
     built.program->use();
-    setLiterals(planned.program, built);
     const double aspect = isWindow ? static_cast<double>(width_) / height_
                                    : static_cast<double>(target.width()) / target.height();
-    setSupplied(planned, built, draw, aspect, isWindow, time);
+    DrawFacts facts = factsOf(draw, aspect, time);
+    if (isUsable) {
+        setLiterals(planned.program, built);
+        setSupplied(planned, built, facts, isWindow);
+    } else {
+        facts.color = kMagenta;
+        setBuiltins(built, facts);
+    }
     const std::vector<gpu::Buffer>& blocks = states_[static_cast<std::size_t>(planned.program)].blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i)
         blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
-    setConstantInputs(planned, built, draw);
+    setConstantInputs(planned, built, facts.color);
     bindTextures(planned, built);
     setRaster(planned, built, isWindow, diagnostics);
     device_.vertexArray(planned.mesh, planned.program, built).bind();
+    if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    if (hook_) hook_(planned, isWindow, true);
     glDrawElements(glMode(planned.submission.topology), mesh->indexCount, GL_UNSIGNED_INT, nullptr);
+    if (hook_) hook_(planned, isWindow, false);
+    if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     const bool writesImages = std::any_of(planned.textures.begin(), planned.textures.end(),
                                           [](const plan::TextureUse& use) { return use.isImage; });
     if (writesImages) glMemoryBarrier(GL_ALL_BARRIER_BITS);

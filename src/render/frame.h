@@ -2,6 +2,7 @@
 // Draws a FramePlan: the passes in order, each draw with its complete state.
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -11,6 +12,8 @@
 #include "render/device_scene.h"
 #include "render/programs.h"
 #include "render/stats.h"
+#include "render/supplied.h"
+#include "render/view_matrices.h"
 #include "scene/view.h"
 
 namespace glibra::render {
@@ -27,8 +30,16 @@ class FrameDrawer {
 
     /// Size of the whole picture, which the window's aspect comes from.
     void setPictureSize(int width, int height);
-    /// Distance the view policy moves the eye back, for draws with a perspective projection.
-    void setEyeDistance(double distance) { eyeDistance_ = distance; }
+    void setView(ViewMatrices view) { view_ = std::move(view); }
+    /// Triangles as their edges.
+    void setWireframe(bool on) { wireframe_ = on; }
+    /// Called before (`begins`) and after the GL call of every draw, its program and state being bound.
+    using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
+    void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
+    /// The plan's literals of this program (index into FramePlan::programs) are others than before.
+    void forgetLiterals(int program);
+    /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
+    void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
 
     /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
     /// still begin with their implicit clears.
@@ -50,14 +61,17 @@ class FrameDrawer {
     };
 
     void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
-    void clear(const gpu::Target& target, const scene::Clear& clear) const;
+    void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
+    [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                         double time);
     void setLiterals(int program, const BuiltProgram& built);
-    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const scene::Draw& draw,
-                     double aspect, bool isWindow, double time);
+    [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect, double time) const;
+    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
+                     bool isWindow);
+    void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                           const scene::Draw& draw) const;
+                           const glm::dvec4& color) const;
     void bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built);
     void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
                    Diagnostics& diagnostics);
@@ -70,8 +84,11 @@ class FrameDrawer {
     Stats& stats_;
     std::vector<ProgramState> states_;
     int width_ = 1, height_ = 1;
-    double eyeDistance_ = 0;
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
+    ViewMatrices view_;
+    bool wireframe_ = false;
+    DrawHook hook_;
+    const BuiltProgram* fallback_ = nullptr;
     Tile tile_;
     int clipDistances_ = 0;
     bool lineWidthTold_ = false;

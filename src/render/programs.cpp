@@ -4,6 +4,7 @@
 
 #include <embedded/builtin_shaders.h>
 #include <algorithm>
+#include <utility>
 
 #include "image/file.h"
 #include "scene/file_lookup.h"
@@ -123,6 +124,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
             scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
         if (found.path.empty()) return std::nullopt;
         const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
+        included_.insert(found.path);
         if (!bytes) return std::nullopt;
         return glsl::IncludedFile{found.path.string(), asText(*bytes)};
     };
@@ -132,12 +134,40 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     return request;
 }
 
-void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
-    Diagnostics diagnostics;
-    glsl::TranslatedProgram translated;
+bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
+                             BuiltProgram& built, Diagnostics& diagnostics) {
     const Place programPlace = variant.program == scene::kNone
                                    ? Place{}
                                    : scene_.programs[static_cast<std::size_t>(variant.program)].place;
+    const StageTimer timer(stats_, "compile");
+    std::vector<gpu::StageSource> stages;
+    for (const glsl::TranslatedStage& each : translated.stages)
+        stages.push_back({glStage(each.stage), each.source});
+    gpu::BuildOutcome outcome = gpu::buildProgram(
+        context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+    for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
+        Diagnostics said = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+        if (!outcome.stages[i].compiled && !hasError(said))
+            said.push_back(error("glsl-E01", "the driver refuses it: " + outcome.stages[i].log,
+                                 {translated.stages[i].path, 1, 1}));
+        append(diagnostics, std::move(said));
+    }
+    if (!outcome.program && !hasError(diagnostics)) {
+        append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
+        if (!hasError(diagnostics))
+            diagnostics.push_back(
+                error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
+    }
+    stats_.add("programs", 1);
+    if (!outcome.program) return false;
+    built.reflected = gpu::reflect(*outcome.program);
+    built.program = std::move(outcome.program);
+    return true;
+}
+
+void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
+    Diagnostics diagnostics;
+    glsl::TranslatedProgram translated;
     {
         const StageTimer timer(stats_, "translate");
         const glsl::ProgramRequest asked = request(variant, diagnostics);
@@ -145,36 +175,31 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
-        const StageTimer timer(stats_, "compile");
-        std::vector<gpu::StageSource> stages;
-        for (const glsl::TranslatedStage& each : translated.stages)
-            stages.push_back({glStage(each.stage), each.source});
-        gpu::BuildOutcome outcome = gpu::buildProgram(
-            context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
-        for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
-            Diagnostics said =
-                glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
-            if (!outcome.stages[i].compiled && !hasError(said))
-                said.push_back(error("glsl-E01", "the driver refuses it: " + outcome.stages[i].log,
-                                     {translated.stages[i].path, 1, 1}));
-            append(diagnostics, std::move(said));
+        built.key = keyOf(variant, translated);
+        if (BuiltProgram* earlier = earlierByKey(built.key)) {
+            built.program = std::exchange(earlier->program, std::nullopt);
+            built.reflected = std::move(earlier->reflected);
+            built.remarks = std::move(earlier->remarks);
+        } else {
+            compile(variant, translated, built, built.remarks);
         }
-        if (!outcome.program && !hasError(diagnostics)) {
-            append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
-            if (!hasError(diagnostics))
-                diagnostics.push_back(
-                    error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
-        }
-        if (outcome.program) {
-            built.reflected = gpu::reflect(*outcome.program);
-            built.program = std::move(outcome.program);
-        }
-        stats_.add("programs", 1);
+        append(diagnostics, built.remarks);
+    }
+    const bool isBuiltin = variant.program == scene::kNone;
+    if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
+        built.program = std::exchange(earlier->program, std::nullopt);
+        built.reflected = std::move(earlier->reflected);
+        built.interface = std::move(earlier->interface);
+        built.interface.facts.diagnostics = std::move(diagnostics);
+        built.key = std::move(earlier->key);
+        built.remarks = std::move(earlier->remarks);
+        built.isLastGood = true;
+        return;
     }
     translated.diagnostics = std::move(diagnostics);
     built.interface = describe(built.reflected, std::move(translated));
     built.interface.usable = built.program.has_value();
-    built.interface.isBuiltin = variant.program == scene::kNone;
+    built.interface.isBuiltin = isBuiltin;
 }
 
 const plan::ProgramInterface& ProgramLibrary::interfaceOf(const plan::ProgramVariant& variant) {

@@ -3,9 +3,11 @@
 
 #include <glibra/render.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct BuiltProgram {
     std::optional<gpu::Program> program;  ///< nothing if it did not translate, compile or link
     gpu::ProgramInterface reflected;
     plan::ProgramInterface interface;
+    std::string key;          ///< its translated sources and its tags: equal keys, equal programs
+    Diagnostics remarks;      ///< what the compiler said of those sources
+    bool isLastGood = false;  ///< the sources as they are now fail; this is an earlier state of them
 };
 
 class ProgramLibrary {
@@ -32,6 +37,13 @@ class ProgramLibrary {
     ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
                    bool tiled, Stats& stats);
 
+    /// What the scene had before it was read again, with a scene that is still there. interfaceOf takes
+    /// programs from it that are still the same, and for those that now fail the last good state;
+    /// forgetPrevious() ends that.
+    void inherit(ProgramLibrary& previous) { previous_ = &previous; }
+    void forgetPrevious() { previous_ = nullptr; }
+    /// Every file that was read for a program, includes among them.
+    [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
     /// Translates, compiles and links at the first call for a variant.
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
     /// What interfaceOf has made; null for a variant never asked for.
@@ -50,13 +62,23 @@ class ProgramLibrary {
     [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);
     [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(int program, std::string_view tag) const;
     void build(const plan::ProgramVariant& variant, BuiltProgram& built);
+    [[nodiscard]] std::string keyOf(const plan::ProgramVariant& variant,
+                                    const glsl::TranslatedProgram& translated) const;
+    /// Which of the programs of the same name it is, and the name.
+    [[nodiscard]] std::pair<int, std::string> identityOf(const plan::ProgramVariant& variant) const;
+    BuiltProgram* earlierByKey(const std::string& key);
+    BuiltProgram* lastGoodOf(const plan::ProgramVariant& variant);
+    bool compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
+                 BuiltProgram& built, Diagnostics& diagnostics);
 
     const gpu::Context& context_;
     const scene::Scene& scene_;
     const RenderOptions& options_;
     bool tiled_;
     Stats& stats_;
+    ProgramLibrary* previous_ = nullptr;
     std::map<int, SourceFile> sources_;
+    std::set<std::filesystem::path> included_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
 };
 

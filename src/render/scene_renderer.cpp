@@ -38,7 +38,19 @@ Result<std::string> readScene(const std::filesystem::path& path) {
     return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
 }
 
-/// A scene's text to a Scene, with the diagnostics of both steps in the scene's.
+/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
+void removeRepeats(Diagnostics& diagnostics) {
+    std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        const bool byPlace = each.id == "glib-W15";
+        return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
+                             byPlace ? "" : each.text)
+                    .second;
+    });
+}
+
+}  // namespace
+
 Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
                                    Stats& stats) {
     Result<std::string> text = readScene(path);
@@ -56,17 +68,6 @@ Result<scene::Scene> interpretFile(const std::filesystem::path& path, const Rend
     return {std::move(scene), std::move(diagnostics)};
 }
 
-/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
-void removeRepeats(Diagnostics& diagnostics) {
-    std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
-    std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        const bool byPlace = each.id == "glib-W15";
-        return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
-                             byPlace ? "" : each.text)
-                    .second;
-    });
-}
-
 Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {
     Result<std::vector<plan::Override>> overrides{std::vector<plan::Override>{}};
     for (const std::string& each : set) {
@@ -77,8 +78,6 @@ Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string
     if (hasError(overrides.diagnostics)) overrides.value.reset();
     return overrides;
 }
-
-}  // namespace
 
 void applyStrict(Diagnostics& diagnostics, bool strict) {
     removeRepeats(diagnostics);
@@ -110,7 +109,7 @@ struct SceneRenderer::State {
     std::vector<Tile> parts;  ///< what of each tile goes into the picture
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
-    double eyeDistance = 0;
+    ViewMatrices view;
 
     Diagnostics preparePlan(Stats& stats, bool everything);
     Diagnostics placeEye(Stats& stats);
@@ -139,14 +138,17 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
 
 Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     Diagnostics diagnostics;
-    if (options.view == ViewPolicy::glman || scene.usesLookAt) return diagnostics;
-    const StageTimer timer(stats, "view");
-    const scene::ViewMove move = scene::autoView(
-        scene, [&](int shape) { return device.mesh(shape, false, diagnostics); },
-        static_cast<double>(width) / height);
-    eyeDistance = move.distance;
-    drawer->setEyeDistance(eyeDistance);
-    append(diagnostics, move.diagnostics);
+    double eyeDistance = 0;
+    if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
+        const StageTimer timer(stats, "view");
+        const scene::ViewMove move = scene::autoView(
+            scene, [&](int shape) { return device.mesh(shape, false, diagnostics); },
+            static_cast<double>(width) / height);
+        eyeDistance = move.distance;
+        append(diagnostics, move.diagnostics);
+    }
+    view = ViewMatrices(options.viewState, scene.view, eyeDistance);
+    drawer->setView(view);
     return diagnostics;
 }
 
@@ -244,7 +246,7 @@ Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image
         const StageTimer timer(stats, "draw");
         const bool textures = index == 0 || !drawer->texturesComeFirst();
         append(diagnostics, drawer->draw(*window, tile, time, textures));
-        if (axes) axes->draw(scene, eyeDistance, tile, width, height);
+        if (axes) axes->draw(scene, view, tile, width, height);
         window->resolve();
     }
     const StageTimer timer(stats, "readback");

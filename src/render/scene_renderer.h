@@ -49,6 +49,13 @@ class SceneRenderer {
     std::unique_ptr<State> state_;
 };
 
+/// A scene file's text to a Scene. The diagnostics of both steps are in the result; there is no value only if
+/// the file cannot be read (glib-E14, glib-E15).
+Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
+                                   Stats& stats);
+/// RenderOptions::set as overrides; no value if one of them cannot be read.
+Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set);
+
 /// A shader as the driver got it.
 struct TranslatedShader {
     std::string name;  ///< "3-Dots.frag": number of the program in its scene, its name, the stage

@@ -13,11 +13,11 @@ std::vector<double> numbers(const glm::mat<N, N, double>& matrix) {
     return values;
 }
 
-/// Without an interface every texture matrix, its inverse and its transpose are the identity.
-std::vector<double> identities(int elements) {
-    std::vector<double> values;
+/// The first texture matrix is the window's, the others are the identity.
+std::vector<double> textureMatrices(const glm::dmat4& first, int elements) {
+    std::vector<double> values = numbers<4>(first);
     const std::vector<double> one = numbers<4>(glm::dmat4(1.0));
-    for (int i = 0; i < elements; ++i) values.insert(values.end(), one.begin(), one.end());
+    for (int i = 1; i < elements; ++i) values.insert(values.end(), one.begin(), one.end());
     return values;
 }
 
@@ -64,10 +64,13 @@ std::vector<double> suppliedValue(glsl::Builtin builtin, const DrawFacts& facts,
         case Builtin::modelViewProjectionInverseTranspose:
             return numbers<4>(glm::transpose(inverse(modelViewProjection())));
         case Builtin::textureMatrix:
+            return textureMatrices(facts.texture, elements);
         case Builtin::textureMatrixInverse:
+            return textureMatrices(inverse(facts.texture), elements);
         case Builtin::textureMatrixTranspose:
+            return textureMatrices(glm::transpose(facts.texture), elements);
         case Builtin::textureMatrixInverseTranspose:
-            return identities(elements);
+            return textureMatrices(glm::transpose(inverse(facts.texture)), elements);
         case Builtin::currentColor:
             return {facts.color.r, facts.color.g, facts.color.b, facts.color.a};
         case Builtin::pointSize:

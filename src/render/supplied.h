@@ -15,6 +15,7 @@ struct DrawFacts {
     double timer = 0;  ///< 0..1
     glm::dvec4 color{1.0};
     double pointSize = 1;
+    glm::dmat4 texture{1.0};  ///< gl_TextureMatrix[0]
 };
 
 /// The value as numbers, column by column; arrays of matrices (the texture matrices) have `elements` of them.

@@ -1,0 +1,36 @@
+#pragma once
+// The matrices of a draw as a window's transforms change them (language, 6.2).
+
+#include <glibra/render.h>
+
+#include <glm/mat4x4.hpp>
+
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+glm::dmat4 asMatrix(const Matrix& numbers);
+Matrix asNumbers(const glm::dmat4& matrix);
+
+class ViewMatrices {
+  public:
+    ViewMatrices() = default;
+    /// `eyeDistance`: how far the view policy moves the eye back, for draws with a perspective projection.
+    ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance);
+
+    /// Projection * scene transform. `aspect`: width / height of what is drawn into.
+    [[nodiscard]] glm::dmat4 projection(const scene::Projection& projection, double aspect) const;
+    /// eye transform * view policy * ModelView * object transform.
+    [[nodiscard]] glm::dmat4 modelView(const scene::Draw& draw) const;
+    /// The same for what stands in the world without a draw of its own: the axes.
+    [[nodiscard]] glm::dmat4 worldView() const;
+    [[nodiscard]] glm::dmat4 texture() const { return asMatrix(state_.texture); }
+    [[nodiscard]] const ViewState& state() const { return state_; }
+
+  private:
+    ViewState state_;
+    glm::dmat4 sceneView_{1.0};
+    double eyeDistance_ = 0;
+};
+
+}  // namespace glibra::render

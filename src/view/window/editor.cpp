@@ -1,0 +1,73 @@
+#include "view/window/editor.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace glibra::view {
+namespace {
+
+/// Editors without a window of their own.
+constexpr std::array<std::string_view, 10> kTerminalEditors{"vi", "vim", "nvim", "nano", "micro",
+                                                            "ne", "joe", "hx",   "kak",  "emacs-nox"};
+
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> result;
+    for (std::string word; stream >> word;) result.push_back(word);
+    return result;
+}
+
+/// How the editor is told the line.
+void addPlace(std::vector<std::string>& command, const Place& place) {
+    const std::string editor = std::filesystem::path(command.front()).filename().string();
+    if (editor == "code" || editor == "codium") {
+        command.insert(command.end(),
+                       {"--goto", fmt::format("{}:{}:{}", place.file, place.line, place.column)});
+    } else if (editor == "subl" || editor == "hx" || editor == "zed") {
+        command.push_back(fmt::format("{}:{}:{}", place.file, place.line, place.column));
+    } else if (editor == "kate" || editor == "kwrite") {
+        command.insert(command.end(), {"--line", std::to_string(place.line), place.file});
+    } else {
+        command.insert(command.end(), {fmt::format("+{}", place.line), place.file});
+    }
+}
+
+}  // namespace
+
+std::string openInEditor(const Place& place) {
+    const char* variable = std::getenv("VISUAL");
+    if (!variable || !*variable) variable = std::getenv("EDITOR");
+    std::vector<std::string> command = words(variable ? variable : "");
+    if (command.empty()) return "set the environment variable EDITOR to open files at a line";
+    const std::string editor = std::filesystem::path(command.front()).filename().string();
+    if (std::find(kTerminalEditors.begin(), kTerminalEditors.end(), editor) != kTerminalEditors.end())
+        command.insert(command.begin(), {"x-terminal-emulator", "-e"});
+    std::vector<std::string> full = command;
+    const bool inTerminal = full.front() == "x-terminal-emulator";
+    if (inTerminal) {
+        std::vector<std::string> inner(full.begin() + 2, full.end());
+        addPlace(inner, place);
+        full.resize(2);
+        full.insert(full.end(), inner.begin(), inner.end());
+    } else {
+        addPlace(full, place);
+    }
+    std::vector<char*> arguments;
+    for (std::string& each : full) arguments.push_back(each.data());
+    arguments.push_back(nullptr);
+    pid_t process = -1;
+    if (posix_spawnp(&process, arguments.front(), nullptr, nullptr, arguments.data(), environ) != 0)
+        return fmt::format("cannot start '{}'", full.front());
+    return fmt::format("{}:{} opened with {}", place.file, place.line, editor);
+}
+
+}  // namespace glibra::view

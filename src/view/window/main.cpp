@@ -1,0 +1,86 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "view/window/window.h"
+
+namespace {
+
+constexpr int kWrongUsage = 2;
+constexpr int kNoDriver = 4;
+
+/// Folders of the environment variable GLIBRA_PATH.
+std::vector<std::filesystem::path> libraryRoots() {
+    std::vector<std::filesystem::path> roots;
+    const char* variable = std::getenv("GLIBRA_PATH");
+    std::string_view rest = variable ? variable : "";
+    while (!rest.empty()) {
+        const std::string_view folder = rest.substr(0, rest.find(':'));
+        if (!folder.empty()) roots.emplace_back(folder);
+        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    }
+    return roots;
+}
+
+int run(glibra::view::WindowArguments& arguments, const std::string& size) {
+    if (!size.empty()) {
+        char rest = 0;
+        // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers
+        // is bounded
+        const int fields = std::sscanf(size.c_str(), "%5dx%5d%c", &arguments.options.width,
+                                       &arguments.options.height, &rest);
+        if (fields != 2 || arguments.options.width < 1 || arguments.options.height < 1) {
+            std::fprintf(stderr, "glibra: error: --size %s is not WxH, as 800x600\n", size.c_str());
+            return kWrongUsage;
+        }
+    }
+    arguments.options.libraryRoots = libraryRoots();
+    int status = 0;
+    for (const glibra::Diagnostic& each : glibra::view::runWindow(arguments)) {
+        std::fprintf(stderr, "%s\n", glibra::toString(each).c_str());
+        if (each.severity != glibra::Severity::error) continue;
+        status = each.id == "view-E02" || each.id == "gpu-E01" ? kNoDriver : kWrongUsage;
+    }
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"glibra view: a scene in a window, with a slider for every range"};
+    glibra::view::WindowArguments arguments;
+    std::string scene;
+    std::string size;
+    app.add_option("SCENE", scene, "scene file (.glib)");
+    app.add_option("--set", arguments.set, "NAME=VALUE of a uniform; PROGRAM:NAME=VALUE for one program")
+        ->allow_extra_args(false);
+    app.add_option("--size", size, "WxH of the picture in pixels");
+    app.add_option("--time", arguments.options.time, "seconds at the start")->check(CLI::Range(0.0, 1e9));
+    app.add_flag("--paused", arguments.paused, "time stands still at first");
+    app.add_flag("--axes", arguments.options.axes, "draw axes two units long");
+    app.add_option("--view", arguments.options.view,
+                   "auto: the eye is moved back from a scene around it; glman: never")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, glibra::ViewPolicy>{
+            {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}}));
+    app.add_option("--state", arguments.stateFile,
+                   "write the window's state as JSON into this file whenever it changes");
+    app.add_option("--record", arguments.recordFile, "write the input of every frame into this file");
+    app.add_option("--replay", arguments.replayFile, "play recorded input, then quit")
+        ->check(CLI::ExistingFile);
+    try {
+        app.parse(argc, argv);
+        arguments.scene = scene;
+        return run(arguments, size);
+    } catch (const CLI::ParseError& wrong) {
+        return app.exit(wrong) == 0 ? 0 : kWrongUsage;
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        return kNoDriver;
+    }
+}

@@ -1,0 +1,111 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+struct Shortcut {
+    int key;
+    bool control;
+    const char* keys;
+    const char* what;
+    void (*act)(Ui&);
+};
+
+void step(Ui& ui, int frames) {
+    Clock clock = ui.session.clock();
+    clock.step(frames);
+    ui.session.setClock(clock);
+}
+
+void toggleProjection(Ui& ui) {
+    ViewState view = ui.session.view();
+    view.projection = view.projection == ProjectionMode::orthographic ? ProjectionMode::perspective
+                                                                      : ProjectionMode::orthographic;
+    ui.session.setView(std::move(view));
+}
+
+const std::array<Shortcut, 23> kShortcuts{{
+    {GLFW_KEY_SPACE, false, "Space", "play or pause",
+     [](Ui& ui) {
+         Clock clock = ui.session.clock();
+         clock.play(!clock.isPlaying());
+         ui.session.setClock(clock);
+     }},
+    {GLFW_KEY_PERIOD, false, ".", "one frame on", [](Ui& ui) { step(ui, 1); }},
+    {GLFW_KEY_COMMA, false, ",", "one frame back", [](Ui& ui) { step(ui, -1); }},
+    {GLFW_KEY_1, false, "1", "the mouse moves the scene", [](Ui& ui) { ui.mode = TransformMode::scene; }},
+    {GLFW_KEY_2, false, "2", "the mouse moves the eye", [](Ui& ui) { ui.mode = TransformMode::eye; }},
+    {GLFW_KEY_3, false, "3", "the mouse moves the picked object",
+     [](Ui& ui) { ui.mode = TransformMode::object; }},
+    {GLFW_KEY_4, false, "4", "the mouse moves texture coordinates",
+     [](Ui& ui) { ui.mode = TransformMode::texture; }},
+    {GLFW_KEY_R, false, "R", "reset all transforms, keep the values",
+     [](Ui& ui) { ui.session.resetTransforms(); }},
+    {GLFW_KEY_R, true, "Ctrl+R", "reset all values", [](Ui& ui) { ui.session.resetValues(); }},
+    {GLFW_KEY_P, false, "P", "orthographic or perspective", toggleProjection},
+    {GLFW_KEY_A, false, "A", "axes", [](Ui& ui) { ui.session.setAxes(!ui.session.axes()); }},
+    {GLFW_KEY_W, false, "W", "wireframe", [](Ui& ui) { ui.session.setWireframe(!ui.session.wireframe()); }},
+    {GLFW_KEY_L, false, "L", "values over the picture", [](Ui& ui) { ui.showLabels = !ui.showLabels; }},
+    {GLFW_KEY_T, false, "T", "light or dark",
+     [](Ui& ui) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
+    {GLFW_KEY_TAB, false, "Tab", "panel", [](Ui& ui) { ui.showPanel = !ui.showPanel; }},
+    {GLFW_KEY_ESCAPE, false, "Esc", "forget the picked object", [](Ui& ui) { ui.session.clearPick(); }},
+    {GLFW_KEY_F5, false, "F5", "read the scene again", [](Ui& ui) { ui.requests.reload = true; }},
+    {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view",
+     [](Ui& ui) { ui.history.undo(ui.session); }},
+    {GLFW_KEY_Y, true, "Ctrl+Y", "redo it", [](Ui& ui) { ui.history.redo(ui.session); }},
+    {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { ui.requests.openMenu = true; }},
+    {GLFW_KEY_I, false, "I", "look into textures and targets",
+     [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
+    {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }},
+    {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
+}};
+
+}  // namespace
+
+void shortcuts(Ui& ui) {
+    const std::vector<Display::KeyPress> pressed = std::exchange(ui.pressed, {});
+    if (ImGui::GetIO().WantTextInput) return;
+    for (const Display::KeyPress& press : pressed)
+        for (const Shortcut& each : kShortcuts)
+            if (each.control == press.control && each.key == press.key) each.act(ui);
+}
+
+void helpWindow(Ui& ui) {
+    if (!ui.showHelp) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({io.DisplaySize.x / 2, io.DisplaySize.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
+    if (ImGui::Begin("Keys and mouse", &ui.showHelp,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+        const ImVec2 at = ImGui::GetWindowPos();
+        const ImVec2 size = ImGui::GetWindowSize();
+        ui.widgets["helpWindow"] = {at.x, at.y, size.x, size.y};
+        if (ImGui::BeginTable("keys", 2)) {
+            const auto row = [](const char* keys, const char* what) {
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(keys);
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(what);
+            };
+            row("Left drag", "rotate");
+            row("Middle drag, wheel", "scale");
+            row("Right drag, Shift+left drag", "pan");
+            row("Click", "pick the object");
+            row("Double click on a slider", "type a value, also past the range");
+            for (const Shortcut& each : kShortcuts) row(each.keys, each.what);
+            ImGui::EndTable();
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,59 @@
+#include "view/window/theme.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace glibra::view {
+namespace {
+
+constexpr float kFontPixels = 15;
+
+/// DejaVu Sans in the folders where a desktop keeps its data; empty if it is not installed.
+std::string fontFile() {
+    const char* variable = std::getenv("XDG_DATA_DIRS");
+    std::string_view rest = variable && *variable ? variable : "/usr/local/share:/usr/share";
+    while (!rest.empty()) {
+        const std::string_view folder = rest.substr(0, rest.find(':'));
+        const auto file = std::filesystem::path(folder) / "fonts/truetype/dejavu/DejaVuSans.ttf";
+        std::error_code failure;
+        if (std::filesystem::is_regular_file(file, failure)) return file.string();
+        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    }
+    return {};
+}
+
+}  // namespace
+
+void loadFont(float scale) {
+    ImGuiIO& io = ImGui::GetIO();
+    const float pixels = std::round(kFontPixels * scale);
+    if (const std::string file = fontFile();
+        !file.empty() && io.Fonts->AddFontFromFileTTF(file.c_str(), pixels))
+        return;
+    ImFontConfig config;
+    config.SizePixels = pixels;
+    io.Fonts->AddFontDefault(&config);
+}
+
+void applyTheme(bool light, float scale) {
+    ImGuiStyle style;
+    if (light)
+        ImGui::StyleColorsLight(&style);
+    else
+        ImGui::StyleColorsDark(&style);
+    style.WindowRounding = 0;
+    style.FrameRounding = 3;
+    style.GrabRounding = 3;
+    style.WindowBorderSize = 0;
+    style.GrabMinSize = 12;
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
+}
+
+}  // namespace glibra::view

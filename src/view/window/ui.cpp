@@ -1,0 +1,64 @@
+#include "view/window/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace glibra::view {
+
+void mark(Ui& ui, const std::string& name) {
+    if (!ImGui::IsItemVisible()) return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 size = ImGui::GetItemRectSize();
+    ui.widgets[name] = {low.x, low.y, size.x, size.y};
+}
+
+namespace {
+
+constexpr float kPanelWidth = 380;
+constexpr float kNarrowestPanel = 240;
+constexpr float kWidestPart = .8F;
+
+/// Returns the panel's width.
+float panel(Ui& ui) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float usual = ui.settings.panelWidth > 0 ? ui.settings.panelWidth : kPanelWidth * ui.scale;
+    const float widest = std::max(1.F, window.x * kWidestPart);
+    const float narrowest = std::min(kNarrowestPanel * ui.scale, widest);
+    ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
+    ImGui::SetNextWindowSize({usual, window.y}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({narrowest, window.y}, {widest, window.y});
+    float width = usual;
+    if (ImGui::Begin("Controls", nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse)) {
+        scenePanel(ui);
+        messagesPanel(ui);
+        if (ui.session.hasScene()) {
+            uniformsPanel(ui);
+            viewPanel(ui);
+            timePanel(ui);
+            hardcopyPanel(ui);
+            costPanel(ui);
+        }
+        if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
+    }
+    width = ImGui::GetWindowWidth();
+    ImGui::End();
+    ui.settings.panelWidth = width;
+    return width;
+}
+
+}  // namespace
+
+void showAll(Ui& ui) {
+    ui.widgets.clear();
+    shortcuts(ui);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float width = ui.showPanel ? panel(ui) : 0;
+    ui.picture = {0, 0, std::max(1.F, window.x - width), std::max(1.F, window.y)};
+    inspectorWindow(ui);
+    helpWindow(ui);
+    pictureInput(ui);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,110 @@
+#pragma once
+// What the panels share: the session, what is being done to it, and where each widget stands.
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/context.h"
+#include "view/frame_cost.h"
+#include "view/history.h"
+#include "view/session.h"
+#include "view/texel_view.h"
+#include "view/window/display.h"
+#include "view/window/settings.h"
+
+namespace glibra::view {
+
+/// Left, top, width, height in screen coordinates.
+using Rectangle = std::array<float, 4>;
+
+/// What the panels ask of the loop.
+struct Requests {
+    std::optional<std::filesystem::path> open;
+    bool reload = false;
+    bool openMenu = false;
+    bool close = false;
+};
+
+/// The hardcopy section's entries.
+struct HardcopyEntries {
+    std::array<char, 1024> file{};
+    int width = 0, height = 0;  ///< 0: as on the screen
+    int frames = 1;
+    float framesPerSecond = 30;
+    std::string message;  ///< how the last one went
+    bool failed = false;
+};
+
+/// The window that looks into textures and targets.
+struct Inspector {
+    bool isOpen = false;
+    int chosen = -1;  ///< index of a texture of the scene; -1 the picture's colour, -2 its depth
+    int slice = 0;
+    float zoom = 1;
+    Showing showing;
+    std::uint64_t frame = 0;  ///< of the session, that `image` was read after
+    int readChosen = -3, readSlice = -1;
+    std::string readScene;
+    TexelImage image;
+    std::optional<gpu::Texture> shown;
+    std::string hovered;  ///< what is under the mouse: "12, 40: 0.5 0.25 0 1"
+};
+
+struct Ui {
+    Ui(gpu::Context& usedContext, Session& usedSession) : context(usedContext), session(usedSession) {}
+
+    gpu::Context& context;
+    Session& session;
+    History history;
+    Settings settings;
+    Requests requests;
+    HardcopyEntries hardcopy;
+    TransformMode mode = TransformMode::eye;
+    float scale = 1;
+    std::array<char, 1024> openEntry{};
+    std::vector<std::string> neighbours;  ///< scenes in the folder of the one that is shown
+    int lastErrors = 0;
+    bool showPanel = true, showHelp = false, showLabels = false;
+    Rectangle picture{};        ///< where the picture stands
+    std::string typing;         ///< the widget that is an entry field now: "uniform/Dots/uKd/0"
+    bool typingBegins = false;  ///< it has to get the keyboard
+    double typed = 0;
+    std::vector<double> valuesBeforeClick;
+    int dragButton = -1;   ///< mouse button that drags the picture
+    float dragLength = 0;  ///< pixels so far
+    Inspector inspector;
+    std::optional<FrameCost> cost;
+    std::vector<Display::KeyPress> pressed;
+    std::string notice;                        ///< what the last action did, for the status line
+    std::map<std::string, Rectangle> widgets;  ///< of this frame, by name
+};
+
+/// Remembers where the widget made last stands, under a name for tests and scripts.
+void mark(Ui& ui, const std::string& name);
+
+// The panels, each drawn into the current ImGui window.
+void scenePanel(Ui& ui);
+void messagesPanel(Ui& ui);
+void uniformsPanel(Ui& ui);
+void viewPanel(Ui& ui);
+void timePanel(Ui& ui);
+void hardcopyPanel(Ui& ui);
+void costPanel(Ui& ui);
+void inspectorWindow(Ui& ui);
+
+/// The mouse over the picture, and what is drawn over it.
+void pictureInput(Ui& ui);
+void pictureOverlay(Ui& ui);
+/// Keys that work wherever the mouse is, while no text is being entered.
+void shortcuts(Ui& ui);
+void helpWindow(Ui& ui);
+
+/// Everything of one frame.
+void showAll(Ui& ui);
+
+}  // namespace glibra::view

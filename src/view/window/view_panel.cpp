@@ -1,0 +1,114 @@
+// Transforms by numbers, projection, axes, background.
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "render/view_matrices.h"
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+struct ModeRow {
+    TransformMode mode;
+    const char* label;
+    const char* help;
+};
+constexpr std::array<ModeRow, 4> kModes{
+    {{TransformMode::scene, "Scene", "The scene transform, in the projection matrix"},
+     {TransformMode::eye, "Eye", "The eye transform, in the model-view matrix"},
+     {TransformMode::object, "Object", "The picked object's own model-view transform"},
+     {TransformMode::texture, "Texture", "gl_TextureMatrix[0]"}}};
+
+void modes(Ui& ui) {
+    for (const ModeRow& each : kModes) {
+        if (each.mode != TransformMode::scene) ImGui::SameLine();
+        if (ImGui::RadioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
+        mark(ui, std::string("mode/") + each.label);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
+    }
+}
+
+bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
+    const bool changed =
+        ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
+    mark(ui, std::string("transform/") + label);
+    return changed;
+}
+
+void numbers(Ui& ui) {
+    if (ui.mode == TransformMode::object) {
+        const auto& picked = ui.session.picked();
+        if (!picked) {
+            ImGui::TextDisabled("Click an object of the picture first.");
+            return;
+        }
+        ImGui::Text("%s, line %d", picked->word.c_str(), picked->line);
+    }
+    Similarity now = similarityOf(render::asMatrix(ui.session.transform(ui.mode)));
+    bool changed = drag(ui, "Translate", &now.translation.x, 3, .01F);
+    changed = drag(ui, "Rotate", &now.degrees.x, 3, .5F) || changed;
+    changed = drag(ui, "Scale", &now.scale, 1, .01F) || changed;
+    if (changed && now.scale > 0) ui.session.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
+    if (ImGui::Button("Reset this")) ui.session.setTransform(ui.mode, kIdentity);
+    mark(ui, "transform/resetThis");
+    ImGui::SameLine();
+    if (ImGui::Button("Reset all transforms")) ui.session.resetTransforms();
+    mark(ui, "transform/reset");
+}
+
+void projection(Ui& ui) {
+    ViewState view = ui.session.view();
+    int mode = static_cast<int>(view.projection);
+    ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Projection ").x);
+    if (ImGui::Combo("Projection", &mode, "as in the scene\0perspective\0orthographic\0"))
+        view.projection = static_cast<ProjectionMode>(mode);
+    mark(ui, "view/projection");
+
+    bool axes = ui.session.axes();
+    if (ImGui::Checkbox("Axes", &axes)) ui.session.setAxes(axes);
+    mark(ui, "view/axes");
+    ImGui::SameLine();
+    bool wireframe = ui.session.wireframe();
+    if (ImGui::Checkbox("Wireframe", &wireframe)) ui.session.setWireframe(wireframe);
+    mark(ui, "view/wireframe");
+
+    ImGui::SameLine();
+    ImGui::Checkbox("Textures", &ui.inspector.isOpen);
+    mark(ui, "view/inspector");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
+
+    bool own = view.background.has_value();
+    if (ImGui::Checkbox("Background", &own)) {
+        if (own)
+            view.background = {0, 0, 0, 1};
+        else
+            view.background.reset();
+    }
+    mark(ui, "view/ownBackground");
+    if (view.background) {
+        std::array<float, 3> rgb{};
+        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<float>((*view.background)[i]);
+        ImGui::SameLine();
+        if (ImGui::ColorEdit3("##background", rgb.data(),
+                              ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs))
+            view.background = {rgb[0], rgb[1], rgb[2], 1};
+        mark(ui, "view/background");
+    }
+    ui.session.setView(std::move(view));
+}
+
+}  // namespace
+
+void viewPanel(Ui& ui) {
+    if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    modes(ui);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
+    numbers(ui);
+    ImGui::PopItemWidth();
+    projection(ui);
+}
+
+}  // namespace glibra::view

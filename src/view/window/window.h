@@ -1,0 +1,25 @@
+#pragma once
+// The window program: one session, its panels, and the loop that draws only what changed.
+
+#include <glibra/diagnostic.h>
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glibra::view {
+
+struct WindowArguments {
+    std::filesystem::path scene;   ///< may be empty
+    std::vector<std::string> set;  ///< "NAME=VALUE"
+    RenderOptions options;         ///< width and height: of the picture
+    bool paused = false;
+    std::filesystem::path stateFile;  ///< JSON, written after every frame that changed it
+    std::filesystem::path recordFile, replayFile;
+};
+
+/// Runs until the window is closed. The diagnostics say why it could not be opened.
+Diagnostics runWindow(const WindowArguments& arguments);
+
+}  // namespace glibra::view

@@ -1,0 +1,207 @@
+#include <filesystem>
+
+#include "scene_folder.h"
+
+namespace glibra::test {
+namespace {
+
+using view::Session;
+using Color = std::array<int, 3>;
+
+std::string fragment(const std::string& expression) {
+    return "#version 330\nuniform float uR; uniform float uG; out vec4 c;\nvoid main() { c = vec4(" +
+           expression + ", 1.); }\n";
+}
+const std::string kScene =
+    "WindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uR <0 .2 1> uG <0 .4 1>\n"
+    "QuadXY 0 1\n";
+
+TEST(Reload, ShowsAnEditedShaderWithTheValuesAsTheyWere) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {.8});
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
+    folder.write("a.frag", fragment("uG, uR, 1."));
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{102, 204, 255}));
+}
+
+TEST(Reload, KeepsTheLastGoodProgramAndSaysWhatIsWrong) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {.8});
+    for (int i = 0; i < 3; ++i) {
+        folder.write("a.frag", fragment("uR, oops, 0."));
+        ASSERT_TRUE(session.reload());
+        session.drawIfNeeded();
+        EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
+        EXPECT_TRUE(session.live().showsEarlierProgram(0));
+        ASSERT_TRUE(hasError(session.diagnostics()));
+        EXPECT_EQ(session.diagnostics().front().place.line, 3) << text(session.diagnostics());
+        EXPECT_NE(session.diagnostics().front().text.find("oops"), std::string::npos);
+    }
+    session.setValue(knobIndex(session, "uG"), {1});
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 255, 0})) << "its values can still be turned";
+    folder.write("a.frag", fragment("0., uG, 1."));
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{0, 255, 255}));
+    EXPECT_FALSE(session.live().showsEarlierProgram(0));
+    EXPECT_FALSE(hasError(session.diagnostics()));
+}
+
+TEST(Reload, AnEmptyOrMissingShaderCountsAsFailing) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    folder.write("a.frag", "");
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
+    EXPECT_TRUE(hasError(session.diagnostics()));
+    std::filesystem::remove(folder / "a.frag");
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
+    EXPECT_TRUE(hasError(session.diagnostics()));
+}
+
+TEST(Reload, OfASceneKeepsValuesWhoseSpecificationIsUnchanged) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {.8});
+    session.setValue(knobIndex(session, "uG"), {1});
+    folder.write(
+        "scene.glib",
+        "# moved down\nWindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uR <0 .2 "
+        "1> uG <0 .6 1>\nQuadXY 0 1\n");
+    ASSERT_TRUE(session.reload());
+    EXPECT_EQ(session.knob("", "uR")->current.front(), .8);
+    EXPECT_EQ(session.knob("", "uG")->current.front(), .6);
+}
+
+TEST(Reload, ATagThatIsGoneGivesTheUniformItsFirstValueBack) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
+    folder.write("scene.glib",
+                 "WindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uR <0 .2 "
+                 "1>\nQuadXY 0 1\n");
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 0, 0}));
+}
+
+TEST(Reload, CompilesOnlyWhatChanged) {
+    const SceneFolder folder(
+        "WindowSize 16 16\nOrtho -2 2 -1 1\nVertex a.vert\nFragment a.frag\nProgram A uR .2\n"
+        "QuadXY 0 1\nFragment b.frag\nProgram B uR .2\nSphere 1 60 60\n",
+        {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}, {"b.frag", fragment("0., uR, uG")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    const auto count = [&](std::string_view name) {
+        for (const render::Stats::Count& each : session.live().loadStats().counts)
+            if (each.name == name) return each.value;
+        return std::uint64_t{0};
+    };
+    EXPECT_EQ(count("programs"), 2U);
+    EXPECT_EQ(count("meshes"), 2U);
+    folder.write("b.frag", fragment("1., uR, uG"));
+    ASSERT_TRUE(session.reload());
+    EXPECT_EQ(count("programs"), 1U);
+    EXPECT_EQ(count("meshes"), 0U);
+    ASSERT_TRUE(session.reload());
+    EXPECT_EQ(count("programs"), 0U);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{255, 51, 0})) << text(session.diagnostics());
+}
+
+TEST(Reload, ReadsAnEditedIncludeAndTextureAndModel) {
+    const std::string sampled =
+        "#version 330\n#include \"tint.glsl\"\nuniform sampler2D uT; in vec4 vST; out vec4 c;\n"
+        "void main() { c = vec4(texture(uT, vST.st).rgb * tint(), 1.); }\n";
+    const auto bmp = [](unsigned char red) {
+        std::string bytes(
+            "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0\0\0\0\0\4\0\0\0", 38);
+        bytes += std::string(16, '\0');
+        bytes += std::string{'\0', '\0', static_cast<char>(red), '\0'};
+        return bytes;
+    };
+    const SceneFolder folder(
+        "WindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nTexture2D 5 p.bmp\nProgram P uT "
+        "5\n"
+        "Obj m.obj\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag", sampled},
+         {"tint.glsl", "vec3 tint() { return vec3(1.); }\n"},
+         {"p.bmp", bmp(200)},
+         {"m.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{200, 0, 0})) << text(session.diagnostics());
+    bool watchesInclude = false;
+    for (const auto& each : session.live().files())
+        watchesInclude = watchesInclude || each.filename() == "tint.glsl";
+    EXPECT_TRUE(watchesInclude);
+
+    folder.write("p.bmp", bmp(100));
+    std::filesystem::last_write_time(
+        folder / "p.bmp", std::filesystem::last_write_time(folder / "p.bmp") + std::chrono::seconds(1));
+    session.reload();
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{100, 0, 0}));
+
+    folder.write("tint.glsl", "vec3 tint() { return vec3(.5); }\n");
+    session.reload();
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{50, 0, 0}));
+
+    folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n# longer\n");
+    session.reload();
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 12, 4), (Color{50, 0, 0}));
+    EXPECT_EQ(pixelOf(session, 4, 12), (Color{18, 27, 33})) << "background";
+}
+
+TEST(Reload, ASceneThatIsGoneLeavesWhatIsShown) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    std::filesystem::remove(folder.scene());
+    EXPECT_FALSE(session.reload());
+    session.resize(20, 20);
+    EXPECT_TRUE(session.drawIfNeeded());
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
+    folder.write("scene.glib", kScene);
+    EXPECT_TRUE(session.reload());
+    EXPECT_FALSE(hasError(session.diagnostics()));
+}
+
+TEST(Reload, TransformsOfObjectsFollowTheirStatement) {
+    const SceneFolder folder("WindowSize 16 16\nOrtho -1 1 -1 1\nColor 1 0 0\nQuadXY 0 1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    ViewState view;
+    Matrix moved = kIdentity;
+    moved[12] = 1;
+    view.objects = {{4, moved}};
+    session.setView(view);
+    folder.write("scene.glib", "WindowSize 16 16\n\n\nOrtho -1 1 -1 1\nColor 1 0 0\nQuadXY 0 1\n");
+    ASSERT_TRUE(session.reload());
+    ASSERT_EQ(session.view().objects.size(), 1U);
+    EXPECT_EQ(session.view().objects.front().line, 6);
+}
+
+}  // namespace
+}  // namespace glibra::test

@@ -1,0 +1,75 @@
+#include "scene_folder.h"
+
+#include <stdlib.h>
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "gpu/readback.h"
+
+namespace glibra::test {
+
+gpu::Context& context() {
+    static const std::unique_ptr<gpu::Context> shared = [] {
+        Result<gpu::Context> opened = gpu::openContext();
+        if (!opened) throw std::runtime_error(text(opened.diagnostics));
+        return std::make_unique<gpu::Context>(std::move(*opened));
+    }();
+    return *shared;
+}
+
+SceneFolder::SceneFolder(std::string_view scene, const std::map<std::string, std::string>& files) {
+    std::string name = (std::filesystem::temp_directory_path() / "glibra-view-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("mkdtemp");
+    folder_ = name;
+    write("scene.glib", scene);
+    for (const auto& [file, content] : files) write(file, content);
+}
+
+SceneFolder::~SceneFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+}
+
+void SceneFolder::write(std::string_view name, std::string_view content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+}
+
+std::string SceneFolder::read(std::string_view name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::byte> pixelsOf(const view::Session& session) {
+    const gpu::Target* picture = session.picture();
+    if (!picture) return {};
+    auto pixels = gpu::readPixels(context().capabilities(), picture->readable(), 0,
+                                  {0, 0, picture->width(), picture->height()}, {3, gpu::TexelType::u8});
+    return pixels ? std::move(*pixels) : std::vector<std::byte>();
+}
+
+std::array<int, 3> pixelOf(const view::Session& session, int x, int y) {
+    const std::vector<std::byte> all = pixelsOf(session);
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(session.width()) +
+                                static_cast<std::size_t>(x));
+    if (at + 2 >= all.size()) return {-1, -1, -1};
+    return {std::to_integer<int>(all[at]), std::to_integer<int>(all[at + 1]),
+            std::to_integer<int>(all[at + 2])};
+}
+
+std::size_t knobIndex(const view::Session& session, std::string_view tag) {
+    for (std::size_t i = 0; i < session.knobs().size(); ++i)
+        if (session.knobs()[i].tag == tag) return i;
+    ADD_FAILURE() << "no knob " << tag;
+    return 0;
+}
+
+std::string text(const Diagnostics& diagnostics) {
+    std::string all;
+    for (const Diagnostic& each : diagnostics) all += toString(each) + "\n";
+    return all;
+}
+
+}  // namespace glibra::test

@@ -1,0 +1,53 @@
+#pragma once
+// A scene in a folder of its own, and a session that shows it without a window.
+
+#include <glibra/render.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "gpu/context.h"
+#include "view/session.h"
+
+namespace glibra::test {
+
+/// One context that all tests of the program share.
+gpu::Context& context();
+
+/// Goes with the object.
+class SceneFolder {
+  public:
+    explicit SceneFolder(std::string_view scene, const std::map<std::string, std::string>& files = {});
+    SceneFolder(const SceneFolder&) = delete;
+    SceneFolder& operator=(const SceneFolder&) = delete;
+    ~SceneFolder();
+
+    [[nodiscard]] std::filesystem::path scene() const { return folder_ / "scene.glib"; }
+    [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return folder_ / name; }
+    void write(std::string_view name, std::string_view content) const;
+    [[nodiscard]] std::string read(std::string_view name) const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// Red, green, blue, 0..255, of the picture drawn last; counted from the top left.
+std::array<int, 3> pixelOf(const view::Session& session, int x, int y);
+/// All of it, RGB, top row first.
+std::vector<std::byte> pixelsOf(const view::Session& session);
+
+/// Number of the knob; fails the test if there is none.
+std::size_t knobIndex(const view::Session& session, std::string_view tag);
+
+std::string text(const Diagnostics& diagnostics);
+
+/// A vertex shader that does nothing else.
+inline constexpr const char* kPlainVertex =
+    "#version 330\nout vec4 vST;\nvoid main() { vST = aTexCoord0; gl_Position = uModelViewProjectionMatrix * "
+    "aVertex; }\n";
+
+}  // namespace glibra::test

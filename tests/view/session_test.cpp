@@ -1,0 +1,289 @@
+#include <glm/gtc/type_ptr.hpp>
+
+#include "render/view_matrices.h"
+#include "scene_folder.h"
+
+namespace glibra::test {
+namespace {
+
+using view::Session;
+using Color = std::array<int, 3>;
+
+constexpr const char* kFlatFragment =
+    "#version 330\nuniform float uR; uniform int uG; uniform bool uB; uniform vec3 uTint; out vec4 c;\n"
+    "void main() { c = vec4(uR, float(uG) / 4., uB ? 1. : 0., 1.) * vec4(uTint, 1.); }\n";
+constexpr const char* kFlatScene =
+    "WindowSize 32 32\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\n"
+    "Program Flat uR <0 .2 1> uG <0 1 4> uB <false> uTint {1 1 1}\nQuadXY 0 1\n";
+
+const std::map<std::string, std::string> kFlatFiles{{"a.vert", kPlainVertex}, {"a.frag", kFlatFragment}};
+
+TEST(Session, DrawsTheSceneInItsWindowSize) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    EXPECT_TRUE(session.drawIfNeeded());
+    EXPECT_EQ(session.width(), 32);
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{51, 64, 0})) << text(session.diagnostics());
+}
+
+TEST(Session, DrawsNoFrameWhenNothingChanged) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    for (int i = 0; i < 100; ++i) {
+        session.advance(.1);
+        EXPECT_FALSE(session.drawIfNeeded());
+        session.setValue(knobIndex(session, "uR"), {.2});
+        session.setView(session.view());
+        session.resize(32, 32);
+    }
+    EXPECT_EQ(session.framesDrawn(), 1U);
+}
+
+TEST(Session, EveryKindOfValueReachesThePicture) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {.8});
+    session.setValue(knobIndex(session, "uG"), {3});
+    session.setValue(knobIndex(session, "uB"), {1});
+    session.setValue(knobIndex(session, "uTint"), {1, 1, .4});
+    EXPECT_TRUE(session.drawIfNeeded());
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{204, 191, 102}));
+    session.resetValue(knobIndex(session, "uG"));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{204, 64, 102}));
+    session.resetValues();
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{51, 64, 0}));
+}
+
+TEST(Session, ValuesBeyondTheRangeAreKeptAndIntegersCut) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {7.5});
+    session.setValue(knobIndex(session, "uG"), {2.9});
+    EXPECT_EQ(session.knob("", "uR")->current, std::vector<double>{7.5});
+    EXPECT_EQ(session.knob("", "uG")->current, std::vector<double>{2});
+}
+
+TEST(Session, KnobsHaveTheWidgetsOfTheirForms) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    EXPECT_EQ(session.knob("Flat", "uR")->widget, view::Widget::slider);
+    EXPECT_EQ(session.knob("Flat", "uR")->maximum, 1);
+    EXPECT_TRUE(session.knob("Flat", "uG")->isInteger());
+    EXPECT_EQ(session.knob("Flat", "uB")->widget, view::Widget::checkBox);
+    EXPECT_EQ(session.knob("Flat", "uTint")->widget, view::Widget::color);
+    EXPECT_EQ(session.knob("Other", "uR"), nullptr);
+}
+
+TEST(Session, ASetArgumentOfOneProgramLeavesTheOtherAlone) {
+    const SceneFolder folder(
+        "WindowSize 32 16\nOrtho -2 2 -1 1\nVertex a.vert\nFragment a.frag\n"
+        "Program One uR <0 .2 1>\nQuadXY 0 1\nTranslate 1 0 0\nProgram Two uR <0 .6 1>\nQuadXY 0 .5\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag",
+          "#version 330\nuniform float uR; out vec4 c;\nvoid main() { c = vec4(uR, 0., 0., 1.); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    EXPECT_TRUE(session.setByText("One:uR=1").empty());
+    EXPECT_EQ(session.knob("One", "uR")->current.front(), 1);
+    EXPECT_EQ(session.knob("Two", "uR")->current.front(), .6);
+    EXPECT_TRUE(session.setByText("8:uR=0").empty());
+    EXPECT_EQ(session.knob("Two", "uR")->current.front(), 0);
+    EXPECT_FALSE(session.setByText("Three:uR=0").empty());
+    EXPECT_FALSE(session.setByText("uR=red").empty());
+}
+
+TEST(Session, AFaultyStatementIsLeftOutAndTheRestDrawn) {
+    const SceneFolder folder("WindowSize 32 32\nSpere 1\nOrtho -1 1 -1 1\nColor 0 1 0\nQuadXY 0 1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{0, 255, 0}));
+    ASSERT_FALSE(session.diagnostics().empty());
+    EXPECT_EQ(session.diagnostics().front().id, "glib-E01");
+    EXPECT_EQ(session.diagnostics().front().place.line, 2);
+}
+
+TEST(Session, AProgramThatFailsAtFirstDrawsMagenta) {
+    const SceneFolder folder(kFlatScene,
+                             {{"a.vert", kPlainVertex}, {"a.frag", "#version 330\nvoid main() { x }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{255, 0, 255}));
+    EXPECT_TRUE(hasError(session.diagnostics()));
+    EXPECT_TRUE(session.knobs().empty());
+}
+
+TEST(Session, AnUnreadableSceneLeavesWhatIsShown) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_FALSE(session.open(folder / "none.glib"));
+    EXPECT_TRUE(hasError(session.diagnostics()));
+    EXPECT_EQ(session.path(), folder.scene());
+    EXPECT_EQ(pixelOf(session, 16, 16), (Color{51, 64, 0}));
+}
+
+TEST(Session, TheBackgroundOfTheViewReplacesTheScenes) {
+    const SceneFolder folder("WindowSize 16 16\nBackground 1 0 0\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 3, 3), (Color{255, 0, 0}));
+    ViewState view;
+    view.background = {0, 0, 1, 1};
+    session.setView(view);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 3, 3), (Color{0, 0, 255}));
+}
+
+/// A shader that shows a matrix it is given: red, green, blue are elements [3][0], [3][1], [3][2].
+std::map<std::string, std::string> matrixFiles(const std::string& name) {
+    return {{"a.vert", "#version 330\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n"},
+            {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(" + name + "[3].xyz, 1.); }\n"}};
+}
+
+Color shownMatrix(const std::string& name, const ViewState& view,
+                  const std::string& projection = "Ortho -1 1 -1 1") {
+    const SceneFolder folder(
+        "WindowSize 16 16\n" + projection + "\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1\n",
+        matrixFiles(name));
+    Session session(context(), {});
+    EXPECT_TRUE(session.open(folder.scene()));
+    session.setView(view);
+    session.drawIfNeeded();
+    EXPECT_EQ(text(session.diagnostics()), "");
+    return pixelOf(session, 8, 8);
+}
+
+Matrix translation(double x, double y, double z) {
+    Matrix matrix = kIdentity;
+    matrix[12] = x;
+    matrix[13] = y;
+    matrix[14] = z;
+    return matrix;
+}
+
+TEST(Transforms, OfTheSceneGoIntoProjectionAlone) {
+    ViewState view;
+    view.scene = translation(.2, .4, 0);
+    EXPECT_EQ(shownMatrix("uProjectionMatrix", view), (Color{51, 102, 0}));
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{0, 0, 0}));
+}
+
+TEST(Transforms, OfTheEyeGoIntoModelViewAlone) {
+    ViewState view;
+    view.eye = translation(.2, .4, .6);
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{51, 102, 153}));
+    EXPECT_EQ(shownMatrix("uProjectionMatrix", view), (Color{0, 0, 0}));
+}
+
+TEST(Transforms, OfTexturesAreTheFirstTextureMatrix) {
+    ViewState view;
+    view.texture = translation(.2, .4, .6);
+    EXPECT_EQ(shownMatrix("gl_TextureMatrix[0]", view), (Color{51, 102, 153}));
+    EXPECT_EQ(shownMatrix("gl_TextureMatrix[1]", view), (Color{0, 0, 0}));
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{0, 0, 0}));
+}
+
+TEST(Transforms, OfAnObjectAreItsOwn) {
+    ViewState view;
+    view.objects = {{6, translation(.2, .4, .6)}};
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{51, 102, 153}));
+    view.objects.front().line = 5;
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{0, 0, 0}));
+}
+
+TEST(Transforms, SurviveTheTripThroughNumbers) {
+    const view::Similarity given{{1, -2, 3}, {20, -35, 110}, 2.5};
+    const view::Similarity back = view::similarityOf(view::matrixOf(given));
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(back.translation[i], given.translation[i], 1e-12);
+        EXPECT_NEAR(back.degrees[i], given.degrees[i], 1e-10);
+    }
+    EXPECT_NEAR(back.scale, 2.5, 1e-12);
+}
+
+TEST(Transforms, PanningKeepsTheOriginUnderTheMouse) {
+    const SceneFolder folder(
+        "WindowSize 200 100\nPerspective 50\nLookAt 1 2 6 0 0 0 0 1 0\nColor 1 1 1\nSphere .05\n");
+    for (const view::TransformMode mode : {view::TransformMode::eye, view::TransformMode::scene}) {
+        Session session(context(), {});
+        ASSERT_TRUE(session.open(folder.scene()));
+        session.drawIfNeeded();
+        EXPECT_EQ(pixelOf(session, 100, 50), (Color{255, 255, 255}));
+        session.drag(mode, {view::Gesture::pan, {60, 30}, {200, 100}});
+        session.drawIfNeeded();
+        EXPECT_EQ(pixelOf(session, 160, 20), (Color{255, 255, 255}));
+        EXPECT_NE(pixelOf(session, 100, 50), (Color{255, 255, 255}));
+    }
+}
+
+TEST(Transforms, RotatingKeepsTheOriginInPlaceAndTurnsTheFrontWithTheMouse) {
+    const SceneFolder folder(
+        "WindowSize 100 100\nPerspective 50\nLookAt 0 0 6 0 0 0 0 1 0\nTranslate 0 0 1\nColor 1 1 1\nSphere "
+        ".1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {50, 0}, {100, 100}});
+    session.drawIfNeeded();
+    // A quarter of a turn: the ball in front of the origin stands to its right, at distance 1 of 6.
+    const int x = 50 + static_cast<int>(50 / std::tan(25 * 3.14159265 / 180) / 6);
+    EXPECT_EQ(pixelOf(session, x, 50), (Color{255, 255, 255}));
+}
+
+TEST(Transforms, ResetKeepsValues) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uR"), {.8});
+    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {5, 9}, {32, 32}});
+    EXPECT_TRUE(session.view() != ViewState{});
+    session.resetTransforms();
+    EXPECT_TRUE(session.view() == ViewState{});
+    EXPECT_EQ(session.knob("", "uR")->current.front(), .8);
+}
+
+TEST(Projection, OrthographicShowsTheOriginAsLargeAsThePerspectiveDoes) {
+    const SceneFolder folder(
+        "WindowSize 100 100\nPerspective 40\nLookAt 0 0 7 0 0 0 0 1 0\nColor 1 1 1\nQuadXY 0 1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    const std::vector<std::byte> perspective = pixelsOf(session);
+    ViewState view;
+    view.projection = ProjectionMode::orthographic;
+    session.setView(view);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelsOf(session), perspective);
+    view.eye = translation(0, 0, 3);
+    session.setView(view);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelsOf(session), perspective) << "distance does not matter to an orthographic picture";
+}
+
+TEST(Projection, PerspectiveShowsTheMiddleOfABoxAsLargeAsTheBoxDoes) {
+    const SceneFolder folder("WindowSize 120 80\nOrtho -1 3 -2 2\nColor 1 1 1\nQuadXY 0 1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    const std::vector<std::byte> flat = pixelsOf(session);
+    ViewState view;
+    view.projection = ProjectionMode::perspective;
+    session.setView(view);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelsOf(session), flat);
+}
+
+}  // namespace
+}  // namespace glibra::test

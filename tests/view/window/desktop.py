@@ -1,0 +1,179 @@
+"""A display of its own with a window manager, and a glibra window on it that tests drive as a user does: with the
+mouse and the keyboard, looking at the screen and at the state that `--state` writes."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+
+PAUSE = 0.02
+HANGING = 60  # seconds after which a window counts as hanging; nothing is measured by it
+
+
+class Desktop:
+    """Xvfb and openbox. Ends what it started."""
+
+    def __init__(self, width=1400, height=900):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as answer:
+            self.name = ":" + answer.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=self.name)
+        self.manager = subprocess.Popen(["openbox"], env=self.environment, stderr=subprocess.DEVNULL)
+
+    def close(self):
+        for each in (self.manager, self.server):
+            each.terminate()
+            each.wait()
+
+
+class Window:
+    """`glibra view SCENE ARGUMENTS...`, with a folder of its own for settings and state."""
+
+    def __init__(self, desktop, program, scene, *arguments, settings=None):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="glibra-window-"))
+        self.state_file = self.folder / "state.json"
+        self.settings = settings or self.folder
+        self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings))
+        self.process = subprocess.Popen(
+            [program, "view", str(scene), "--state", str(self.state_file), *arguments],
+            env=self.environment, stderr=subprocess.PIPE, text=True)
+        self.wait(lambda s: s["framesPresented"] >= 3 or s["moving"])
+        self.id = self.xdotool("search", "--sync", "--onlyvisible", "--pid", str(self.process.pid)).split()[-1]
+        self.xdotool("windowfocus", "--sync", self.id)
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.wait()
+        self.process.stderr.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def xdotool(self, *arguments):
+        return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, text=True,
+                              stdout=subprocess.PIPE).stdout
+
+    # What the window says.
+
+    def state(self):
+        try:
+            return json.loads(self.state_file.read_text())
+        except FileNotFoundError:
+            return None
+
+    def wait(self, holds):
+        """The first state for which that holds. A wait for nothing ends with what the window says."""
+        end = time.monotonic() + HANGING
+        while True:
+            if time.monotonic() > end:
+                shown = {k: v for k, v in (self.state() or {}).items() if k != "widgets"}
+                raise AssertionError(f"this never came: {shown}")
+            if self.process.poll() is not None:
+                raise AssertionError("the window is gone: " + self.process.stderr.read())
+            state = self.state()
+            if state and holds(state):
+                return state
+            time.sleep(PAUSE)
+
+    def settle(self):
+        """The state when the window waits for events and has drawn what it was asked for."""
+        before = None
+        while True:
+            state = self.wait(lambda s: s["waiting"] or s["moving"])
+            if before == (state["framesPresented"], state["knobs"], state["view"]) or state["moving"]:
+                return state
+            before = (state["framesPresented"], state["knobs"], state["view"])
+            time.sleep(6 * PAUSE)
+
+    def knob(self, tag):
+        return next(each for each in self.state()["knobs"] if each["tag"] == tag)["current"]
+
+    def wait_knob(self, tag, holds):
+        return self.wait(lambda s: any(k["tag"] == tag and holds(k["current"]) for k in s["knobs"]))
+
+    # What a user does. Positions are those of the window's content.
+
+    def point(self, widget, across=0.5, down=0.5):
+        x, y, width, height = self.wait(lambda s: widget in s["widgets"])["widgets"][widget]
+        return x + width * across, y + height * down
+
+    def move(self, x, y):
+        self.xdotool("mousemove", "--window", self.id, str(round(x)), str(round(y)))
+        time.sleep(2 * PAUSE)
+
+    def press(self, button=1):
+        self.xdotool("mousedown", str(button))
+        time.sleep(3 * PAUSE)
+
+    def release(self, button=1):
+        self.xdotool("mouseup", str(button))
+        time.sleep(3 * PAUSE)
+
+    def click(self, widget, across=0.5):
+        self.move(*self.point(widget, across))
+        self.press()
+        self.release()
+
+    def double_click(self, widget):
+        self.move(*self.point(widget))
+        self.xdotool("click", "--repeat", "2", "--delay", "60", "1")
+        time.sleep(4 * PAUSE)
+
+    def drag(self, start, end, button=1):
+        self.move(*start)
+        self.press(button)
+        for step in range(1, 6):
+            self.move(start[0] + (end[0] - start[0]) * step / 5, start[1] + (end[1] - start[1]) * step / 5)
+        self.release(button)
+
+    def drag_widget(self, widget, begin, end):
+        self.drag(self.point(widget, begin), self.point(widget, end))
+
+    def key(self, *keys):
+        self.xdotool("key", "--delay", "40", *keys)
+        time.sleep(3 * PAUSE)
+
+    def type(self, text):
+        self.xdotool("type", "--delay", "40", "--", text)
+        time.sleep(3 * PAUSE)
+
+    def resize(self, width, height):
+        self.xdotool("windowsize", "--sync", self.id, str(width), str(height))
+
+    # What a user sees.
+
+    def screenshot(self, file):
+        subprocess.run(["import", "-window", self.id, str(file)], env=self.environment, check=True)
+
+    def pixels(self):
+        """Width, height and RGB bytes of the picture on the screen."""
+        state = self.settle()
+        left, top, _, _ = state["picture"]
+        width, height = state["width"], state["height"]
+        ppm = subprocess.run(
+            ["import", "-window", self.id, "-crop", f"{width}x{height}+{round(left)}+{round(top)}", "+repage",
+             "-depth", "8", "ppm:-"], env=self.environment, check=True, stdout=subprocess.PIPE).stdout
+        return read_ppm(ppm)
+
+
+def read_ppm(data):
+    fields = data.split(None, 3)
+    width, height = int(fields[1]), int(fields[2])
+    return width, height, data[len(data) - 3 * width * height:]
+
+
+def rendered(program, scene, width, height, *arguments):
+    """What `glibra render` makes of the scene."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "picture.ppm"
+        subprocess.run([program, "render", str(scene), "-o", str(file.with_suffix(".png")), "--size",
+                        f"{width}x{height}", *arguments], check=True, stderr=subprocess.DEVNULL)
+        ppm = subprocess.run(["convert", str(file.with_suffix(".png")), "-depth", "8", "ppm:-"], check=True,
+                             stdout=subprocess.PIPE).stdout
+        return read_ppm(ppm)
