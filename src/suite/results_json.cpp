@@ -258,6 +258,7 @@ void members(Archive& archive, Value& value) {
         archive("cluster", value.cluster);
         archive("clusterX", value.clusterX);
         archive("clusterY", value.clusterY);
+        archive("line", value.line);
         archive("bias", value.bias);
         archive("biasX", value.biasX);
         archive("biasY", value.biasY);
@@ -267,6 +268,7 @@ void members(Archive& archive, Value& value) {
         archive("largest", value.largest);
         archive("fraction", value.fraction);
         archive("cluster", value.cluster);
+        archive("line", value.line);
         archive("bias", value.bias);
         archive("flip", value.flip);
         archive("structure", value.structure);

@@ -108,10 +108,11 @@ void readTolerance(const Context& in, const toml::node& node) {
         double most;
         void (*store)(image::Tolerance&, double);
     };
-    static constexpr std::array<Field, 8> kFields{{
+    static constexpr std::array<Field, 9> kFields{{
         {"max", 255, [](image::Tolerance& to, double v) { to.largest = v; }},
         {"fraction", 1, [](image::Tolerance& to, double v) { to.fraction = v; }},
         {"cluster", 1e9, [](image::Tolerance& to, double v) { to.cluster = static_cast<int>(v); }},
+        {"line", 1e9, [](image::Tolerance& to, double v) { to.line = static_cast<int>(v); }},
         {"bias", 255, [](image::Tolerance& to, double v) { to.bias = v; }},
         {"flip", 1, [](image::Tolerance& to, double v) { to.flip = v; }},
         {"structure", 1, [](image::Tolerance& to, double v) { to.structure = v; }},

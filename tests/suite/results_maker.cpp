@@ -90,8 +90,16 @@ ShotResult ResultsMaker::shot() {
     made.judgement.bias = figure();
     made.judgement.flip = maybe();
     made.judgement.structure = maybe();
-    made.tolerance = {figure(), figure(), static_cast<int>(below(100)), figure(), maybe(), maybe(),
-                      figure(), figure()};
+    made.tolerance = {figure(),
+                      figure(),
+                      static_cast<int>(below(100)),
+                      static_cast<int>(below(100)),
+                      figure(),
+                      maybe(),
+                      maybe(),
+                      figure(),
+                      figure()};
+    made.judgement.line = random_();
     made.judgement.cluster = random_();
     made.judgement.clusterX = static_cast<int>(random_());
     made.judgement.clusterY = static_cast<int>(random_());
@@ -149,6 +157,8 @@ void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(bits(a.tolerance.largest), bits(b.tolerance.largest));
     EXPECT_EQ(bits(a.tolerance.fraction), bits(b.tolerance.fraction));
     EXPECT_EQ(a.tolerance.cluster, b.tolerance.cluster);
+    EXPECT_EQ(a.tolerance.line, b.tolerance.line);
+    EXPECT_EQ(a.judgement.line, b.judgement.line);
     EXPECT_EQ(a.judgement.cluster, b.judgement.cluster);
     EXPECT_EQ(a.judgement.clusterX, b.judgement.clusterX);
     EXPECT_EQ(a.judgement.clusterY, b.judgement.clusterY);
