@@ -171,6 +171,9 @@ constexpr CatalogueRow kRows[] = {
     {"suite-E15", Severity::error, "--only 'teapto' means no shot; did you mean 'teapot'?"},
     {"suite-E16", Severity::error, "--shard '9 of 8' is not I/N, as 2/8"},
     {"suite-E17", Severity::error, "expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?"},
+    {"suite-E18", Severity::error,
+     "'a/start.toml' and 'b/start.toml' are both named 'start'; results and goldens need names of their own"},
+    {"suite-W01", Severity::warning, "no line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", Severity::error, "this is no line of results: no verdict is called 'good'"},
     {"result-E02", Severity::error,
