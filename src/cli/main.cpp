@@ -5,7 +5,9 @@
 
 #include "cli/commands.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
     CLI::App app{"glibra runs GLIB shader scenes"};
     app.set_version_flag("--version", "glibra " GLIBRA_VERSION);
     app.require_subcommand(1);
@@ -21,6 +23,14 @@ int main(int argc, char** argv) {
         return status;
     } catch (const CLI::ParseError& wrong) {
         return app.exit(wrong) == 0 ? glibra::cli::kDone : glibra::cli::kWrongUsage;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "glibra: error: %s\n", failure.what());
         return glibra::cli::kSceneIsWrong;

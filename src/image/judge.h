@@ -12,7 +12,7 @@
 namespace glibra::image {
 
 /// What may differ. The defaults pass what drivers and processors differ in and nothing that a person sees:
-/// measured on 66 scenes, Mesa 22.3 against itself without AVX and SSE 4.1, with vectors of 128 and 512 bits,
+/// measured on 66 scenes, Mesa 22.3 against itself without AVX and without SSE 4.1, with vectors of 128 bits,
 /// and against Mesa 25.0. Those differ by 1 nearly everywhere; by more in at most 0.004 % of the pixels, in
 /// groups of at most 5 and lines of at most 13; but for a fractal, where rounding grows without bound, and
 /// for lines of two pixels width, which Mesa 25 draws by another rule.

@@ -141,7 +141,7 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         result.failed = true;
         return result;
     }
-    const auto writeOne = [&](image::Image picture) {
+    const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
     };
@@ -150,7 +150,7 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         append(result.diagnostics, std::move(picture.diagnostics));
         if (picture) {
             append(result.diagnostics, remarksOn(*picture, job.scene));
-            append(result.diagnostics, writeOne(std::move(*picture)));
+            append(result.diagnostics, writeOne(*picture));
         }
     } else {
         PictureWriter writer(frameWritten);

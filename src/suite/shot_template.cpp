@@ -107,12 +107,13 @@ void readTolerance(const Context& in, const toml::node& node) {
         std::string_view key;
         double most;
         void (*store)(image::Tolerance&, double);
+        bool isWhole = false;
     };
     static constexpr std::array<Field, 9> kFields{{
         {"max", 255, [](image::Tolerance& to, double v) { to.largest = v; }},
         {"fraction", 1, [](image::Tolerance& to, double v) { to.fraction = v; }},
-        {"cluster", 1e9, [](image::Tolerance& to, double v) { to.cluster = static_cast<int>(v); }},
-        {"line", 1e9, [](image::Tolerance& to, double v) { to.line = static_cast<int>(v); }},
+        {"cluster", 1e9, [](image::Tolerance& to, double v) { to.cluster = static_cast<int>(v); }, true},
+        {"line", 1e9, [](image::Tolerance& to, double v) { to.line = static_cast<int>(v); }, true},
         {"bias", 255, [](image::Tolerance& to, double v) { to.bias = v; }},
         {"flip", 1, [](image::Tolerance& to, double v) { to.flip = v; }},
         {"structure", 1, [](image::Tolerance& to, double v) { to.structure = v; }},
@@ -129,9 +130,15 @@ void readTolerance(const Context& in, const toml::node& node) {
             std::transform(kFields.begin(), kFields.end(), keys.begin(),
                            [](const Field& f) { return f.key; });
             in.reader.unknownKey(entry, "in tolerance", keys);
-        } else if (const auto value = in.reader.number(*entry.value, fmt::format("tolerance.{}", field->key),
-                                                       0, field->most)) {
-            field->store(in.to.shot.tolerance, *value);
+        } else {
+            const std::string name = fmt::format("tolerance.{}", field->key);
+            std::optional<double> value;
+            if (!field->isWhole)
+                value = in.reader.number(*entry.value, name, 0, field->most);
+            else if (const auto pixels =
+                         in.reader.whole(*entry.value, name, 0, static_cast<int>(field->most)))
+                value = *pixels;
+            if (value) field->store(in.to.shot.tolerance, *value);
         }
     }
 }

@@ -98,6 +98,8 @@ std::string described(const toml::node& node) {
 }
 
 TomlReader::TomlReader(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
+    // A byte order mark counts in no column.
+    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     lines_.push_back(0);
     std::size_t characters = 0;
     for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -121,10 +123,7 @@ Place TomlReader::place(const toml::source_position& position) const {
     const std::size_t line = std::min<std::size_t>(position.line, lines_.size());
     const std::size_t begin = lines_[line - 1];
     const std::size_t end = line < lines_.size() ? lines_[line] - 1 : text_.size();
-    const bool hasMark =
-        begin == 0 && text_.starts_with("\xef\xbb\xbf");  // one character that does not count
-    const std::size_t wanted =
-        charactersBefore(begin) + std::max<std::size_t>(position.column, 1) - 1 + (hasMark ? 1 : 0);
+    const std::size_t wanted = charactersBefore(begin) + std::max<std::size_t>(position.column, 1) - 1;
     const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), wanted);
     const auto block = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - blocks_.begin(), 1) - 1);
     std::size_t at = std::max(begin, block * kBlock);

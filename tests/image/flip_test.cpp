@@ -290,14 +290,15 @@ TEST(Flip, AlphaIsSeenOverBlackAndWhite) {
     for (std::size_t i = 0; i < black.data.size(); ++i)
         if (i % 4 != 3) black.data[i] = std::byte{0};
     EXPECT_NEAR(flip(opaque, clear).mean, flip(opaque, black).mean, 1e-6);
+    EXPECT_GT(flip(black, clear).mean, .5) << "black over white is white";
     EXPECT_EQ(flip(clear, clear).mean, 0);
 }
 
 TEST(Flip, NanAgainstANumberIsAnErrorOfOne) {
-    Image a{30, 30, 3, Component::f32, std::vector<std::byte>(30 * 30 * 12)};
+    Image a{30, 30, 3, Component::f32, std::vector<std::byte>(std::size_t{30} * 30 * 12)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    std::memcpy(b.data.data() + 12 * (7 * 30 + 4), &nan, 4);
+    std::memcpy(&b.data[12 * (7 * 30 + 4)], &nan, 4);
     const FlipResult result = flip(a, b);
     EXPECT_EQ(result.largest, 1);
     EXPECT_EQ(result.x, 4);

@@ -15,7 +15,8 @@ namespace {
 
 /// 64 x 64 pixels of one value, RGB.
 Image grey(int value) {
-    return {64, 64, 3, Component::u8, std::vector<std::byte>(64 * 64 * 3, static_cast<std::byte>(value))};
+    return {64, 64, 3, Component::u8,
+            std::vector<std::byte>(std::size_t{64} * 64 * 3, static_cast<std::byte>(value))};
 }
 
 void change(Image& image, int x, int y, int by, std::size_t component = 0) {
@@ -271,10 +272,10 @@ TEST(Judge, EverythingIsComputedForAReport) {
 
 /// A lit ball before a dark ground, as a scene might draw it; `brightness` scales the light.
 Image ball(double brightness, double gamma) {
-    Image image{128, 128, 3, Component::u8, {}};
-    for (int y = 0; y < 128; ++y)
-        for (int x = 0; x < 128; ++x) {
-            const double u = (x - 63.5) / 50, v = (y - 63.5) / 50, r2 = u * u + v * v;
+    Image image{200, 200, 3, Component::u8, {}};
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const double u = (x - 99.5) / 80, v = (y - 99.5) / 80, r2 = u * u + v * v;
             const double light =
                 r2 < 1 ? .1 + .85 * brightness * std::max(0., std::sqrt(1 - r2) * .8 - .5 * v) : .05;
             for (const double color : {1., .6, .3}) {
@@ -296,9 +297,9 @@ TEST(JudgeByDefault, ALostTriangleIsSeen) {
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x <= y; ++x)
             for (const std::size_t component : {0U, 1U, 2U})
-                b.data[static_cast<std::size_t>((60 + y) * 128 + 60 + x) * 3 + component] = std::byte{13};
+                b.data[static_cast<std::size_t>((60 + y) * 200 + 60 + x) * 3 + component] = std::byte{13};
     const Judgement result = judge(ball(1, 1), b, Tolerance{});
-    EXPECT_EQ(result.beyond, 10U);
+    EXPECT_EQ(result.cluster, 10U) << "fewer pixels than may differ, but together";
     EXPECT_FALSE(result.same);
 }
 

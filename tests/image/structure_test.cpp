@@ -87,7 +87,8 @@ TEST(Structure, AlphaAndColorCount) {
     const Image a = withComponents(disc(0, 0), 4);
     for (const std::size_t component : {0U, 1U, 2U, 3U}) {
         Image b = a;
-        for (std::size_t i = 0; i < 16 * kSide; ++i) b.data[4 * i + component] ^= std::byte{0x60};
+        for (std::size_t i = 0; i < std::size_t{16} * kSide; ++i)
+            b.data[4 * i + component] ^= std::byte{0x60};
         EXPECT_GT(structure(a, b).difference, .4) << component;
     }
 }
@@ -96,7 +97,7 @@ TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
     Image a{16, 16, 1, Component::f32, std::vector<std::byte>(1024)};
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    std::memcpy(b.data.data() + 4 * (8 * 16 + 8), &nan, 4);
+    std::memcpy(&b.data[4 * (8 * 16 + 8)], &nan, 4);
     // Of 7 x 7 windows one has it inside; the three others that hold it can step aside.
     EXPECT_NEAR(structure(a, b).difference, 1. / 49, 1e-6);
     EXPECT_EQ(structure(b, b).difference, 0);

@@ -189,8 +189,8 @@ TEST_F(HtmlReport, HoldsEachSceneOnce) {
 
 TEST_F(HtmlReport, NoTextOfAResultIsMarkup) {
     ResultsMaker maker(8);
-    std::vector<ShotResult> shots;
-    for (int i = 0; i < 200; ++i) shots.push_back(maker.shot());
+    std::vector<ShotResult> shots(200);
+    for (ShotResult& each : shots) each = maker.shot();
     for (ShotResult& each : shots) {
         each.reason += "</script></noscript><!--<script>{{data}}{{style}}";
         each.shot += "<img src=x>\"'";

@@ -38,7 +38,7 @@ shim = false
 tile = 64
 library = "lib"
 timeout = 12.5
-tolerance = { max = 5, fraction = 0.01, bias = 1, flip = 0.02, structure = 0.03, relative = 0.001, absolute = 1e-5 }
+tolerance = { max = 5, fraction = 0.01, cluster = 6, line = 7, bias = 1.5, flip = 0.02, structure = 0.03, relative = 0.001, absolute = 1e-5 }
 tags = ["slow", "gpu", "slow"]
 golden = false
 [[shot]]
@@ -68,7 +68,9 @@ match = "left/one"
     EXPECT_EQ(shot.timeout, 12.5);
     EXPECT_EQ(shot.tolerance.largest, 5);
     EXPECT_EQ(shot.tolerance.fraction, .01);
-    EXPECT_EQ(shot.tolerance.bias, 1);
+    EXPECT_EQ(shot.tolerance.cluster, 6);
+    EXPECT_EQ(shot.tolerance.line, 7);
+    EXPECT_EQ(shot.tolerance.bias, 1.5);
     EXPECT_EQ(shot.tolerance.flip, .02);
     EXPECT_EQ(shot.tolerance.structure, .03);
     EXPECT_EQ(shot.tolerance.relative, .001);

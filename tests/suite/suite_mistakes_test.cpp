@@ -19,6 +19,8 @@ struct Mistake {
     std::string message;  ///< "line:column id text" of each, one a line
 };
 
+// GoogleTest calls it by this name.
+// NOLINTNEXTLINE(readability-identifier-naming)
 void PrintTo(const Mistake& mistake, std::ostream* to) {
     *to << mistake.name;
 }
@@ -84,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
                 "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
+                "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
                 "3:19 suite-E03 set.uColor: one value is wanted, not a list of lists; a list of values "
                 "belongs in sweep\n"},
@@ -175,6 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoShots", "[defaults]\nsamples = 4\n", "1:1 suite-E14 the suite has no [[shot]]\n"},
         Mistake{"UnknownError", shot("expect-error = 'glsl-E1'"),
                 "3:16 suite-E17 expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?\n"},
+        Mistake{"ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
+                "1:1 suite-E02 unknown key 'golds' at the top of the file\n"},
         Mistake{"ColumnsAfterUmlauts", shot("set = { \"\xc3\xa4\xc3\xb6\" = 1, uA = nan }"),
                 "3:9 suite-E05 set: '\xc3\xa4\xc3\xb6' is not the name of a uniform\n"
                 "3:26 suite-E04 set.uA: nan is not a finite 32-bit number\n"}),

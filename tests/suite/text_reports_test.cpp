@@ -124,7 +124,7 @@ TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
     EXPECT_TRUE(isUtf8(xml));
     for (const char each : xml)
         ASSERT_TRUE(static_cast<unsigned char>(each) >= 0x20 || each == '\n' || each == '\t' || each == '\r');
-    EXPECT_EQ(xml.find("\x7f"), std::string::npos);
+    EXPECT_EQ(xml.find('\x7f'), std::string::npos);
     // Outside of tags there is no '<' and in attributes no '"' but the markup's own.
     EXPECT_EQ(occurrences(xml, "<"), occurrences(xml, ">"));
     EXPECT_EQ(occurrences(xml, "\"") % 2, 0);
@@ -135,10 +135,9 @@ TEST(Utf8, KnowsWhatRfc3629Allows) {
     for (const char* good : {"a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
                              "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"})
         EXPECT_TRUE(isUtf8(good)) << good;
-    for (const char* bad : {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80",
-                            "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xe2\x82",
-                            "\xc3"
-                            "a"})
+    for (const char* bad :
+         {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf0\x8f\xbf\xbf",
+          "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\xc3\x61"})
         EXPECT_FALSE(isUtf8(bad));
 }
 
@@ -231,7 +230,7 @@ TEST(SmallHeatMap, FitsForPicturesOfAnyShape) {
 TEST(Terminal, ShowsTheDifferencePictureOfTheResultsFolder) {
     const Folder folder;
     image::Image picture = black(96, 96);
-    std::fill(picture.data.begin(), picture.data.begin() + 96 * 3 * 48, std::byte{255});
+    std::fill(picture.data.begin(), picture.data.begin() + std::ptrdiff_t{96} * 3 * 48, std::byte{255});
     ASSERT_TRUE(image::writeImage(picture, folder / "teapot.difference.png").empty());
     const std::string text = toText(runOf({failedShot()}), false, folder.path());
     EXPECT_EQ(occurrences(text, "    |" + std::string(32, '@') + "|\n"), 8) << text;
