@@ -21,8 +21,8 @@ constexpr int kCompression = 9;
 Hash identityOf(std::span<const std::byte> bytes, const image::Tolerance& tolerance) {
     const Hash content = hashOf(bytes);
     const std::string all =
-        fmt::format("{} {} {} {} {} {} {} {} {}", toText(content), tolerance.largest, tolerance.fraction,
-                    tolerance.cluster, tolerance.bias, tolerance.flip.value_or(-1),
+        fmt::format("{} {} {} {} {} {} {} {} {} {}", toText(content), tolerance.largest, tolerance.fraction,
+                    tolerance.cluster, tolerance.line, tolerance.bias, tolerance.flip.value_or(-1),
                     tolerance.structure.value_or(-1), tolerance.relative, tolerance.absolute);
     return hashOf(std::as_bytes(std::span(all)));
 }

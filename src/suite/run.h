@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 
 #include "suite/results.h"
 #include "suite/suite.h"
@@ -16,7 +17,10 @@ namespace glibra::suite {
 /// A shot of a list of suites.
 struct ShotReference {
     std::size_t suite = 0, shot = 0;
-    friend auto operator<=>(const ShotReference&, const ShotReference&) = default;
+    friend bool operator==(const ShotReference&, const ShotReference&) = default;
+    friend bool operator<(const ShotReference& a, const ShotReference& b) {
+        return std::tie(a.suite, a.shot) < std::tie(b.suite, b.shot);
+    }
 };
 
 struct RunOptions {

@@ -87,6 +87,61 @@ TEST(Workers, EveryStepBeginsTheTimeLimitAnew) {
     EXPECT_EQ(log.steps.at(0), 6);
 }
 
+TEST(Workers, EveryPieceMayHaveATimeLimitOfItsOwn) {
+    const Log log = runAll(
+        3, {.workers = 3, .timeout = 60, .timeoutOf = [](std::size_t index) { return index == 1 ? .1 : 0.; }},
+        [](std::size_t, const Step&) {
+            ::usleep(400'000);
+            return std::string("done");
+        });
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
+    EXPECT_EQ(log.outcomes.at(1).end, Outcome::End::timedOut);
+    EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
+}
+
+TEST(Workers, AfterAStopNothingIsBegunAndWhatIsInWorkIsEnded) {
+    int done = 0;
+    Log log;
+    runInWorkers(
+        10, {.workers = 1, .stop = [&] { return done == 3; }},
+        [](std::size_t index, const Step&) {
+            if (index == 3) ::sleep(60);
+            return std::string();
+        },
+        [&](std::size_t index, const Outcome& outcome) {
+            log.outcomes[index] = outcome;
+            ++done;
+        },
+        [](std::size_t, const std::string&) {});
+    EXPECT_EQ(log.outcomes.size(), 3U);
+}
+
+TEST(Workers, AStopEndsAPieceThatHangs) {
+    bool began = false;
+    Log log;
+    runInWorkers(
+        2, {.workers = 1, .stop = [&] { return began; }},
+        [](std::size_t, const Step& step) {
+            step("began");
+            ::sleep(60);
+            return std::string();
+        },
+        [&](std::size_t index, const Outcome& outcome) { log.outcomes[index] = outcome; },
+        [&](std::size_t, const std::string&) { began = true; });
+    ASSERT_EQ(log.outcomes.size(), 1U);
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::stopped);
+    EXPECT_GT(log.outcomes.at(0).process, 0);
+}
+
+TEST(Workers, PassOverTheSignalsOfATerminal) {
+    const Log log = runAll(1, {.workers = 1}, [](std::size_t, const Step&) {
+        ::raise(SIGINT);
+        ::raise(SIGHUP);
+        return std::string("alive");
+    });
+    EXPECT_EQ(log.outcomes.at(0).answer, "alive");
+}
+
 TEST(Workers, LongAnswersArriveWhole) {
     const std::string big(5'000'000, 'x');
     const Log log = runAll(3, {.workers = 3}, [&](std::size_t, const Step&) { return std::string(big); });
