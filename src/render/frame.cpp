@@ -49,6 +49,20 @@ double timerAt(double time, double period) {
     return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
 }
 
+/// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
+/// in 22.3.6): beyond 65,536 of them triangles join the wrong ones. At the highest level a patch has (level +
+/// 1)^2 vertices. A program that reads the number of its patch gets all of them in one draw, since each draw
+/// counts from 0.
+int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program) {
+    constexpr int kAll = 1 << 24;
+    const bool counts16 = driver.family.find("pipe") != std::string::npos;
+    if (!counts16 || program.patchVertices == 0) return kAll;
+    for (const glsl::TranslatedStage& stage : program.stages)
+        if (stage.source.find("gl_PrimitiveID") != std::string::npos) return kAll;
+    const int side = driver.maxTessellationLevel + 1;
+    return std::max(1, 65'536 / (side * side));
+}
+
 void enable(GLenum capability, bool on) {
     if (on)
         glEnable(capability);
@@ -313,7 +327,14 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     device_.vertexArray(planned.mesh, planned.program, built).bind();
     if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     if (hook_) hook_(planned, isWindow, true);
-    glDrawElements(glMode(planned.submission.topology), mesh->indexCount, GL_UNSIGNED_INT, nullptr);
+    const GLenum mode = glMode(planned.submission.topology);
+    const int atOnce = mode == GL_PATCHES ? planned.submission.patchVertices *
+                                                patchesAtOnce(context_.capabilities(), built.interface.facts)
+                                          : mesh->indexCount;
+    for (int first = 0; first < mesh->indexCount; first += atOnce)
+        glDrawElements(mode, std::min(atOnce, mesh->indexCount - first), GL_UNSIGNED_INT,
+                       // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
+                       reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
     if (hook_) hook_(planned, isWindow, false);
     if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     const bool writesImages = std::any_of(planned.textures.begin(), planned.textures.end(),

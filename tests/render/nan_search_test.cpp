@@ -23,7 +23,7 @@ class NanSearchTest : public testing::Test {
   protected:
     NanSearchTest() {
         char name[] = "/tmp/glibra-nan-XXXXXX";
-        folder_ = ::mkdtemp(name);
+        folder = ::mkdtemp(name);
         write("p.vert",
               "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
         // The square root of a negative number is NaN where the left half of the picture is.
@@ -34,15 +34,15 @@ class NanSearchTest : public testing::Test {
               "#version 330 core\nuniform sampler2D uTex;\nout vec4 fColor;\n"
               "void main() { fColor = texture(uTex, gl_FragCoord.xy / 32.); }\n");
     }
-    ~NanSearchTest() override { fs::remove_all(folder_); }
+    ~NanSearchTest() override { fs::remove_all(folder); }
 
     void write(const std::string& file, const std::string& content) const {
-        std::ofstream(folder_ / file, std::ios::binary) << content;
+        std::ofstream(folder / file, std::ios::binary) << content;
     }
     [[nodiscard]] fs::path scene(const std::string& text) const {
         write("scene.glib",
               "WindowSize 32 32\nLookAt 0 0 2 0 0 0 0 1 0\nVertex p.vert\nFragment p.frag\n" + text);
-        return folder_ / "scene.glib";
+        return folder / "scene.glib";
     }
     static Diagnostics search(const fs::path& scene, const RenderOptions& options = {}) {
         Result<gpu::Context> context = gpu::openContext();
@@ -52,7 +52,7 @@ class NanSearchTest : public testing::Test {
         return search ? search->at(0) : Diagnostics();
     }
 
-    fs::path folder_;
+    fs::path folder;
 };
 
 std::vector<int> linesOf(const Diagnostics& diagnostics) {
@@ -131,7 +131,7 @@ TEST_F(NanSearchTest, AJobTellsItOfABytePicture) {
     ASSERT_TRUE(context);
     Job job;
     job.scene = scene("Program Bad uLeft -1.\nQuadXY 0 5\n");
-    job.output = folder_ / "out.png";
+    job.output = folder / "out.png";
     JobResult result = runJob(*context, job, [](int) {});
     EXPECT_FALSE(test::has(result.diagnostics, "draw-W06")) << test::text(result.diagnostics);
     job.options.checkNan = true;
