@@ -14,7 +14,9 @@ target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_render>)
 
-install(TARGETS glibra_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# The program is part of the package: glibra_add_golden_test() runs it as glibra::program.
+set_target_properties(glibra_program PROPERTIES EXPORT_NAME program)
+install(TARGETS glibra_program EXPORT glibraTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS glibra EXPORT glibraTargets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/builtin DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/shaders)
@@ -24,7 +26,10 @@ endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glibra)
 install(EXPORT glibraTargets NAMESPACE glibra:: DESTINATION ${package_dir})
-file(WRITE ${PROJECT_BINARY_DIR}/glibraConfig.cmake "include(\${CMAKE_CURRENT_LIST_DIR}/glibraTargets.cmake)\n")
+file(WRITE ${PROJECT_BINARY_DIR}/glibraConfig.cmake
+     "include(\${CMAKE_CURRENT_LIST_DIR}/glibraTargets.cmake)\n"
+     "include(\${CMAKE_CURRENT_LIST_DIR}/glibra_golden_test.cmake)\n")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/glibraConfig.cmake ${PROJECT_BINARY_DIR}/glibraConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/glibra_golden_test.cmake
         DESTINATION ${package_dir})

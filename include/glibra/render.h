@@ -58,11 +58,14 @@ struct RenderOptions {
     bool alpha = false;        ///< keeps the window's alpha; otherwise pictures are opaque
     bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
     bool strict = false;       ///< warnings are errors
+    bool checkNan = false;     ///< searches the draws that put NaN or infinity into the picture
     bool shim = true;          ///< false: shaders are compiled as they are
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
+
+    friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// Pixels, top row first, tightly packed: 3 (opaque) or 4 components, bytes or 32-bit floats.

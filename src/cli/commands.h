@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own name
 class App;
 }
 
@@ -22,6 +22,7 @@ inline constexpr int kSceneIsWrong = 3;
 inline constexpr int kNoDriver = 4;
 
 void addRender(CLI::App& app, int& status);
+void addTest(CLI::App& app, int& status);
 void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
 void addView(CLI::App& app, int& status);

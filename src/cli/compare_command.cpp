@@ -2,73 +2,186 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "image/compare.h"
+#include "image/file.h"
+#include "image/heat_map.h"
+#include "image/judge.h"
+#include "image/png_chunks.h"
 #include "image/read.h"
+#include "image/write.h"
 
 namespace glibra::cli {
 namespace {
 
 struct CompareArguments {
-    std::string first, second;
-    double largest = 0;
-    double fraction = 0;
+    std::string first, second, heatMap;
+    image::Tolerance tolerance;
+    bool exact = false;
+    bool everything = false;
     bool json = false;
 };
 
-int run(const CompareArguments& arguments) {
-    const Result<image::Image> first = image::readImage(arguments.first);
-    const Result<image::Image> second = image::readImage(arguments.second);
+using File = Result<std::vector<std::byte>>;
+
+File readWhole(const std::string& path) {
+    return image::readFile(path, {path, {path, 1, 1}});
+}
+
+Result<image::Image> decode(const std::vector<std::byte>& file, const std::string& path) {
+    return image::decodeImage(file, path, {path, 1, 1});
+}
+
+double fractionOf(const image::Comparison& found, const image::Image& picture) {
+    return static_cast<double>(found.differingPixels) / (static_cast<double>(picture.width) * picture.height);
+}
+
+nlohmann::ordered_json toJson(const image::Judgement& judged, const image::Image& expected,
+                              const image::Image& got) {
+    const image::Comparison& found = judged.comparison;
+    nlohmann::ordered_json json{{"same", judged.same},
+                                {"decidedBy", name(judged.decidedBy)},
+                                {"reason", judged.reason},
+                                {"identical", found.identical},
+                                {"sameSize", found.sameSize}};
+    if (!found.sameSize) {
+        json["sizes"] = {{expected.width, expected.height}, {got.width, got.height}};
+        return json;
+    }
+    json["largest"] = found.largest * 255;  // null where it is infinite, as is the RMSE
+    json["at"] = {found.x, found.y};
+    json["component"] = found.component;
+    json["differingPixels"] = found.differingPixels;
+    json["fraction"] = found.identical ? 0 : fractionOf(found, expected);
+    json["rmse"] = found.rootMeanSquare * 255;
+    json["beyond"] = judged.beyond;
+    json["cluster"] = judged.cluster;
+    json["clusterAt"] = {judged.clusterX, judged.clusterY};
+    json["line"] = judged.line;
+    json["bias"] = judged.bias;
+    json["biasAt"] = {judged.biasX, judged.biasY};
+    json["nonFinite"] = found.nonFinite;
+    if (judged.structure) json["structure"] = *judged.structure;
+    if (judged.flip) json["flip"] = *judged.flip;
+    return json;
+}
+
+std::string toText(const image::Judgement& judged, const image::Image& expected) {
+    const image::Comparison& found = judged.comparison;
+    if (judged.same && found.identical)
+        return found.nonFinite == 0 ? "identical\n" : fmt::format("identical: {}\n", judged.reason);
+    std::string text = fmt::format("{}: {}\n", judged.same ? "within tolerance" : "different", judged.reason);
+    if (!found.sameSize) return text;
+    text += fmt::format("  largest difference  {:.4g} of 255 at {}, {}, component {}\n", found.largest * 255,
+                        found.x, found.y, found.component);
+    text += fmt::format("  pixels that differ  {} ({:.3g} %), {} beyond the limit\n", found.differingPixels,
+                        fractionOf(found, expected) * 100, judged.beyond);
+    text += fmt::format("  RMSE                {:.4g} of 255\n", found.rootMeanSquare * 255);
+    text += fmt::format("  mean of a block     {:.3g} of 255 at {}, {}\n", judged.bias, judged.biasX,
+                        judged.biasY);
+    if (found.nonFinite > 0) text += fmt::format("  not finite          {} components\n", found.nonFinite);
+    if (judged.structure) text += fmt::format("  structure           {:.4g}\n", *judged.structure);
+    if (judged.flip) text += fmt::format("  mean FLIP           {:.4g}\n", *judged.flip);
+    return text;
+}
+
+void show(const image::Judgement& judged, const image::Image& expected, const image::Image& got, bool json) {
+    const std::string text = json ? toJson(judged, expected, got).dump(2) + "\n" : toText(judged, expected);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+/// Exit status of writing the heat map: of FLIP's errors if FLIP was asked for, else of the differences.
+int writeHeatMap(const CompareArguments& arguments, const image::Image& expected, const image::Image& got) {
+    if (expected.width != got.width || expected.height != got.height) {
+        print({warning("", "no heat map is written, since the sizes differ")});
+        return kDone;
+    }
+    const image::Image map = arguments.tolerance.flip ? image::flipHeatMap(image::flip(expected, got))
+                                                      : image::differenceHeatMap(expected, got);
+    const Diagnostics problems = image::writeImage(map, arguments.heatMap);
+    print(problems);
+    return hasError(problems) ? kSceneIsWrong : kDone;
+}
+
+int run(CompareArguments& arguments) {
+    if (arguments.exact) arguments.tolerance = image::exactTolerance();
+    const File first = readWhole(arguments.first), second = readWhole(arguments.second);
     print(first.diagnostics);
     print(second.diagnostics);
     if (!first || !second) return kSceneIsWrong;
-    const image::Comparison found = image::compare(*first, *second);
-    const double pixels = static_cast<double>(first->width) * first->height;
-    const double fraction = found.sameSize ? static_cast<double>(found.differingPixels) / pixels : 1;
-    const bool same = found.sameSize && (found.identical || found.largest * 255 <= arguments.largest ||
-                                         fraction <= arguments.fraction);
-    if (arguments.json) {
-        const nlohmann::ordered_json json{{"same", same},
-                                          {"identical", found.identical},
-                                          {"sameSize", found.sameSize},
-                                          {"largest", found.largest * 255},
-                                          {"at", {found.x, found.y}},
-                                          {"differingPixels", found.differingPixels},
-                                          {"fraction", fraction},
-                                          {"rmse", found.rootMeanSquare * 255}};
-        std::printf("%s\n", json.dump(2).c_str());
-    } else if (!found.sameSize) {
-        std::printf("different sizes: %d x %d and %d x %d\n", first->width, first->height, second->width,
-                    second->height);
-    } else if (found.identical) {
-        std::printf("identical\n");
-    } else {
-        std::printf(
-            "%s",
-            fmt::format("{}: largest difference {:.4g} of 255 at pixel {}, {}; {} pixels differ ({:.3g} %); "
-                        "RMSE {:.4g}\n",
-                        same ? "within tolerance" : "different", found.largest * 255, found.x, found.y,
-                        found.differingPixels, fraction * 100, found.rootMeanSquare * 255)
-                .c_str());
+    const bool heatMap = !arguments.heatMap.empty();
+    if (!heatMap && *first == *second && image::pngChunks(*first)) {
+        image::Judgement equal;
+        equal.same = true;
+        equal.reason = "the files have the same bytes";
+        show(equal, {}, {}, arguments.json);
+        return kDone;
     }
-    return same ? kDone : kDiffers;
+
+    auto decoding = std::async(std::launch::async, [&] { return decode(*second, arguments.second); });
+    const Result<image::Image> expected = decode(*first, arguments.first);
+    const Result<image::Image> got = decoding.get();
+    print(expected.diagnostics);
+    print(got.diagnostics);
+    if (!expected || !got) return kSceneIsWrong;
+    const image::Judgement judged = image::judge(*expected, *got, arguments.tolerance, arguments.everything);
+    show(judged, *expected, *got, arguments.json);
+    const int written = heatMap ? writeHeatMap(arguments, *expected, *got) : kDone;
+    return std::max(judged.same ? kDone : kDiffers, written);
 }
 
 }  // namespace
 
 void addCompare(CLI::App& app, int& status) {
     auto arguments = std::make_shared<CompareArguments>();
+    image::Tolerance& tolerance = arguments->tolerance;
     CLI::App* command = app.add_subcommand("compare", "two images; exit status 1 if they differ");
-    command->add_option("A", arguments->first, "image file")->required();
+    command->add_option("A", arguments->first, "image file, the expected one")->required();
     command->add_option("B", arguments->second, "image file")->required();
     command
-        ->add_option("--max", arguments->largest, "largest difference of a component that passes, in 255ths")
-        ->check(CLI::Range(0.0, 255.0));
-    command->add_option("--fraction", arguments->fraction, "fraction of pixels that may differ by any amount")
+        ->add_option("--heatmap", arguments->heatMap,
+                     "image file for where and how much they differ; with --flip, of FLIP's errors")
+        ->type_name("FILE");
+    command
+        ->add_option("--max", tolerance.largest,
+                     "difference of a component that every pixel may have, in 255ths")
+        ->check(CLI::Range(0.0, 255.0))
+        ->capture_default_str();
+    command->add_option("--fraction", tolerance.fraction, "fraction of the pixels that may differ by more")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command->add_option("--cluster", tolerance.cluster, "how many of those may touch each other")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--line", tolerance.line, "how many of those may lie in one row or column")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--bias", tolerance.bias,
+                     "mean difference of a block of 16 x 16 pixels that passes, in 255ths")
+        ->check(CLI::Range(0.0, 255.0))
+        ->capture_default_str();
+    command->add_option("--flip", tolerance.flip, "mean FLIP (0 to 1) that passes where the above do not")
         ->check(CLI::Range(0.0, 1.0));
+    command
+        ->add_option(
+            "--structure", tolerance.structure,
+            "structural difference (0 to 1) that passes where the above do not; edges may move by a pixel")
+        ->check(CLI::Range(0.0, 1.0));
+    command
+        ->add_option("--relative", tolerance.relative,
+                     "float images, in place of --max: part of the value that passes as a difference")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--absolute", tolerance.absolute, "float images: what passes besides")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_flag("--exact", arguments->exact, "nothing may differ; overrides all limits");
+    command->add_flag("--all", arguments->everything,
+                      "compute FLIP and the structural difference even where they decide nothing");
     command->add_flag("--json", arguments->json, "the figures as JSON");
     command->callback([arguments, &status] { status = run(*arguments); });
 }

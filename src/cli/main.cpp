@@ -5,7 +5,9 @@
 
 #include "cli/commands.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
     CLI::App app{"glibra runs GLIB shader scenes"};
     app.set_version_flag("--version", "glibra " GLIBRA_VERSION);
     app.require_subcommand(1);
@@ -13,6 +15,7 @@ int main(int argc, char** argv) {
     try {
         glibra::cli::addRender(app, status);
         glibra::cli::addView(app, status);
+        glibra::cli::addTest(app, status);
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
         glibra::cli::addNoise(app, status);
@@ -22,6 +25,14 @@ int main(int argc, char** argv) {
         return status;
     } catch (const CLI::ParseError& wrong) {
         return app.exit(wrong) == 0 ? glibra::cli::kDone : glibra::cli::kWrongUsage;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "glibra: error: %s\n", failure.what());
         return glibra::cli::kSceneIsWrong;

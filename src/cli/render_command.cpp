@@ -12,11 +12,15 @@
 #include <thread>
 
 #include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/suite_options.h"
+#include "cli/suite_render.h"
 #include "gpu/context.h"
 #include "image/file.h"
 #include "plan/uniforms.h"
 #include "render/job.h"
 #include "render/workers.h"
+#include "suite/run.h"
 
 namespace glibra::cli {
 namespace {
@@ -32,8 +36,9 @@ struct RenderArguments {
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;
-    int jobs = 1;
+    int jobs = 0;  ///< 0: a process a processor
     double timeout = 300;
+    SuiteArguments suite;
     bool noShim = false;
     bool explain = false;
 };
@@ -82,6 +87,10 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     return names;
 }
 
+int jobsOf(const RenderArguments& arguments) {
+    return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
 /// The answer that a worker sends: how it went, what to print, and the statistics.
 struct Answer {
     int status = kDone;
@@ -117,6 +126,7 @@ class JobRunner {
     std::string operator()(std::size_t index, const render::Step& step) {
         Answer answer;
         if (!context_) {
+            suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size());
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
             if (!opened) return pack({kNoDriver, printable(opened.diagnostics, color_), "", ""});
             context_.emplace(std::move(*opened));
@@ -153,18 +163,6 @@ class JobRunner {
     std::optional<gpu::Context> context_;
 };
 
-/// Removes what a worker that was ended has half written: temporary files carry the number of their process.
-void removeLeftovers(const fs::path& folder, int process) {
-    const std::string begin = fmt::format(".glibra-{}-", process);
-    std::error_code failure;
-    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
-         each.increment(failure))
-        if (each->path().filename().string().starts_with(begin)) {
-            std::error_code ignored;
-            fs::remove(each->path(), ignored);
-        }
-}
-
 /// The line "[3/60] scene.glib" that is rewritten on a terminal, and nothing elsewhere.
 class ProgressLine {
   public:
@@ -199,6 +197,10 @@ int renderAll(RenderArguments& arguments) {
 
     const auto done = [&](std::size_t index, const render::Outcome& outcome) {
         const std::string& scene = arguments.scenes[index];
+        if (outcome.end == render::Outcome::End::stopped) {
+            image::removeTemporaryFiles(outputs[index].parent_path(), outcome.process);
+            return;
+        }
         Answer answer;
         if (outcome.end == render::Outcome::End::finished) {
             answer = unpack(outcome.answer);
@@ -214,7 +216,7 @@ int renderAll(RenderArguments& arguments) {
                                  text, {scene, 1, 1})},
                           terminal);
             // The worker could not remove what it had half written.
-            removeLeftovers(outputs[index].parent_path(), outcome.process);
+            image::removeTemporaryFiles(outputs[index].parent_path(), outcome.process);
         }
         progress.clear();
         std::fwrite(answer.text.data(), 1, answer.text.size(), stderr);
@@ -232,9 +234,14 @@ int renderAll(RenderArguments& arguments) {
         framesDone[index] = frames;
         progress.show(doneCount, arguments.scenes[index]);
     };
-    render::runInWorkers(arguments.scenes.size(), {.workers = arguments.jobs, .timeout = arguments.timeout},
+    const Interruption interruption;
+    render::runInWorkers(arguments.scenes.size(),
+                         {.workers = jobsOf(arguments),
+                          .timeout = arguments.timeout,
+                          .stop = [&] { return interruption.signal() != 0; }},
                          std::ref(runner), done, step);
     progress.clear();
+    interruption.obey();
 
     if (arguments.scenes.size() > 1) {
         std::string summary = fmt::format("{} of {} scenes rendered", arguments.scenes.size() - failed.size(),
@@ -277,6 +284,15 @@ int run(RenderArguments& arguments) {
         print(parsed.diagnostics);
         if (!parsed) return kWrongUsage;
     }
+    if (!arguments.suite.suites.empty()) {
+        arguments.suite.driver = arguments.driver;
+        arguments.suite.jobs = arguments.jobs;
+        return renderSuites(arguments.suite, arguments.output);
+    }
+    if (arguments.scenes.empty()) {
+        std::fprintf(stderr, "glibra: error: name a scene (.glib), or a suite by --suite\n");
+        return kWrongUsage;
+    }
     arguments.options.shim = !arguments.noShim;
     arguments.options.libraryRoots = libraryRoots();
     return renderAll(arguments);
@@ -288,7 +304,11 @@ void addRender(CLI::App& app, int& status) {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command = app.add_subcommand("render", "scenes to images, without a window or a display");
     RenderArguments& to = *arguments;
-    command->add_option("SCENE", to.scenes, "scene files (.glib)")->required();
+    CLI::Option* scenes = command->add_option("SCENE", to.scenes, "scene files (.glib)");
+    CLI::Option* suite =
+        command
+            ->add_option("--suite", to.suite.suites, "render the shots of a suite: a TOML file or a folder")
+            ->excludes(scenes);
     command->add_option(
         "-o,--output", to.output,
         "image file, or folder for several; the name's ending decides the format; - is standard output");
@@ -314,18 +334,30 @@ void addRender(CLI::App& app, int& status) {
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
     command->add_option("--driver", to.driver, "which OpenGL: auto, egl, egl-device, osmesa")
         ->transform(CLI::CheckedTransformer(kDriverWords));
-    command->add_option("--jobs", to.jobs, "scenes rendered at once")->check(CLI::Range(1, 256));
+    command->add_option("--jobs", to.jobs, "worker processes; without it one a processor")
+        ->check(CLI::Range(1, 256));
     command->add_option("--timeout", to.timeout, "seconds that one picture may take, 0 for no limit")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
     command->add_option("--tile", to.options.tileSize, "side of the tiles of large pictures in pixels")
         ->check(CLI::Range(16, 16384));
+    addSelectionOptions(*command, to.suite);
+    for (const char* each : {"--only", "--shard", "--resume"}) command->get_option(each)->needs(suite);
+    command->add_flag("--check-nan", to.options.checkNan,
+                      "name the draws that put NaN or infinity into the picture");
     command->add_flag("--strict", to.options.strict, "warnings are errors");
     command->add_flag("--no-shim", to.noShim,
                       "compile the shaders as they are, without translating their dialect");
     command->add_flag("--explain", to.explain, "say what was made, what was skipped and why");
     command->add_option("--stats", to.statsFile, "write times and counts of every stage as JSON");
-    command->callback([arguments, &status] { status = run(*arguments); });
+    // What the suite says for each shot.
+    for (const char* each : {"--size", "--time", "--frames", "--fps", "--set", "--view", "--samples",
+                             "--axes", "--alpha", "--tile", "--strict", "--no-shim", "--explain", "--stats"})
+        suite->excludes(command->get_option(each));
+    command->callback([arguments, command, &status] {
+        if (command->count("--timeout") > 0) arguments->suite.timeout = arguments->timeout;
+        status = run(*arguments);
+    });
 }
 
 }  // namespace glibra::cli

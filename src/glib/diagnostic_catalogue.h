@@ -1,6 +1,7 @@
 #pragma once
-// Every message glibra knows, one row an id, of all four families (language, section 10):
-// glib scene text and statements, draw drawing, glsl shaders, file assets. Ids never change meaning.
+// Every message glibra knows, one row an id, of all families (language, section 10): glib scene text and
+// statements, draw drawing, glsl shaders, file assets, gpu the graphics driver, suite suites of shots,
+// result what became of them. Ids never change meaning.
 
 #include <glibra/diagnostic.h>
 

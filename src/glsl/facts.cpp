@@ -1,5 +1,7 @@
 #include "glsl/facts.h"
 
+#include <fmt/format.h>
+
 #include "glsl/usage.h"
 #include "glsl/words.h"
 
@@ -22,9 +24,9 @@ void variableFacts(const Unit& unit, const Variable& variable, TranslatedProgram
     uniform.hasInitializer = uniform.hasInitializer || initialised;
     const LayoutItem* binding =
         isOpaqueTypeWord(variable.type) ? declaration.qualifiers.item("binding") : nullptr;
-    long long unit_ = 0;
-    if (binding && integerValue(unit, binding->value, unit_) && unit_ >= 0 && unit_ < 1024)
-        result.textureBindings[variable.name] = static_cast<int>(unit_);
+    long long textureUnit = 0;
+    if (binding && integerValue(unit, binding->value, textureUnit) && textureUnit >= 0 && textureUnit < 1024)
+        result.textureBindings[variable.name] = static_cast<int>(textureUnit);
 }
 
 void blockFacts(const Unit& unit, const Declaration& block, TranslatedProgram& result) {
@@ -36,7 +38,7 @@ void blockFacts(const Unit& unit, const Declaration& block, TranslatedProgram& r
             const DeclaredUniform uniform{unit.place(each.name), false};
             const std::string own(unit.text(each.name));
             result.uniforms.emplace(own, uniform);
-            result.uniforms.emplace(name + "." + own, uniform);
+            result.uniforms.emplace(fmt::format("{}.{}", name, own), uniform);
         }
 }
 

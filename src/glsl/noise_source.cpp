@@ -1,6 +1,8 @@
 // Language 7.5: noise1 ... noise4 as GLSL. Gradient noise after Perlin (2002) with integer hashes, so that
 // every driver gives the same values.
 
+#include <fmt/format.h>
+
 #include "glsl/rules.h"
 
 namespace glibra::glsl {
@@ -25,8 +27,8 @@ std::vector<std::string> noiseFunctions(unsigned wanted) {
         "    float sum = 0.;",
         "    for (int i = 0; i < 1 << dimension; ++i) {",
         "        ivec4 corner = ivec4(i, i >> 1, i >> 2, i >> 3) & 1;",
-        "        uvec4 c = uvec4(ivec4(cell) + corner) * uvec4(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu, "
-        "0x165667b1u);",
+        "        uvec4 c = uvec4(ivec4(cell) + corner);",
+        "        c *= uvec4(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu, 0x165667b1u);",
         "        uint h = glibra_mix(c.x ^ c.y ^ c.z ^ c.w ^ component * 0x85ebca6bu);",
         "        vec4 s = mix(1. - w, w, vec4(corner));",
         "        sum += s.x * s.y * s.z * s.w * glibra_cornerNoise(h, t - vec4(corner), dimension);",
@@ -42,11 +44,10 @@ std::vector<std::string> noiseFunctions(unsigned wanted) {
         for (int dimension = 1; dimension <= 4; ++dimension) {
             std::string values;
             for (int k = 0; k < components; ++k)
-                values += std::string(k == 0 ? "" : ", ") + "glibra_latticeNoise(" + kPoints[dimension - 1] +
-                          ", " + std::to_string(dimension) + ", " + std::to_string(k) + "u)";
-            if (components > 1) values = type + "(" + values + ")";
-            lines.push_back(type + " glibra_noise" + std::to_string(components) + "(" +
-                            kParameters[dimension - 1] + ") { return " + values + "; }");
+                values += fmt::format("{}glibra_latticeNoise({}, {}, {}u)", k == 0 ? "" : ", ",
+                                      kPoints[dimension - 1], dimension, k);
+            lines.push_back(fmt::format("{0} glibra_noise{1}({2}) {{ return {0}({3}); }}", type, components,
+                                        kParameters[dimension - 1], values));
         }
     }
     return lines;

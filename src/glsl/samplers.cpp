@@ -1,5 +1,7 @@
 // Language 7.9: uniforms of type int or float that a texture function gets as its sampler.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "glsl/rules.h"
@@ -63,7 +65,8 @@ void retype(ProgramUnits& program, const std::string& name, const std::string& s
     for (Unit& unit : program.units) {
         Variable* variable = unit.variable(name);
         if (!variable || !isNumber(*variable)) continue;
-        program.report.warning("glsl-W12", "'" + name + "' is " + variable->type + ", used as " + sampler,
+        program.report.warning("glsl-W12",
+                               fmt::format("'{}' is {}, used as {}", name, variable->type, sampler),
                                unit.place(variable->nameToken));
         const Declarator& declarator =
             unit.syntax.declarations[variable->declaration].declarators[variable->declarator];

@@ -193,7 +193,8 @@ std::string headOf(const Variable& variable) {
         std::string items;
         for (const auto& [key, value] : variable.layout) {
             if (!items.empty()) items += ", ";
-            items += value.empty() ? key : key + " = " + value;
+            items += key;
+            if (!value.empty()) items += " = " + value;
         }
         add("layout(" + items + ")");
     }

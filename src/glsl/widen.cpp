@@ -1,5 +1,7 @@
 // Language 7.10, W23: a scalar where a built-in function wants a vector.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -125,7 +127,7 @@ class Widener {
             if (!isNew && found->second.type != wanted) found->second.conflicting = true;
             if (isNew)
                 found->second.text =
-                    std::string(function.name) + "(" + shape + "): the scalar is widened to " + type;
+                    fmt::format("{}({}): the scalar is widened to {}", function.name, shape, type);
         }
     }
 

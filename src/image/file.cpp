@@ -140,6 +140,17 @@ Diagnostics TemporaryFile::commit() {
     return {};
 }
 
+void removeTemporaryFiles(const fs::path& folder, int process) {
+    const std::string begin = fmt::format(".glibra-{}-", process);
+    std::error_code failure;
+    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
+         each.increment(failure))
+        if (each->path().filename().string().starts_with(begin)) {
+            std::error_code ignored;
+            fs::remove(each->path(), ignored);
+        }
+}
+
 Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
     struct stat status {};
     if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {

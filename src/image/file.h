@@ -26,6 +26,9 @@ Result<std::vector<std::byte>> readFile(const std::filesystem::path& path, const
 /// is left behind.
 Diagnostics writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Removes the temporary files that a process left in a folder when it was ended in the middle of writing.
+void removeTemporaryFiles(const std::filesystem::path& folder, int process);
+
 /// A temporary name beside `target`, for what writes its file itself. The file is removed unless `commit`
 /// succeeds.
 class TemporaryFile {

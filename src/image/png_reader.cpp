@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "image/png_quick_reader.h"
+
 namespace glibra::image {
 namespace {
 
@@ -49,6 +51,7 @@ Result<Image> decodePng(std::span<const std::byte> file, const FileLabel& label,
     if (packedBytes(header) / kLargestRatio > file.size())
         return damaged(label, fmt::format("{} bytes cannot hold {} x {} pixels", file.size(), header.width,
                                           header.height));
+    if (auto usual = decodeUsualPng(file)) return *std::move(usual);
 
     const int format = wide ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
     std::size_t size = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// PNG by libspng: every colour type and bit depth, interlaced or not.
+// PNG: every colour type and bit depth, interlaced or not. By libspng, the usual kind by our own faster way.
 
 #include <glibra/result.h>
 

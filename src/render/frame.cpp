@@ -42,6 +42,13 @@ GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
 
+/// Fraction of the period that has passed. The remainder is exact, after any time; the largest float below 1
+/// keeps what rounds up from becoming 1.
+double timerAt(double time, double period) {
+    const double rest = std::fmod(time, period);
+    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
+}
+
 void enable(GLenum capability, bool on) {
     if (on)
         glEnable(capability);
@@ -85,7 +92,12 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
     glDepthMask(GL_TRUE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    std::size_t drawsBefore = 0;  // of the passes above this one
     for (const plan::PlannedPass& pass : plan_.passes) {
+        std::size_t drawIndex = drawsBefore;
+        drawsBefore += static_cast<std::size_t>(
+            std::count_if(pass.steps.begin(), pass.steps.end(),
+                          [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
         const bool isWindow = pass.pass->targets.empty();
         if (!isWindow && !texturePasses) continue;
         const gpu::Target* target = &window;
@@ -97,10 +109,13 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
         }
         beginPass(pass, *target);
         for (const auto& step : pass.steps) {
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+            if (drawIndex >= drawLimit_) break;
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
                 append(diagnostics, drawOne(*draw, *target, isWindow, time));
-            else
+                ++drawIndex;
+            } else {
                 clear(*target, *std::get<const scene::Clear*>(step), isWindow);
+            }
         }
         stats_.add("passes", 1);
     }
@@ -164,7 +179,7 @@ DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect, double ti
     facts.projection = view_.projection(draw.projection, aspect);
     facts.modelView = view_.modelView(draw);
     facts.texture = view_.texture();
-    facts.timer = time / draw.timerPeriod - std::floor(time / draw.timerPeriod);
+    facts.timer = timerAt(time, draw.timerPeriod);
     facts.color = draw.color;
     facts.pointSize = draw.raster.pointSize;
     return facts;

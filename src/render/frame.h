@@ -1,7 +1,9 @@
 #pragma once
 // Draws a FramePlan: the passes in order, each draw with its complete state.
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "gpu/context.h"
@@ -38,6 +40,10 @@ class FrameDrawer {
     void forgetLiterals(int program);
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
+
+    /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
+    /// still begin with their implicit clears.
+    void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
 
     /// Draws one frame into `window`, which shows `tile`. With `texturePasses` false only the window's passes
     /// are drawn.
@@ -82,6 +88,7 @@ class FrameDrawer {
     bool wireframe_ = false;
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;
+    std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     Tile tile_;
     int clipDistances_ = 0;
     bool lineWidthTold_ = false;

@@ -10,6 +10,7 @@
 
 #include "image/inspect.h"
 #include "image/write.h"
+#include "render/nan_search.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 
@@ -91,19 +92,6 @@ class PictureWriter {
     std::jthread thread_;
 };
 
-/// A picture of one colour is legal, but seldom meant; NaN never is.
-void remarkOnPicture(const image::Image& picture, const std::string& scene, Diagnostics& diagnostics) {
-    if (image::isOneColor(picture))
-        diagnostics.push_back(note("draw-N02", "the picture has only one colour", {scene, 1, 1}));
-    const image::NonFinite bad = image::countNonFinite(picture);
-    if (bad.nan + bad.infinite > 0)
-        diagnostics.push_back(warning(
-            "draw-W06",
-            fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
-                        bad.nan, bad.infinite, bad.x, bad.y),
-            {scene, 1, 1}));
-}
-
 Diagnostics writeToStandardOutput(const image::Image& picture) {
     const std::vector<std::byte> png = image::encodePng(picture);
     if (std::fwrite(png.data(), 1, png.size(), stdout) == png.size() && std::fflush(stdout) == 0) return {};
@@ -117,6 +105,21 @@ bool wantsFloat(const std::filesystem::path& output) {
 }
 
 }  // namespace
+
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene, bool isSearched) {
+    Diagnostics remarks;
+    const Place place{scene.string(), 1, 1};
+    if (image::isOneColor(picture))
+        remarks.push_back(note("draw-N02", "the picture has only one colour", place));
+    const image::NonFinite bad = image::countNonFinite(picture);
+    if (bad.nan + bad.infinite > 0 && !isSearched)
+        remarks.push_back(warning(
+            "draw-W06",
+            fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
+                        bad.nan, bad.infinite, bad.x, bad.y),
+            place));
+    return remarks;
+}
 
 std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames) {
     if (frames <= 1) return output;
@@ -139,24 +142,31 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         result.failed = true;
         return result;
     }
-    const auto writeOne = [&](image::Image picture) {
+    Result<NanSearch> search;
+    if (options.checkNan) search = NanSearch::load(context, job.scene, options);
+    const auto checkNan = [&](double time) {
+        if (search) append(result.diagnostics, search->at(time));
+    };
+    const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
     };
     if (job.frames == 1) {
         Result<image::Image> picture = loaded->draw(options.time, stats);
         append(result.diagnostics, std::move(picture.diagnostics));
+        checkNan(options.time);
         if (picture) {
-            remarkOnPicture(*picture, job.scene.string(), result.diagnostics);
-            append(result.diagnostics, writeOne(std::move(*picture)));
+            append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
+            append(result.diagnostics, writeOne(*picture));
         }
     } else {
         PictureWriter writer(frameWritten);
         for (int i = 0; i < job.frames; ++i) {
             Result<image::Image> picture = loaded->draw(options.time + i / job.framesPerSecond, stats);
             append(result.diagnostics, std::move(picture.diagnostics));
+            checkNan(options.time + i / job.framesPerSecond);
             if (!picture || hasError(result.diagnostics)) break;
-            if (i == 0) remarkOnPicture(*picture, job.scene.string(), result.diagnostics);
+            if (i == 0) append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
             if (!writer.add(std::move(*picture), frameFile(job.output, i, job.frames))) break;
         }
         append(result.diagnostics, writer.finish());

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gpu/context.h"
+#include "image/image.h"
 
 namespace glibra::render {
 
@@ -33,6 +34,11 @@ struct JobResult {
 /// the number of frames written so far, as soon as each is.
 JobResult runJob(gpu::Context& context, const Job& job,
                  const std::function<void(int framesWritten)>& frameWritten);
+
+/// A picture of one colour is legal, but seldom meant (draw-N02); NaN and infinities never are (draw-W06).
+/// `isSearched` leaves NaN to checkNan's search, which names the draws.
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      bool isSearched = false);
 
 /// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the
 /// last frame needs, at least four.

@@ -8,6 +8,7 @@
 namespace glibra {
 
 struct Renderer::State {
+    explicit State(gpu::Context opened) : context(std::move(opened)) {}
     gpu::Context context;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -169,6 +170,17 @@ int SceneRenderer::height() const {
     return state_->height;
 }
 
+bool SceneRenderer::remembersFrames() const {
+    const auto& passes = state_->scene.passes;
+    const auto& programs = state_->plan.programs;
+    return std::any_of(passes.begin(), passes.end(),
+                       [](const auto& each) { return !each.targets.empty(); }) ||
+           std::any_of(programs.begin(), programs.end(), [this](const auto& each) {
+               return each.variant.program != scene::kNone &&
+                      state_->programs.mayWriteImages(each.variant.program);
+           });
+}
+
 Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
                                           const RenderOptions& options, Stats& stats) {
     const auto refuse = [&](Diagnostics diagnostics) {
@@ -268,6 +280,24 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     applyStrict(diagnostics, state.options.strict);
     if (hasError(diagnostics)) return diagnostics;
     return {std::move(picture), std::move(diagnostics)};
+}
+
+Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pass, int color, double time,
+                                              Stats& stats) {
+    State& state = *state_;
+    state.drawer->setDrawLimit(draws);
+    Result<image::Image> window = draw(time, stats);
+    state.drawer->setDrawLimit(std::numeric_limits<std::size_t>::max());
+    const scene::Pass& drawn = *state.plan.passes[pass].pass;
+    if (!window || drawn.targets.empty()) return window;
+    const Result<const gpu::Target*> target = state.device.target(drawn);
+    if (!target) return target.diagnostics;
+    image::Image content{(*target)->width(), (*target)->height(), 4, image::Component::f32, {}};
+    auto pixels = gpu::readPixels(state.context.capabilities(), (*target)->readable(), color,
+                                  {0, 0, content.width, content.height}, {4, gpu::TexelType::f32});
+    if (!pixels) return std::move(pixels.diagnostics);
+    content.data = std::move(*pixels);
+    return {std::move(content), std::move(window.diagnostics)};
 }
 
 namespace {

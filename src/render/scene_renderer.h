@@ -25,10 +25,18 @@ class SceneRenderer {
     /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
 
+    /// What colour output `color` of the target of plan().passes[pass] holds after the first `draws` draws of
+    /// the plan, counted over all passes: of the window the picture as draw() gives it, of a texture RGBA as
+    /// floats. For searches.
+    Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
+
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
+    /// True if a picture may show what an earlier one left behind: rendered textures, or images that a shader
+    /// writes to. Otherwise the pictures of one load are those of a load each.
+    [[nodiscard]] bool remembersFrames() const;
 
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;

@@ -25,7 +25,11 @@ std::vector<double> textureMatrices(const glm::dmat4& first, int elements) {
 
 std::vector<double> suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements) {
     using glsl::Builtin;
-    const auto inverse = [](const glm::dmat4& m) { return scene::inverseOrZero(m); };
+    // In floats a matrix whose inverse they cannot hold is a singular one.
+    const auto inverse = [](const glm::dmat4& m) {
+        const glm::dmat4 inverted = scene::inverseOrZero(m);
+        return scene::isFinite(inverted) ? inverted : glm::dmat4(0.0);
+    };
     const auto modelViewProjection = [&] { return facts.projection * facts.modelView; };
     switch (builtin) {
         case Builtin::timer:

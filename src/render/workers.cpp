@@ -62,7 +62,14 @@ void send(int file, MessageKind kind, const std::string& text) {
 [[noreturn]] void serve(int requests, int answers, const WorkerOptions& options, const Work& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // When the machine's memory ends, a worker goes and not the process that knows all results.
+    if (std::FILE* score = std::fopen("/proc/self/oom_score_adj", "w")) {
+        std::fputs("1000", score);
+        std::fclose(score);
+    }
 #endif
+    for (const int each : {SIGINT, SIGHUP, SIGQUIT}) ::signal(each, SIG_IGN);
+    ::signal(SIGTERM, SIG_DFL);
     if (options.memory > 0) {
         const rlimit limit{options.memory, options.memory};
         ::setrlimit(RLIMIT_AS, &limit);
@@ -149,6 +156,11 @@ class Pool {
         ignore.sa_handler = SIG_IGN;
         ::sigaction(SIGPIPE, &ignore, &before);
         while (next_ < count_ || busy() > 0) {
+            if (options_.stop && options_.stop()) {
+                for (Worker& worker : workers_)
+                    if (worker.piece) end(worker, {.end = Outcome::End::stopped});
+                break;
+            }
             for (Worker& worker : workers_)
                 if (!worker.piece && next_ < count_) give(worker);
             if (busy() > 0) waitForNews();
@@ -164,10 +176,10 @@ class Pool {
     }
 
     void beginStep(Worker& worker) const {
-        worker.deadline = options_.timeout > 0
-                              ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(options_.timeout))
-                              : Clock::time_point::max();
+        const double seconds = options_.timeoutOf ? options_.timeoutOf(*worker.piece) : options_.timeout;
+        worker.deadline = seconds > 0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                           std::chrono::duration<double>(seconds))
+                                      : Clock::time_point::max();
     }
 
     void give(Worker& worker) {
@@ -189,7 +201,7 @@ class Pool {
     void end(Worker& worker, Outcome outcome) {
         const std::size_t piece = *worker.piece;
         outcome.process = worker.process;
-        if (outcome.end == Outcome::End::timedOut) ::kill(worker.process, SIGKILL);
+        if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
         const int signal = finish(worker);
         if (outcome.end == Outcome::End::crashed) outcome.signal = signal;
         done_(piece, outcome);
@@ -231,6 +243,9 @@ class Pool {
                 std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
             milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
         }
+        constexpr int kBetweenQuestions = 200;
+        if (options_.stop && (milliseconds < 0 || milliseconds > kBetweenQuestions))
+            milliseconds = kBetweenQuestions;
         if (::poll(files.data(), files.size(), milliseconds) < 0) return;
         for (std::size_t i = 0; i < files.size(); ++i) {
             Worker& worker = workers_[owners[i]];

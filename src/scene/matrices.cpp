@@ -1,5 +1,6 @@
 #include "scene/matrices.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -50,6 +51,23 @@ bool isSingularMatrix(const Matrix& matrix) {
         scaled[i] = matrix[i] / size;
     }
     return !(std::abs(glm::determinant(scaled)) > kSmallestDeterminant);
+}
+
+double largestElement(const glm::dmat3& matrix) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) largest = std::max(largest, std::abs(matrix[i][j]));
+    return largest;
+}
+
+/// The matrix times the factor; if floats cannot hold its largest element, divided by that instead.
+glm::dmat3 timesWithinFloats(const glm::dmat3& matrix, double factor) {
+    const double largest = largestElement(matrix);
+    const double product = largest * factor;
+    const bool fits =
+        product >= std::numeric_limits<float>::min() && product <= std::numeric_limits<float>::max();
+    if (largest == 0 || fits) return matrix * factor;
+    return matrix / largest;
 }
 
 }  // namespace
@@ -129,12 +147,18 @@ glm::dmat4 inverseOrZero(const glm::dmat4& matrix) {
 }
 
 glm::dmat3 normalMatrix(const glm::dmat4& modelView) {
-    const glm::dmat3 linear(modelView);
+    // A power of two taken out keeps products of very small and very large elements in range, and every bit
+    // as it is.
+    glm::dmat3 linear(modelView);
+    const double largest = largestElement(linear);
+    if (!(largest > 0) || !std::isfinite(largest)) return glm::dmat3(0.0);
+    const double unit = std::ldexp(1.0, std::ilogb(largest));
+    linear /= unit;
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
-    if (isSingular(linear)) return cofactors;
+    if (isSingular(linear)) return timesWithinFloats(cofactors, unit * unit);
     const double determinant = glm::dot(linear[0], cofactors[0]);
-    return cofactors / determinant;
+    return timesWithinFloats(cofactors / determinant, 1 / unit);
 }
 
 MatrixFamily familyOf(const glm::dmat4& matrix) {

@@ -29,11 +29,12 @@ std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3&
 bool isSingular(const glm::dmat3& matrix);
 bool isSingular(const glm::dmat4& matrix);
 
-/// The inverse; of a singular matrix the zero matrix.
+/// The inverse; of a singular matrix the zero matrix. Its elements may be beyond the range of floats.
 glm::dmat4 inverseOrZero(const glm::dmat4& matrix);
 
 /// For normals: the inverse transpose of the upper left 3 x 3; of a singular one its cofactor matrix, which
-/// points the same way up to length and sign.
+/// points the same way up to length and sign. Where its elements are too large or all too small for a float
+/// it is divided by the largest: directions are kept.
 glm::dmat3 normalMatrix(const glm::dmat4& modelView);
 
 /// One matrix with its three relatives.

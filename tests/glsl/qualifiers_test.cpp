@@ -1,5 +1,6 @@
 // Language 7.4: storage words of older versions, reserved words as names.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support.h"
@@ -90,9 +91,10 @@ TEST(Reserved, EveryWordOfTheListWorksAsAName) {
           "common",    "filter",  "input",      "output",  "active",   "partition", "resource"}) {
         const std::string name(word);
         const TranslatedProgram translated = translateSingle(
-            Stage::fragment, "#version 120\nuniform float " + name + ";\nfloat f(float " + name +
-                                 ") { return " + name + " * 2.; }\nvoid main() { gl_FragColor = vec4(f(" +
-                                 name + ")); }");
+            Stage::fragment,
+            fmt::format("#version 120\nuniform float {0};\nfloat f(float {0}) {{ return {0} * 2.; "
+                        "}}\nvoid main() {{ gl_FragColor = vec4(f({0})); }}",
+                        name));
         EXPECT_EQ("glsl-W05", ids(translated.diagnostics)) << name;
         EXPECT_EQ("", glslangErrors(translated)) << name;
     }

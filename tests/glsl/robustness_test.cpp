@@ -63,7 +63,7 @@ TEST(Robustness, MutatedSourcesEnd) {
         for (std::uint32_t k = 0; k < 1 + seed % 5; ++k) {
             const std::uint32_t random = mix(seed * 16 + k);
             const std::size_t at = random % text.size();
-            const std::uint32_t length = mix(random) % 20;
+            const std::size_t length = mix(random) % 20;
             switch (random >> 29) {
                 case 0:
                     text.erase(at, length);

@@ -33,9 +33,10 @@ ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages) {
     ProgramRequest request;
     request.name = "Test";
     request.place = {"test.glib", 7, 1};
-    for (auto& [stage, text] : stages)
-        request.stages.push_back(
-            {stage, std::string("a.") + kSuffixes[static_cast<std::size_t>(stage)], std::move(text)});
+    for (std::pair<Stage, std::string>& each : stages)
+        request.stages.push_back({each.first,
+                                  std::string("a.") + kSuffixes[static_cast<std::size_t>(each.first)],
+                                  std::move(each.second)});
     return request;
 }
 

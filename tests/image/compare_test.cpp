@@ -98,6 +98,41 @@ TEST(CompareImages, NanEqualsNanAndNothingElse) {
     EXPECT_DOUBLE_EQ(halves.rootMeanSquare, std::sqrt(.125));
 }
 
+TEST(CompareImages, FindsWhatAPlainLoopFinds) {
+    for (const int width : {1, 3, 67, 5000})
+        for (const int components : {1, 3, 4}) {
+            const Image a = testing::noisyImage(width, 5, components, Component::u8);
+            Image b = a;
+            for (std::size_t i = 0; i < b.data.size(); ++i)
+                if (testing::hash(static_cast<std::uint32_t>(i)) % 3 == 0) b.data[i] ^= std::byte{0x55};
+            int largest = 0;
+            std::size_t place = 0, pixels = 0;
+            double squares = 0;
+            for (std::size_t i = 0; i < b.data.size(); ++i) {
+                const int d = std::abs(std::to_integer<int>(a.data[i]) - std::to_integer<int>(b.data[i]));
+                if (d > largest) place = i;
+                largest = std::max(largest, d);
+                squares += d * d;
+            }
+            const auto step = static_cast<std::size_t>(components);
+            for (std::size_t i = 0; i < b.data.size(); i += step)
+                pixels += std::memcmp(&a.data[i], &b.data[i], step) != 0 ? 1 : 0;
+            const Comparison result = compare(a, b);
+            EXPECT_DOUBLE_EQ(result.largest, largest / 255.);
+            EXPECT_EQ(result.differingPixels, pixels);
+            EXPECT_EQ(static_cast<std::size_t>((result.y * width + result.x) * components + result.component),
+                      place);
+            EXPECT_DOUBLE_EQ(result.rootMeanSquare,
+                             std::sqrt(squares / static_cast<double>(b.data.size())) / 255);
+        }
+}
+
+TEST(CompareImages, NumbersThatAreNotFiniteAreCountedInEither) {
+    const Image a = floats(4, 1, 1, {kNan, kInfinity, 1, 1});
+    EXPECT_EQ(compare(a, floats(4, 1, 1, {kNan, 1, kNan, 1})).nonFinite, 3U);
+    EXPECT_EQ(compare(a, a).nonFinite, 2U);
+}
+
 TEST(InspectImage, OneColorIsSeenAndOneOddPixelToo) {
     Image image{7, 5, 3, Component::u8, {}};
     for (int i = 0; i < 35; ++i)

@@ -5,13 +5,54 @@ source=$1
 build=$2
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
+fail() { echo "$*"; cat "$place/log"; exit 1; }
+
+# A project's scene and its suite; the first pictures become the goldens.
+mkdir "$place/scenes"
+cp "$source/scenes/expectations/sphere.glib" "$source/scenes/expectations/plain.vert" \
+   "$source/scenes/expectations/plain.frag" "$place/scenes"
+cat >"$place/scenes/pictures.toml" <<'END'
+[defaults]
+size = [64, 48]
+[[shot]]
+script = "sphere.glib"
+[[shot]]
+name = "red"
+script = "sphere.glib"
+set = { uColor = [1, 0, 0] }
+END
+
 cmake --install "$build" --prefix "$place/prefix" >"$place/log"
-cmake -S "$source/tests/install" -B "$place/consumer" -DCMAKE_PREFIX_PATH="$place/prefix" >>"$place/log"
-cmake --build "$place/consumer" >>"$place/log" || { cat "$place/log"; exit 1; }
+cmake -S "$source/tests/install" -B "$place/consumer" -DCMAKE_PREFIX_PATH="$place/prefix" \
+    -DSCENES="$place/scenes" >>"$place/log" || fail "the consumer cannot be configured"
+cmake --build "$place/consumer" >>"$place/log" || fail "the consumer cannot be built"
 LD_LIBRARY_PATH=$(dirname "$(find "$place/prefix" -name 'libglibra.so')") \
     "$place/consumer/consumer" "$source/glib/start/teapot.glib"
+
 cd "$place"
 # The module for picture formats is found from where it was installed to.
 "$place/prefix/bin/glibra" render "$source/glib/start/teapot.glib" --size 64x48 -o teapot.jpg
 test -s teapot.jpg
 test -f "$place/prefix/share/glibra/shaders/builtin/flat.vert"
+
+# Golden tests: red without goldens, green with them, red again for one changed shader, in both tests.
+golden_tests() { ctest --test-dir "$place/consumer" -L glibra >>"$place/log" 2>&1; }
+golden_tests && fail "golden tests pass without goldens"
+cmake --build "$place/consumer" --target pictures-update >>"$place/log" || fail "no goldens were made"
+test -s "$place/scenes/golden/pictures/red.png" || fail "no golden of the shot 'red'"
+golden_tests || fail "golden tests fail on unchanged scenes"
+test -f "$place/consumer/pictures-report/index.html" || fail "no report"
+grep -q '<testcase' "$place/consumer/pictures-results/junit.xml" || fail "no JUnit file"
+sed -i 's/vLight \* uColor/.9 * vLight * uColor/' "$place/scenes/plain.frag"
+golden_tests && fail "golden tests do not see a changed shader"
+ctest --test-dir "$place/consumer" -L quick >>"$place/log" 2>&1 && fail "the label or ONLY is lost"
+
+# What is written wrong is told when the project is configured.
+for wrong in "SUITE nowhere.toml" "" "SUITE ${place}/scenes/pictures.toml COLOR red"; do
+    printf 'cmake_minimum_required(VERSION 3.25)\nproject(wrong NONE)\nfind_package(glibra REQUIRED)\nenable_testing()\n%s\n' \
+        "glibra_add_golden_test(pictures $wrong)" >"$place/scenes/CMakeLists.txt"
+    cmake -S "$place/scenes" -B "$place/wrong" -DCMAKE_PREFIX_PATH="$place/prefix" >"$place/log" 2>&1 &&
+        fail "taken: glibra_add_golden_test(pictures $wrong)"
+    grep -q 'glibra_add_golden_test(pictures)' "$place/log" || fail "no message for: $wrong"
+done
+exit 0

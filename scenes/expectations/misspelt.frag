@@ -1,0 +1,12 @@
+// Does not compile: the uniform is called uColor.
+#version 330 core
+
+uniform vec3 uColor;
+
+in float vLight;
+
+out vec4 fColor;
+
+void main() {
+    fColor = vec4(vLight * uColour, 1.);
+}

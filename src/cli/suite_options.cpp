@@ -1,0 +1,68 @@
+#include "cli/suite_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+#include "cli/commands.h"
+#include "suite/selection.h"
+#include "suite/suite_file.h"
+
+namespace glibra::cli {
+
+void addSelectionOptions(CLI::App& command, SuiteArguments& to) {
+    command
+        .add_option("--only", to.only,
+                    "shots of that name, as 'oval*', or with that tag, as tag:slow; may be repeated")
+        ->allow_extra_args(false);
+    command.add_option("--shard", to.shard, "I/N: the I-th of N parts, the same parts on every machine");
+    command.add_flag("--resume", to.resume, "continue a run that was stopped");
+}
+
+std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status) {
+    const auto refuse = [&](const Diagnostics& diagnostics, int with) {
+        print(diagnostics);
+        status = with;
+        return std::nullopt;
+    };
+    suite::Shard shard;
+    if (!arguments.shard.empty()) {
+        const Result<suite::Shard> parsed = suite::parseShard(arguments.shard);
+        if (!parsed) return refuse(parsed.diagnostics, kWrongUsage);
+        shard = *parsed;
+    }
+    Selection selection;
+    Diagnostics problems;
+    std::map<std::string, std::string> files;
+    for (const std::string& each : arguments.suites) {
+        Result<suite::Suite> read = suite::readSuite(each);
+        append(problems, std::move(read.diagnostics));
+        if (!read) continue;
+        const auto [known, isNew] = files.emplace(read->name, each);
+        if (!isNew)
+            problems.push_back(
+                error("suite-E18",
+                      fmt::format("'{}' and '{}' are both named '{}'; results and goldens need "
+                                  "names of their own",
+                                  known->second, each, read->name),
+                      {each, 1, 1}));
+        selection.suites.push_back(std::move(*read));
+    }
+    if (hasError(problems)) return refuse(problems, kSceneIsWrong);
+    print(problems);
+    if (const Diagnostics wrong = suite::unmatchedPatterns(selection.suites, arguments.only); hasError(wrong))
+        return refuse(wrong, kWrongUsage);
+
+    const std::vector<std::filesystem::path> roots = libraryRoots();
+    for (std::size_t i = 0; i < selection.suites.size(); ++i) {
+        for (suite::Shot& shot : selection.suites[i].shots)
+            shot.options.libraryRoots.insert(shot.options.libraryRoots.end(), roots.begin(), roots.end());
+        for (const std::size_t shot : suite::select(selection.suites[i], arguments.only, shard))
+            selection.shots.push_back({i, shot});
+    }
+    return selection;
+}
+
+}  // namespace glibra::cli

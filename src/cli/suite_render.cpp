@@ -1,0 +1,79 @@
+#include "cli/suite_render.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/suite_progress.h"
+
+namespace glibra::cli {
+
+namespace fs = std::filesystem;
+
+int renderSuites(const SuiteArguments& arguments, const std::string& output) {
+    int status = kDone;
+    const std::optional<Selection> selection = readSelection(arguments, status);
+    if (!selection) return status;
+    const bool several = selection->suites.size() > 1;
+    suite::RunOptions options;
+    options.driver = arguments.driver;
+    options.jobs = arguments.jobs;
+    options.timeout = arguments.timeout;
+    options.onlyRender = output;
+    if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;
+
+    std::vector<suite::ShotReference> open;
+    for (const suite::ShotReference& each : selection->shots) {
+        const suite::Suite& suite = selection->suites[each.suite];
+        std::error_code failure;
+        if (!arguments.resume ||
+            !fs::exists(suite::pictureFile(options.onlyRender, suite, suite.shots[each.shot], several),
+                        failure))
+            open.push_back(each);
+    }
+
+    const Interruption interruption;
+    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    SuiteProgress progress(open.size(), terminal);
+    std::size_t drawn = 0;
+    std::vector<std::string> failed;
+    suite::RunEvents events;
+    events.begins = [&](const suite::ShotReference& each) {
+        progress.begins(selection->suites[each.suite].shots[each.shot].name);
+    };
+    events.done = [&](const suite::ShotResult& shot) {
+        std::string lines = printable(shot.diagnostics, terminal);
+        if (!lines.empty()) {
+            lines.pop_back();
+            progress.tell(lines);
+        }
+        const bool bad = suite::isFailure(shot.verdict);
+        if (bad)
+            failed.push_back(several ? shot.suite + "/" + shot.shot : shot.shot);
+        else
+            ++drawn;
+        progress.add(bad);
+    };
+    events.stop = [&] { return interruption.signal() != 0; };
+    const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    progress.clear();
+    print(end.diagnostics);
+    if (end.noDriver) return kNoDriver;
+
+    std::string summary = fmt::format("{} of {} shots rendered", drawn, open.size());
+    if (open.size() < selection->shots.size())
+        summary += fmt::format(", {} were there", selection->shots.size() - open.size());
+    for (std::size_t i = 0; i < failed.size(); ++i) summary += (i == 0 ? ", failed: " : ", ") + failed[i];
+    std::fprintf(stderr, "%s\n", summary.c_str());
+    if (end.stopped) {
+        std::fprintf(stderr, "stopped; --resume continues with what is left\n");
+        interruption.obey();
+    }
+    return failed.empty() ? kDone : kSceneIsWrong;
+}
+
+}  // namespace glibra::cli

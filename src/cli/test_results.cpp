@@ -1,0 +1,107 @@
+#include "cli/test_results.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "cli/commands.h"
+#include "suite/verdict.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Removes the pictures that an earlier run wrote into its own folder.
+void removePictures(const suite::RunResult& earlier, const fs::path& folder) {
+    for (const suite::ShotResult& shot : earlier.shots)
+        for (const fs::path* each : {&shot.got, &shot.expected, &shot.difference}) {
+            const fs::path relative = each->lexically_normal();
+            if (relative.empty() || relative.is_absolute() || *relative.begin() != shot.suite) continue;
+            std::error_code ignored;
+            fs::remove(folder / relative, ignored);
+        }
+}
+
+bool isLocked(const Diagnostics& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& each) { return each.id == "result-E02"; });
+}
+
+}  // namespace
+
+std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::RunResult& run, bool resume,
+                                         const std::function<bool()>& stop) {
+    using Start = suite::ResultsWriter::Start;
+    for (bool told = false;; told = true) {
+        const Result<suite::RunResult> earlier = suite::readResults(folder);
+        Result<suite::ResultsWriter> writer =
+            suite::ResultsWriter::open(folder, run, resume ? Start::resumed : Start::anew);
+        if (!writer && isLocked(writer.diagnostics) && !stop()) {
+            if (!told)
+                std::fprintf(stderr,
+                             "another run writes to '%s'; waiting for it (--results names another folder)\n",
+                             folder.c_str());
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            continue;
+        }
+        print(writer.diagnostics);
+        if (!writer) return std::nullopt;
+        RunRecord record(folder, std::move(*writer));
+        if (!earlier) return record;
+        if (!resume) {
+            removePictures(*earlier, folder);
+            return record;
+        }
+        for (const suite::ShotResult& each : earlier->shots)
+            if (each.verdict != suite::Verdict::skipped)
+                record.results_.emplace(Key(each.suite, each.shot), each);
+        return record;
+    }
+}
+
+bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot) const {
+    return results_.contains({suite.name, suite.shots[shot.shot].name});
+}
+
+void RunRecord::add(const suite::ShotResult& shot) {
+    if (!failed_) {
+        const Diagnostics problems = writer_.add(shot);
+        print(problems);
+        failed_ = hasError(problems);
+    }
+    results_.insert_or_assign({shot.suite, shot.shot}, shot);
+}
+
+void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suites,
+                       std::span<const suite::ShotReference> shots) {
+    run.shots.reserve(shots.size());
+    for (const suite::ShotReference& each : shots) {
+        const suite::Suite& suite = suites[each.suite];
+        const suite::Shot& shot = suite.shots[each.shot];
+        const auto found = results_.find({suite.name, shot.name});
+        run.shots.push_back(found != results_.end()
+                                ? found->second
+                                : suite::ShotJudge::broken(suite, shot, suite::Verdict::skipped,
+                                                           "the run was stopped before it"));
+    }
+    if (failed_) return;
+    const Diagnostics problems = suite::writeResults(run, folder_);
+    print(problems);
+    failed_ = hasError(problems);
+}
+
+int exitStatus(const suite::RunResult& run) {
+    int status = kDone;
+    for (const suite::ShotResult& each : run.shots) {
+        if (!suite::isFailure(each.verdict)) continue;
+        const bool notDrawn = each.verdict == suite::Verdict::crashed ||
+                              each.verdict == suite::Verdict::timedOut ||
+                              (each.verdict == suite::Verdict::failed && each.width == 0);
+        status = std::max(status, notDrawn ? kSceneIsWrong : kDiffers);
+    }
+    return status;
+}
+
+}  // namespace glibra::cli

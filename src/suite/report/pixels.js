@@ -1,0 +1,116 @@
+// Pixels of the shots that need a look. A page from file:// may not read the pixels of picture files, so that
+// pixels/N.js hands them over: rows with the row above subtracted byte by byte, then zlib, then base64.
+
+const kTypes = {
+    u8: {array: Uint8Array, full: 255},
+    u16: {array: Uint16Array, full: 65535},
+    f32: {array: Float32Array, full: 1},
+};
+const kPicturesKept = 8;
+const loading = new Map();   // file -> promise of {expected, got}
+const handedOver = new Map();  // file -> resolve
+
+window.glibraPixels = (file, pictures) => handedOver.get(file)?.(pictures);
+
+async function unpack(packed) {
+    const text = atob(packed.data);
+    const compressed = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) compressed[i] = text.charCodeAt(i);
+    const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+    const {array, full} = kTypes[packed.type];
+    const rowBytes = packed.width * packed.components * array.BYTES_PER_ELEMENT;
+    for (let i = rowBytes; i < bytes.length; ++i) bytes[i] += bytes[i - rowBytes];
+    return {...packed, data: undefined, full, values: new array(bytes.buffer)};
+}
+
+// The pixels of both pictures of a shot, or null where the report holds none or the browser cannot unpack them.
+function pixelsOf(file) {
+    if (!file || typeof DecompressionStream === "undefined") return Promise.resolve(null);
+    const known = loading.get(file);
+    if (known) return known;
+    const promise = new Promise((resolve) => {
+        handedOver.set(file, resolve);
+        const script = document.createElement("script");
+        script.src = file;
+        script.onerror = () => resolve(null);
+        script.onload = () => script.remove();
+        document.head.append(script);
+    }).then(async (packed) => {
+        handedOver.delete(file);
+        if (!packed) return null;
+        const pictures = {};
+        for (const which of ["expected", "got"])
+            if (packed[which]) pictures[which] = await unpack(packed[which]);
+        return pictures;
+    }).catch(() => null);
+    loading.set(file, promise);
+    if (loading.size > kPicturesKept) loading.delete(loading.keys().next().value);
+    return promise;
+}
+
+function newCanvas(width, height) {
+    const canvas = document.createElement("canvas");
+    canvas.width = width;
+    canvas.height = height;
+    return canvas;
+}
+
+// As a canvas of the picture's size; floats limited to 0..1, no number in magenta.
+function toCanvas({width, height, components, full, values}) {
+    const canvas = newCanvas(width, height);
+    const context = canvas.getContext("2d");
+    const shown = context.createImageData(width, height);
+    const scale = 255 / full;
+    for (let from = 0, to = 0; to < shown.data.length; from += components, to += 4) {
+        for (let c = 0; c < 3; ++c) shown.data[to + c] = values[from + c] * scale;
+        shown.data[to + 3] = components === 4 ? values[from + 3] * scale : 255;
+        if (Number.isNaN(values[from] + values[from + 1] + values[from + 2]))
+            shown.data.set([255, 0, 255, 255], to);
+    }
+    context.putImageData(shown, 0, 0);
+    return canvas;
+}
+
+// |a - b| times the factor; a difference in alpha is shown as grey, what only one picture has as white, a number
+// against none in magenta.
+function differenceCanvas(a, b, factor) {
+    const width = Math.max(a.width, b.width), height = Math.max(a.height, b.height);
+    const canvas = newCanvas(width, height);
+    const context = canvas.getContext("2d");
+    const shown = context.createImageData(width, height);
+    shown.data.fill(255);
+    const scaleA = 255 / a.full, scaleB = 255 / b.full;
+    for (let y = 0; y < Math.min(a.height, b.height); ++y)
+        for (let x = 0; x < Math.min(a.width, b.width); ++x) {
+            const atA = (y * a.width + x) * a.components, atB = (y * b.width + x) * b.components;
+            const to = (y * width + x) * 4;
+            const alphaA = a.components === 4 ? a.values[atA + 3] * scaleA : 255;
+            const alphaB = b.components === 4 ? b.values[atB + 3] * scaleB : 255;
+            const alpha = Math.abs(alphaA - alphaB);
+            for (let c = 0; c < 3; ++c) {
+                const valueA = a.values[atA + c] * scaleA, valueB = b.values[atB + c] * scaleB;
+                const onlyOne = Number.isNaN(valueA) !== Number.isNaN(valueB);
+                if (onlyOne) {
+                    shown.data.set([255, 0, 255], to);
+                    break;
+                }
+                const both = valueA === valueB || Number.isNaN(valueA) ? 0 : Math.abs(valueA - valueB);
+                shown.data[to + c] = Math.max(both, alpha) * factor;
+            }
+        }
+    context.putImageData(shown, 0, 0);
+    return canvas;
+}
+
+// The values of a pixel as the file holds them: 0..255, 0..65535 or floats; null outside of the picture.
+function valuesAt(pixels, x, y) {
+    if (!pixels || x < 0 || y < 0 || x >= pixels.width || y >= pixels.height) return null;
+    const at = (y * pixels.width + x) * pixels.components;
+    return Array.from(pixels.values.subarray(at, at + pixels.components));
+}
+
+function valueText(values, isFloat) {
+    if (!values) return "-";
+    return values.map((each) => isFloat ? String(Number(each.toPrecision(6))) : String(each)).join(" ");
+}

@@ -1,0 +1,48 @@
+#include "suite/verdict_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace glibra::suite {
+
+std::string shellWord(std::string_view text) {
+    const auto isPlain = [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-+=./,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), isPlain)) return std::string(text);
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string reproduceCommand(const Shot& shot) {
+    const RenderOptions& options = shot.options;
+    std::string command = "glibra render " + shellWord(shot.script.string());
+    if (options.width > 0 && options.height > 0)
+        command += fmt::format(" --size {}x{}", options.width, options.height);
+    if (options.time != 0) command += fmt::format(" --time {}", options.time);
+    for (const std::string& each : options.set) command += " --set " + shellWord(each);
+    if (options.view == ViewPolicy::glman) command += " --view glman";
+    if (options.samples != 1) command += fmt::format(" --samples {}", options.samples);
+    if (options.axes) command += " --axes";
+    if (options.alpha) command += " --alpha";
+    if (options.strict) command += " --strict";
+    if (!options.shim) command += " --no-shim";
+    if (options.tileSize > 0) command += fmt::format(" --tile {}", options.tileSize);
+    if (!shot.expectedError) {
+        std::string file = shot.name;
+        std::replace(file.begin(), file.end(), '/', '_');
+        command += " -o " + shellWord(file + (options.floatPixels ? ".exr" : ".png"));
+    }
+    return command;
+}
+
+std::string acceptCommand(const Suite& suite, const Shot& shot) {
+    return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.string()),
+                       shellWord(shot.name));
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,183 @@
+// glibra test and glibra render --suite as a user runs them.
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A suite of three shots of one scene, lit by a uniform.
+class TestCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write(
+            "a.vert",
+            "#version 330 core\nout vec3 vN;\nvoid main() { vN = uNormalMatrix * aNormal; gl_Position = "
+            "uModelViewProjectionMatrix * aVertex; }\n");
+        light("1.");
+        folder.write(
+            "a.glib",
+            "LookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\nProgram P uKd <0. 1. 2.>\nSphere 1 40 "
+            "40\n");
+        folder.write(
+            "s.toml",
+            "goldens = \"golden\"\n[defaults]\nsize = [64, 48]\n[[shot]]\nscript = \"a.glib\"\nsweep = { uKd "
+            "= [0.4, 0.7, 1] }\n");
+    }
+    void light(const std::string& factor) {
+        folder.write("a.frag",
+                     "#version 330 core\nin vec3 vN;\nuniform float uKd;\nout vec4 f;\nvoid main() { f = "
+                     "vec4(vec3(.1 + .8 * " +
+                         factor + " * uKd * abs(normalize(vN).z)), 1.); }\n");
+    }
+    Finished run(const std::string& arguments, const std::string& environment = {}) {
+        return glibra(folder.path(), "test " + arguments, environment);
+    }
+    void accept() { ASSERT_EQ(run("s.toml --update").status, 0); }
+    bool exists(const std::string& name) { return fs::exists(folder / name); }
+
+    Folder folder;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(TestCommand, FailsWithoutGoldensPassesWithThem) {
+    const Finished missing = run("s.toml");
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_TRUE(contains(missing.out, "3 missing")) << missing.out;
+    EXPECT_FALSE(exists("golden"));
+    const Finished update = run("s.toml --update");
+    EXPECT_EQ(update.status, 0) << update.out << update.err;
+    EXPECT_TRUE(exists("golden/a@uKd=0.4.png"));
+    const Finished passed = run("s.toml");
+    EXPECT_EQ(passed.status, 0) << passed.out;
+    EXPECT_TRUE(contains(passed.out, "3 passed")) << passed.out;
+}
+
+TEST_F(TestCommand, AChangedShaderFailsAndUpdateAcceptsIt) {
+    accept();
+    light("1.1");
+    const Finished failed = run("s.toml");
+    EXPECT_EQ(failed.status, 1);
+    EXPECT_TRUE(contains(failed.out, "3 failed")) << failed.out;
+    EXPECT_TRUE(exists("glibra-results/s/a@uKd=0.7.got.png"));
+    EXPECT_TRUE(exists("glibra-results/s/a@uKd=0.7.difference.png"));
+    accept();
+    EXPECT_EQ(run("s.toml").status, 0);
+    EXPECT_FALSE(exists("glibra-results/s/a@uKd=0.7.got.png")) << "an earlier run's picture";
+}
+
+TEST_F(TestCommand, AChangeThatNobodySeesPassesAndIsTold) {
+    accept();
+    light("1.002");
+    const Finished run = this->run("s.toml");
+    EXPECT_EQ(run.status, 0) << run.out;
+    EXPECT_TRUE(contains(run.err, "changed: s/a@uKd=1")) << run.err;
+}
+
+TEST_F(TestCommand, ABrokenSceneIsStatusThreeAndTheOthersAreDrawn) {
+    accept();
+    folder.write("b.glib", "Spere\n");
+    folder.write("t.toml", readFile(folder / "s.toml") + "[[shot]]\nscript = \"b.glib\"\n");
+    const Finished run = this->run("t.toml");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(contains(run.out, "b.glib:1:1: error:")) << run.out;
+    EXPECT_TRUE(contains(run.out, "3 passed")) << run.out;
+}
+
+TEST_F(TestCommand, WrongUsageIsStatusTwo) {
+    for (const char* each : {"", "s.toml --shard 4/3", "s.toml --only nothing", "s.toml --force",
+                             "s.toml --merge r", "s.toml --jobs 0", "s.toml --driver gl"}) {
+        const Finished run = this->run(each);
+        EXPECT_EQ(run.status, 2) << each << "\n" << run.err;
+        EXPECT_FALSE(run.err.empty()) << each;
+    }
+    EXPECT_EQ(run("none.toml").status, 3);
+}
+
+TEST_F(TestCommand, ReportAndJunitAreWritten) {
+    accept();
+    ASSERT_EQ(run("s.toml --report web/report --junit ci/j.xml --results r").status, 0);
+    EXPECT_TRUE(exists("web/report/index.html"));
+    EXPECT_TRUE(contains(readFile(folder / "ci/j.xml"), "<testcase"));
+    EXPECT_TRUE(exists("r/results.jsonl"));
+}
+
+TEST_F(TestCommand, ShardsMergeToTheWholeRun) {
+    accept();
+    for (const char* each : {"1", "2"})
+        EXPECT_EQ(run(std::string("s.toml --shard ") + each + "/2 --results r" + each).status, 0);
+    const Finished merged = run("--merge r1 r2 --results all --junit j.xml");
+    EXPECT_EQ(merged.status, 0) << merged.err;
+    EXPECT_TRUE(contains(merged.out, "3 passed")) << merged.out;
+}
+
+TEST_F(TestCommand, AHangingShotCostsOnlyItself) {
+    // Drivers end a loop after some ten thousand rounds; so there are many pixels to do them for.
+    folder.write("hang.frag",
+                 "#version 330 core\nuniform float uKd;\nout vec4 f;\nvoid main() { float x = uKd; "
+                 "while (x < 9.) x = sin(x + uKd); f = vec4(x); }\n");
+    folder.write("h.glib", "Vertex a.vert\nFragment hang.frag\nProgram P uKd <0. 1. 2.>\nSphere 1 8 8\n");
+    folder.write("t.toml",
+                 readFile(folder / "s.toml") + "[[shot]]\nscript = \"h.glib\"\nsize = [4000, 4000]\n");
+    const Finished run = this->run("t.toml --timeout 2 --update --jobs 1");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(contains(run.out, "1 timed-out, 3 updated")) << run.out;
+}
+
+TEST_F(TestCommand, AnyNumberOfJobsGivesTheSameResults) {
+    accept();
+    light("1.1");
+    std::string first;
+    for (const char* each : {"1", "2", "5"}) {
+        const std::string results = std::string("r") + each;
+        ASSERT_EQ(run("s.toml --jobs " + std::string(each) + " --results " + results).status, 1);
+        const std::string got = readFile(folder / (results + "/s/a@uKd=0.7.got.png"));
+        EXPECT_GT(got.size(), 100U);
+        if (first.empty()) first = got;
+        EXPECT_EQ(got, first);
+    }
+}
+
+TEST_F(TestCommand, OsmesaPassesGoldensOfEgl) {
+    ASSERT_EQ(run("s.toml --update --driver egl").status, 0);
+    EXPECT_EQ(run("s.toml --driver osmesa").status, 0);
+    EXPECT_EQ(run("s.toml", "LP_NATIVE_VECTOR_WIDTH=128").status, 0);
+}
+
+TEST_F(TestCommand, NoDriverIsStatusFour) {
+    const Finished run = this->run("s.toml --driver egl", "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null");
+    EXPECT_EQ(run.status, 4) << run.err;
+    EXPECT_TRUE(contains(run.err, "gpu-E01")) << run.err;
+}
+
+TEST_F(TestCommand, PicturesOfSuitesAreThoseOfScenes) {
+    const Finished all = glibra(folder.path(), "render --suite s.toml -o out");
+    ASSERT_EQ(all.status, 0) << all.err;
+    EXPECT_TRUE(contains(all.err, "3 of 3 shots rendered")) << all.err;
+    ASSERT_EQ(glibra(folder.path(), "render a.glib --size 64x48 --set uKd=0.7 -o one.png").status, 0);
+    EXPECT_EQ(readFile(folder / "out/a@uKd=0.7.png"), readFile(folder / "one.png"));
+
+    fs::remove(folder / "out/a@uKd=1.png");
+    const Finished rest = glibra(folder.path(), "render --suite s.toml -o out --resume");
+    EXPECT_TRUE(contains(rest.err, "1 of 1 shots rendered, 2 were there")) << rest.err;
+    EXPECT_TRUE(exists("out/a@uKd=1.png"));
+    EXPECT_EQ(glibra(folder.path(), "render --suite s.toml --size 8x8").status, 2);
+    EXPECT_EQ(glibra(folder.path(), "render").status, 2);
+}
+
+TEST_F(TestCommand, AFolderOfScenesIsASuite) {
+    fs::create_directories(folder / "scenes");
+    for (const char* each : {"a.glib", "a.vert", "a.frag"})
+        fs::rename(folder / each, folder / (std::string("scenes/") + each));
+    EXPECT_EQ(run("scenes --update").status, 0);
+    EXPECT_EQ(run("scenes").status, 0);
+}
+
+}  // namespace
+}  // namespace glibra::test

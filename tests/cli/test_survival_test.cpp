@@ -1,0 +1,187 @@
+// What a run has to survive: killed workers, Ctrl-C, a full disk, goldens that cannot be written, a second
+// run in the same folder.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Shots that each take long enough to be caught at work.
+class Survival : public testing::Test {
+  protected:
+    static constexpr int kShots = 12;
+
+    void SetUp() override {
+        folder.write("a.vert",
+                     "#version 330 core\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
+        folder.write("a.frag",
+                     "#version 330 core\nuniform int uRounds;\nout vec4 f;\nvoid main() {\n"
+                     "  vec2 z = gl_FragCoord.xy / 300.;\n  for (int i = 0; i < uRounds; i++) z = sin(z * "
+                     "3.1 + float(i));\n"
+                     "  uint h = uint(gl_FragCoord.x) * 1664525u + uint(gl_FragCoord.y) * 22695477u;\n"
+                     "  h = (h ^ (h >> 15)) * 2246822519u;\n  f = vec4(z, float(h >> 24) / 255., 1.);\n}\n");
+        folder.write("a.glib",
+                     "Vertex a.vert\nFragment a.frag\nProgram P uRounds <1 200 5000>\nQuadXY 0 1 1 1\n");
+        std::string rounds;
+        for (int i = 0; i < kShots; ++i) rounds += (i > 0 ? ", " : "") + std::to_string(200 + i);
+        folder.write("s.toml",
+                     "goldens = \"golden\"\n[defaults]\nsize = [300, 300]\n[[shot]]\nscript = "
+                     "\"a.glib\"\nsweep = { uRounds = [" +
+                         rounds + "] }\n");
+    }
+    Finished run(const std::string& arguments) { return glibra(folder.path(), "test " + arguments); }
+    /// Runs a shell script in the folder, with $GLIBRA; the exit status.
+    int shell(const std::string& script) {
+        folder.write("script.sh", "GLIBRA='" GLIBRA_PROGRAM "'\n" + script);
+        const int status =
+            std::system(("cd '" + folder.path().string() + "' && sh script.sh >log 2>&1").c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    std::string log() { return readFile(folder / "log"); }
+    /// Names of temporary files left anywhere.
+    std::string leftovers() {
+        std::string names;
+        for (const auto& each : fs::recursive_directory_iterator(folder.path()))
+            if (each.path().filename().string().starts_with(".glibra-")) names += each.path().string() + "\n";
+        return names;
+    }
+
+    Folder folder;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string count(int n, const std::string& word) {
+    return std::to_string(n) + " " + word;
+}
+
+TEST_F(Survival, AKilledWorkerCostsOneShotAndTheRestGoesOn) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    const int status = shell(
+        "$GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "until [ -s glibra-results/results.jsonl ] && worker=$(pgrep -P $parent); do sleep .01; done\n"
+        "kill -9 $worker\nwait $parent\n");
+    EXPECT_EQ(status, 3) << log();
+    EXPECT_TRUE(contains(log(), "1 crashed, " + count(kShots - 1, "passed"))) << log();
+    EXPECT_TRUE(contains(log(), "signal 9")) << log();
+}
+
+TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
+    // The shell lets its background jobs ignore SIGINT; env gives them the signal back.
+    const int status = shell(
+        "env --default-signal=INT $GLIBRA test s.toml --update --jobs 1 & parent=$!\n"
+        "until ls golden/*.png; do sleep .01; done\nkill -INT $parent\nwait $parent\n");
+    EXPECT_EQ(status, 130) << log();
+    EXPECT_TRUE(contains(log(), "skipped")) << log();
+    EXPECT_EQ(leftovers(), "");
+    const Finished rest = run("s.toml --update --resume");
+    EXPECT_EQ(rest.status, 0);
+    EXPECT_TRUE(contains(rest.out, count(kShots, "updated"))) << rest.out;
+    EXPECT_TRUE(contains(run("s.toml").out, count(kShots, "passed")));
+}
+
+TEST_F(Survival, AKilledRunContinuesWithWhatIsMissing) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    shell(
+        "$GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "until [ $(wc -l <glibra-results/results.jsonl) -gt 3 ]; do sleep .01; done\nkill -9 $parent\n"
+        "wait $parent\ncp glibra-results/results.jsonl before\n");
+    const std::string before = readFile(folder / "before");
+    const Finished rest = run("s.toml --resume");
+    EXPECT_EQ(rest.status, 0) << rest.err;
+    EXPECT_TRUE(contains(rest.out, count(kShots, "passed"))) << rest.out;
+    // Lines that were there are kept as they were, times included.
+    const std::string after = readFile(folder / "glibra-results/results.jsonl");
+    const std::size_t begin = before.find('\n') + 1;
+    const std::string line = before.substr(begin, before.find('\n', begin) - begin);
+    EXPECT_TRUE(contains(after, line)) << line;
+}
+
+TEST_F(Survival, TwoRunsInOneFolderBothGiveRightResults) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    const int status = shell(
+        "$GLIBRA test s.toml >one 2>&1 & a=$!\n$GLIBRA test s.toml >two 2>&1 & b=$!\n"
+        "wait $a && wait $b\n");
+    EXPECT_EQ(status, 0) << readFile(folder / "one") << readFile(folder / "two");
+    for (const char* each : {"one", "two"})
+        EXPECT_TRUE(contains(readFile(folder / each), count(kShots, "passed"))) << each;
+    EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Survival, TwoUpdatesAtOnceLeaveWholeGoldensAndAllHashes) {
+    const int status = shell(
+        "$GLIBRA test s.toml --update --results r1 & a=$!\n$GLIBRA test s.toml --update --results r2 & b=$!\n"
+        "wait $a && wait $b\n");
+    EXPECT_EQ(status, 0) << log();
+    const Finished check = run("s.toml");
+    EXPECT_EQ(check.status, 0) << check.out;
+    const std::string results = readFile(folder / "glibra-results/results.jsonl");
+    EXPECT_FALSE(contains(results, "\"exact\":false")) << "a hash is missing";
+    EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Survival, ATruncatedGoldenFailsItsShotOnly) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    fs::resize_file(folder / "golden/a@uRounds=205.png", 500);
+    const Finished broken = run("s.toml");
+    EXPECT_EQ(broken.status, 1);
+    EXPECT_TRUE(contains(broken.out, "golden/a@uRounds=205.png")) << broken.out;
+    EXPECT_TRUE(contains(broken.out, "1 failed, " + count(kShots - 1, "passed"))) << broken.out;
+    EXPECT_EQ(run("s.toml --update").status, 0);
+    EXPECT_EQ(run("s.toml").status, 0);
+}
+
+TEST_F(Survival, GoldensThatCannotBeWrittenAreToldAndStay) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    const std::string before = readFile(folder / "golden/a@uRounds=200.png");
+    folder.write("a.frag",
+                 "#version 330 core\nuniform int uRounds;\nout vec4 f;\nvoid main() { f = vec4(fract(float("
+                 "uRounds) * gl_FragCoord.xy / 500.), 0., 1.); }\n");
+    // Root may write anywhere, so that another user has to try.
+    const bool root = ::geteuid() == 0;
+    const std::string user = root ? "setpriv --reuid=65534 --clear-groups " : "";
+    const int status =
+        shell("chmod 755 . && chmod -R a-w golden && mkdir out && chmod 777 out\n" + user +
+              "$GLIBRA test s.toml --update --results out/r\ncode=$?\nchmod -R u+w golden\nexit $code\n");
+    if (contains(log(), "setpriv")) GTEST_SKIP() << log();
+    EXPECT_EQ(status, 1) << log();
+    EXPECT_TRUE(contains(log(), "permission denied")) << log();
+    EXPECT_TRUE(contains(log(), count(kShots, "failed"))) << log();
+    EXPECT_EQ(readFile(folder / "golden/a@uRounds=200.png"), before);
+    EXPECT_EQ(leftovers(), "");
+}
+
+TEST_F(Survival, AFullDiskIsToldAndNothingIsHalfWritten) {
+    if (shell("mkdir small && mount -t tmpfs -o size=256k tmpfs small\n") != 0)
+        GTEST_SKIP() << "mounting is not permitted: " << log();
+    const int status = shell(
+        "$GLIBRA test s.toml --update --goldens small/g --results r; echo status $?\n"
+        "ls -la small/g/s\nfor i in small/g/s/*.png; do tail -c 8 $i | grep -q IEND || echo torn $i; done\n"
+        "umount small\n");
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(contains(log(), "o space left on device")) << log();
+    EXPECT_FALSE(contains(log(), "torn")) << log();
+    EXPECT_FALSE(contains(log(), ".glibra-")) << log();
+    EXPECT_FALSE(contains(log(), "status 0")) << log();
+}
+
+TEST_F(Survival, AFullDiskUnderTheResultsStopsTheRun) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    if (shell("mkdir small && mount -t tmpfs -o size=16k tmpfs small\n") != 0)
+        GTEST_SKIP() << "mounting is not permitted: " << log();
+    shell(
+        "dd if=/dev/zero of=small/fill bs=1k count=8\n"
+        "$GLIBRA test s.toml --results small; echo status $?\numount small\n");
+    EXPECT_TRUE(contains(log(), "o space left on device")) << log();
+    EXPECT_TRUE(contains(log(), "status 3")) << log();
+}
+
+}  // namespace
+}  // namespace glibra::test

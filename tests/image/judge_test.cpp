@@ -1,0 +1,314 @@
+// The verdict over two pictures: each rung of the ladder, at its limit and just beyond.
+
+#include "image/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "image/convert.h"
+#include "support.h"
+
+namespace glibra::image {
+namespace {
+
+/// 64 x 64 pixels of one value, RGB.
+Image grey(int value) {
+    return {64, 64, 3, Component::u8,
+            std::vector<std::byte>(std::size_t{64} * 64 * 3, static_cast<std::byte>(value))};
+}
+
+void change(Image& image, int x, int y, int by, std::size_t component = 0) {
+    auto& byte =
+        image
+            .data[static_cast<std::size_t>(y * image.width + x) * static_cast<std::size_t>(image.components) +
+                  component];
+    byte = static_cast<std::byte>(std::to_integer<int>(byte) + by);
+}
+
+Image floats(int width, int height, const std::vector<float>& values) {
+    Image image{width, height, 1, Component::f32, std::vector<std::byte>(4 * values.size())};
+    std::memcpy(image.data.data(), values.data(), image.data.size());
+    return image;
+}
+
+/// No limits but those that a test sets.
+Tolerance loose() {
+    Tolerance tolerance;
+    tolerance.fraction = 1;
+    tolerance.cluster = tolerance.line = 1 << 20;
+    tolerance.bias = 255;
+    return tolerance;
+}
+
+TEST(Judge, EqualBytesNeedNoFigures) {
+    const Image image = testing::noisyImage(9, 7, 4, Component::u16);
+    const Judgement result = judge(image, image, exactTolerance());
+    EXPECT_TRUE(result.same);
+    EXPECT_EQ(result.decidedBy, Rung::bytes);
+    EXPECT_EQ(result.reason, "equal");
+    EXPECT_FALSE(result.flip || result.structure);
+}
+
+TEST(Judge, EqualValuesInOtherTypesAreTheSame) {
+    const Image image = testing::noisyImage(9, 7, 3, Component::u8);
+    EXPECT_TRUE(judge(image, withComponents(image, 4), exactTolerance()).same);
+    EXPECT_TRUE(judge(withType(image, Component::u16), image, exactTolerance()).same);
+}
+
+TEST(Judge, OtherSizesDifferAndSayHow) {
+    const Judgement result = judge(grey(1), testing::noisyImage(9, 7, 3, Component::u8), loose());
+    EXPECT_FALSE(result.same);
+    EXPECT_EQ(result.decidedBy, Rung::size);
+    EXPECT_EQ(result.reason, "the sizes differ: 64 x 64 expected, 9 x 7 got");
+    EXPECT_FALSE(result.comparison.sameSize);
+    EXPECT_FALSE(judge({}, {}, loose()).same) << "pictures without pixels are no pictures";
+}
+
+TEST(Judge, LargestDifferenceIsAllowedAndOneMoreIsNot) {
+    for (const Component type : {Component::u8, Component::u16, Component::f32}) {
+        Tolerance tolerance = loose();
+        tolerance.largest = 3;
+        tolerance.fraction = 0;
+        Image b = grey(100);
+        change(b, 5, 6, 3);
+        const Image a = withType(grey(100), type);
+        EXPECT_TRUE(judge(a, b, tolerance).same) << judge(a, b, tolerance).reason;
+        change(b, 5, 6, 1);
+        const Judgement result = judge(a, b, tolerance);
+        EXPECT_FALSE(result.same);
+        EXPECT_EQ(result.decidedBy, Rung::differences);
+        EXPECT_EQ(result.beyond, 1U);
+        EXPECT_EQ(result.comparison.x, 5);
+        EXPECT_EQ(result.comparison.y, 6);
+        EXPECT_NE(result.reason.find("1 pixel differ"), std::string::npos) << result.reason;
+    }
+}
+
+TEST(Judge, AlphaCounts) {
+    const Image a = withComponents(grey(100), 4);
+    Image b = a;
+    change(b, 5, 6, -4, 3);
+    Tolerance tolerance;
+    tolerance.fraction = 0;
+    EXPECT_FALSE(judge(a, b, tolerance).same);
+    EXPECT_FALSE(judge(grey(100), b, tolerance).same) << "the picture without alpha is opaque";
+}
+
+TEST(Judge, FractionCountsPixelsNotComponents) {
+    Tolerance tolerance = loose();
+    tolerance.fraction = 2. / (64 * 64);
+    Image b = grey(100);
+    for (const std::size_t component : {0U, 1U, 2U}) change(b, 5, 6, 90, component);
+    change(b, 20, 6, 90);
+    EXPECT_TRUE(judge(grey(100), b, tolerance).same);
+    change(b, 40, 6, 90);
+    const Judgement result = judge(grey(100), b, tolerance);
+    EXPECT_FALSE(result.same);
+    EXPECT_EQ(result.beyond, 3U);
+}
+
+TEST(Judge, PixelsThatTouchAreAShape) {
+    Tolerance tolerance = loose();
+    tolerance.cluster = 4;
+    Image b = grey(100);
+    // A diagonal through the corner of the picture's right edge; (0, y + 1) is no neighbour of (63, y).
+    for (const auto& [x, y] : {std::pair{60, 10}, {61, 11}, {62, 12}, {63, 13}, {0, 14}, {0, 13}})
+        change(b, x, y, 90);
+    EXPECT_EQ(judge(grey(100), b, tolerance).cluster, 4U);
+    EXPECT_TRUE(judge(grey(100), b, tolerance).same);
+    change(b, 62, 14, 90);
+    const Judgement result = judge(grey(100), b, tolerance);
+    EXPECT_FALSE(result.same);
+    EXPECT_EQ(result.decidedBy, Rung::differences);
+    EXPECT_EQ(result.cluster, 5U);
+    EXPECT_EQ(result.clusterX, 60);
+    EXPECT_EQ(result.clusterY, 10);
+}
+
+TEST(Judge, PixelsOfOneRowOrColumnAreALine) {
+    for (const bool row : {true, false}) {
+        Tolerance tolerance = loose();
+        tolerance.line = 5;
+        Image b = grey(100);
+        for (int i = 0; i < 5; ++i) row ? change(b, 3 + 7 * i, 9, 90) : change(b, 9, 3 + 7 * i, 90);
+        change(b, 50, 50, 90);
+        EXPECT_TRUE(judge(grey(100), b, tolerance).same);
+        row ? change(b, 60, 9, 90) : change(b, 9, 60, 90);
+        const Judgement result = judge(grey(100), b, tolerance);
+        EXPECT_FALSE(result.same);
+        EXPECT_EQ(result.decidedBy, Rung::differences);
+        EXPECT_EQ(result.line, 6U);
+        EXPECT_NE(result.reason.find(row ? "6 pixels in row 9 differ" : "6 pixels in column 9 differ"),
+                  std::string::npos)
+            << result.reason;
+    }
+}
+
+TEST(Judge, BiasSeesASmallChangeOfManyPixelsAndNotNoise) {
+    Image noisy = grey(100);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) change(noisy, x, y, (x + y) % 2 == 0 ? 3 : -3, 1);
+    const Judgement noise = judge(grey(100), noisy, Tolerance{});
+    EXPECT_TRUE(noise.same) << noise.reason;
+    EXPECT_NEAR(noise.bias, 0, 1e-12);
+    EXPECT_TRUE(judge(grey(100), grey(101), Tolerance{}).same) << "rounding falls to the other side";
+    Image brighter = grey(100);
+    for (int y = 16; y < 32; ++y)
+        for (int x = 32; x < 48; ++x) change(brighter, x, y, -1 - (x + y) % 2, 2);
+    for (const Component type : {Component::u8, Component::u16}) {
+        const Judgement result = judge(withType(grey(100), type), brighter, Tolerance{});
+        EXPECT_FALSE(result.same);
+        EXPECT_EQ(result.decidedBy, Rung::bias);
+        EXPECT_NEAR(result.bias, 1.5, 1e-9);
+        EXPECT_EQ(result.biasX, 32);
+        EXPECT_EQ(result.biasY, 16);
+    }
+}
+
+TEST(Judge, SinglePixelsBeyondTheLimitDoNotDecideTheBias) {
+    Image b = grey(100);
+    for (int i = 0; i < 8; ++i) change(b, 3 * i, 5, 150);
+    Tolerance tolerance = loose();
+    tolerance.bias = 1;
+    const Judgement result = judge(grey(100), b, tolerance);
+    EXPECT_TRUE(result.same) << result.reason;
+    EXPECT_NEAR(result.bias, 6 * 3. / 256, 1e-12) << "six of them in the first block, 3 each";
+}
+
+TEST(Judge, BlocksAtTheEdgesTakeWhatIsLeft) {
+    Image a{40, 20, 1, Component::u8, std::vector<std::byte>(800, std::byte{50})};
+    Image b = a;
+    change(b, 39, 19, 2);
+    const Judgement result = judge(a, b, Tolerance{});
+    EXPECT_EQ(result.biasX, 16);
+    EXPECT_EQ(result.biasY, 0);
+    EXPECT_NEAR(result.bias, 2. / (24 * 20), 1e-12);
+}
+
+TEST(Judge, FloatPicturesAreComparedRelativelyAndAbsolutely) {
+    Tolerance tolerance = loose();
+    tolerance.fraction = 0;
+    tolerance.relative = 0.01;
+    tolerance.absolute = 0.5;
+    const Image a = floats(2, 1, {1000, 0});
+    EXPECT_TRUE(judge(a, floats(2, 1, {1010, 0}), tolerance).same);
+    EXPECT_TRUE(judge(a, floats(2, 1, {990, .5F}), tolerance).same);
+    EXPECT_FALSE(judge(a, floats(2, 1, {1011, 0}), tolerance).same);
+    EXPECT_FALSE(judge(a, floats(2, 1, {1000, .51F}), tolerance).same);
+    EXPECT_FALSE(judge(floats(1, 1, {.5F}), floats(1, 1, {.5005F}), Tolerance{}).same);
+    EXPECT_TRUE(judge(floats(1, 1, {.5F}), floats(1, 1, {.50004F}), Tolerance{}).same);
+}
+
+TEST(Judge, NanAndInfinityEqualThemselvesAndAreReported) {
+    const float nan = std::numeric_limits<float>::quiet_NaN(),
+                infinity = std::numeric_limits<float>::infinity();
+    const Image a = floats(3, 1, {nan, infinity, 1});
+    const Judgement equal = judge(a, a, exactTolerance());
+    EXPECT_TRUE(equal.same);
+    EXPECT_EQ(equal.comparison.nonFinite, 2U);
+    EXPECT_EQ(equal.reason, "equal, but 2 components are no finite numbers");
+    Tolerance tolerance = loose();
+    tolerance.fraction = 0;
+    EXPECT_TRUE(judge(a, floats(3, 1, {nan, infinity, 1.00001F}), tolerance).same);
+    EXPECT_FALSE(judge(a, floats(3, 1, {1, infinity, 1}), tolerance).same);
+    EXPECT_FALSE(judge(a, floats(3, 1, {nan, -infinity, 1}), tolerance).same);
+    tolerance.relative = 1e30;
+    EXPECT_FALSE(judge(a, floats(3, 1, {nan, 1, 1}), tolerance).same) << "no tolerance reaches infinity";
+    Image bytes{3, 1, 1, Component::u8, testing::bytesOf({0, 255, 255})};
+    EXPECT_EQ(judge(a, bytes, tolerance).beyond, 2U);
+}
+
+/// A white square on black, moved by `shift`.
+Image square(int shift, int side = 24) {
+    Image image = grey(0);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            for (const std::size_t component : {0U, 1U, 2U})
+                change(image, 20 + x + shift, 20 + y, 255, component);
+    return image;
+}
+
+TEST(Judge, StructurePassesAMovedEdgeAndRefusesAMissingShape) {
+    Tolerance tolerance;
+    EXPECT_FALSE(judge(square(0), square(1), tolerance).same);
+    tolerance.structure = 0.05;
+    const Judgement moved = judge(square(0), square(1), tolerance);
+    EXPECT_TRUE(moved.same) << moved.reason;
+    EXPECT_EQ(moved.decidedBy, Rung::structure);
+    const Judgement shrunk = judge(square(0), square(0, 18), tolerance);
+    EXPECT_FALSE(shrunk.same);
+    EXPECT_EQ(shrunk.decidedBy, Rung::structure);
+    EXPECT_FALSE(shrunk.flip.has_value());
+}
+
+TEST(Judge, FlipDecidesWhereItIsAskedFor) {
+    Tolerance tolerance;
+    const double mean = *judge(square(0), square(1), tolerance, true).flip;
+    tolerance.flip = mean * 1.01;
+    EXPECT_TRUE(judge(square(0), square(1), tolerance).same);
+    EXPECT_EQ(judge(square(0), square(1), tolerance).decidedBy, Rung::flip);
+    tolerance.flip = mean * 0.99;
+    EXPECT_FALSE(judge(square(0), square(1), tolerance).same);
+    tolerance.flip = 1;
+    tolerance.structure = 0;
+    const Judgement both = judge(square(0), square(0, 18), tolerance);
+    EXPECT_FALSE(both.same) << "both have to hold";
+    EXPECT_EQ(both.decidedBy, Rung::structure);
+}
+
+TEST(Judge, EverythingIsComputedForAReport) {
+    Image b = grey(100);
+    change(b, 3, 3, 1);
+    const Judgement result = judge(grey(100), b, Tolerance{}, true);
+    EXPECT_TRUE(result.same);
+    EXPECT_EQ(result.decidedBy, Rung::differences);
+    EXPECT_TRUE(result.flip && result.structure);
+    EXPECT_FALSE(judge(grey(100), b, Tolerance{}).flip.has_value());
+}
+
+// What a person sees, at the default tolerance.
+
+/// A lit ball before a dark ground, as a scene might draw it; `brightness` scales the light.
+Image ball(double brightness, double gamma) {
+    Image image{200, 200, 3, Component::u8, {}};
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const double u = (x - 99.5) / 80, v = (y - 99.5) / 80, r2 = u * u + v * v;
+            const double light =
+                r2 < 1 ? .1 + .85 * brightness * std::max(0., std::sqrt(1 - r2) * .8 - .5 * v) : .05;
+            for (const double color : {1., .6, .3}) {
+                const double value = std::pow(std::min(light * color, 1.), gamma);
+                image.data.push_back(static_cast<std::byte>(std::lround(value * 255)));
+            }
+        }
+    return image;
+}
+
+TEST(JudgeByDefault, GammaAndBrightnessOfTwoPercentAreSeen) {
+    EXPECT_FALSE(judge(ball(1, 1), ball(1, 1.02), Tolerance{}).same);
+    EXPECT_FALSE(judge(ball(1, 1), ball(1.02, 1), Tolerance{}).same);
+    EXPECT_TRUE(judge(ball(1, 1), ball(1.001, 1), Tolerance{}).same);
+}
+
+TEST(JudgeByDefault, ALostTriangleIsSeen) {
+    Image b = ball(1, 1);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x <= y; ++x)
+            for (const std::size_t component : {0U, 1U, 2U})
+                b.data[static_cast<std::size_t>((60 + y) * 200 + 60 + x) * 3 + component] = std::byte{13};
+    const Judgement result = judge(ball(1, 1), b, Tolerance{});
+    EXPECT_EQ(result.cluster, 10U) << "fewer pixels than may differ, but together";
+    EXPECT_FALSE(result.same);
+}
+
+TEST(JudgeByDefault, APictureMovedByOneRowIsSeen) {
+    const Image a = ball(1, 1);
+    Image b = a;
+    std::memmove(b.data.data() + b.rowBytes(), b.data.data(), b.data.size() - b.rowBytes());
+    EXPECT_FALSE(judge(a, b, Tolerance{}).same);
+}
+
+}  // namespace
+}  // namespace glibra::image

@@ -1,0 +1,116 @@
+// The structural difference: what it forgives, what it sees, and its figure where it can be worked out.
+
+#include "image/structure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "image/convert.h"
+#include "support.h"
+
+namespace glibra::image {
+namespace {
+
+constexpr int kSide = 128;
+
+/// Grey, of a function of the place.
+template <class Value>
+Image picture(Value value, int width = kSide, int height = kSide) {
+    Image image{width, height, 1, Component::u8, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            image.data.push_back(static_cast<std::byte>(static_cast<int>(value(x, y))));
+    return image;
+}
+
+/// A disc at (64 + dx, 64 + dy).
+Image disc(double dx, double dy, double radius = 40) {
+    return picture([=](int x, int y) { return std::hypot(x - 64 - dx, y - 64 - dy) < radius ? 220 : 30; });
+}
+
+Image noise(std::uint32_t seed, int cell) {
+    return picture([=](int x, int y) {
+        return testing::hash(seed + static_cast<std::uint32_t>(y / cell * 1000 + x / cell)) >> 24;
+    });
+}
+
+TEST(Structure, EqualPicturesHaveNone) {
+    for (const Component type : {Component::u8, Component::u16, Component::f32}) {
+        const Image image = testing::noisyImage(50, 37, 4, type);
+        EXPECT_EQ(structure(image, image).difference, 0);
+    }
+}
+
+TEST(Structure, EdgesMayMoveByAPixelInAnyDirection) {
+    for (const double dy : {-1., 0., 1.})
+        for (const double dx : {-1., 0., 1.})
+            EXPECT_LT(structure(disc(0, 0), disc(dx, dy)).difference, 1e-4) << dx << ' ' << dy;
+    EXPECT_LT(structure(disc(0, 0), disc(.4, .3)).difference, .05) << "by a part of a pixel";
+    EXPECT_GT(structure(disc(0, 0), disc(4, 0)).difference, .1);
+}
+
+TEST(Structure, WhatIsMissingIsSeenInPicturesOfAnySize) {
+    for (const int side : {64, 128, 512}) {
+        const auto empty = [](int, int) { return 90; };
+        const auto triangle = [](int x, int y) { return y > 20 && y < 30 && x > 20 && x < y ? 180 : 90; };
+        const StructureResult result = structure(picture(triangle, side, side), picture(empty, side, side));
+        EXPECT_GT(result.difference, .05) << side;
+        EXPECT_LE(result.x, 20);
+        EXPECT_GT(result.x + result.width, 30);
+    }
+}
+
+TEST(Structure, OtherNoiseIsSeen) {
+    for (const int cell : {1, 2, 4, 8})
+        EXPECT_GT(structure(noise(1, cell), noise(9, cell)).difference, .5) << cell;
+}
+
+TEST(Structure, BrightnessLosesTheSquareOfItsChangeInSixteenths) {
+    const auto flat = [](int value) { return picture([=](int, int) { return value; }); };
+    EXPECT_NEAR(structure(flat(100), flat(104)).difference, 4. * 4 / (16 * 16), 1e-6);
+    EXPECT_EQ(structure(flat(100), flat(117)).difference, 1);
+}
+
+TEST(Structure, IsContrastAndStructureOfSsimWhereNoShiftHelps) {
+    // Stripes of one value against stripes of another contrast: shifts are the same or opposite in phase, so
+    // the formula can be worked out. Variances 100 and 900, covariance 300, equal means.
+    const auto stripes = [](int amplitude) {
+        return picture([=](int x, int) { return 128 + (x / 2 % 2 == 0 ? amplitude : -amplitude); });
+    };
+    const double c = std::pow(.03 * 255, 2);
+    EXPECT_NEAR(structure(stripes(10), stripes(30)).difference, 1 - (2 * 300 + c) / (100 + 900 + c), 1e-3);
+}
+
+TEST(Structure, AlphaAndColorCount) {
+    const Image a = withComponents(disc(0, 0), 4);
+    for (const std::size_t component : {0U, 1U, 2U, 3U}) {
+        Image b = a;
+        for (std::size_t i = 0; i < std::size_t{16} * kSide; ++i)
+            b.data[4 * i + component] ^= std::byte{0x60};
+        EXPECT_GT(structure(a, b).difference, .4) << component;
+    }
+}
+
+TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
+    Image a{16, 16, 1, Component::f32, std::vector<std::byte>(1024)};
+    Image b = a;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(&b.data[4 * (std::size_t{8} * 16 + 8)], &nan, 4);
+    // Of 7 x 7 windows one has it inside; the three others that hold it can step aside.
+    EXPECT_NEAR(structure(a, b).difference, 1. / 49, 1e-6);
+    EXPECT_EQ(structure(b, b).difference, 0);
+}
+
+TEST(Structure, SmallPicturesAreOneWindow) {
+    EXPECT_EQ(
+        structure(picture([](int, int) { return 0; }, 3, 2), picture([](int, int) { return 255; }, 3, 2))
+            .difference,
+        1);
+    EXPECT_EQ(structure({}, {}).difference, 1);
+    EXPECT_EQ(structure(disc(0, 0), picture([](int, int) { return 0; }, 3, 2)).difference, 1);
+}
+
+}  // namespace
+}  // namespace glibra::image

@@ -1,0 +1,147 @@
+// Where NaN comes from: the draws that are named against the draws that were written to make it.
+
+#include "render/nan_search.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "gpu/context.h"
+#include "render/job.h"
+#include "scene_text.h"
+
+namespace glibra::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene beside its files in a folder of their own, and a context.
+class NanSearchTest : public testing::Test {
+  protected:
+    NanSearchTest() {
+        char name[] = "/tmp/glibra-nan-XXXXXX";
+        folder_ = ::mkdtemp(name);
+        write("p.vert",
+              "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        // The square root of a negative number is NaN where the left half of the picture is.
+        write("p.frag",
+              "#version 330 core\nuniform float uLeft;\nout vec4 fColor;\n"
+              "void main() { fColor = vec4(sqrt((gl_FragCoord.x < 16. ? uLeft : 1.)), 0., 0., 1.); }\n");
+        write("tex.frag",
+              "#version 330 core\nuniform sampler2D uTex;\nout vec4 fColor;\n"
+              "void main() { fColor = texture(uTex, gl_FragCoord.xy / 32.); }\n");
+    }
+    ~NanSearchTest() override { fs::remove_all(folder_); }
+
+    void write(const std::string& file, const std::string& content) const {
+        std::ofstream(folder_ / file, std::ios::binary) << content;
+    }
+    [[nodiscard]] fs::path scene(const std::string& text) const {
+        write("scene.glib",
+              "WindowSize 32 32\nLookAt 0 0 2 0 0 0 0 1 0\nVertex p.vert\nFragment p.frag\n" + text);
+        return folder_ / "scene.glib";
+    }
+    static Diagnostics search(const fs::path& scene, const RenderOptions& options = {}) {
+        Result<gpu::Context> context = gpu::openContext();
+        EXPECT_TRUE(context);
+        Result<NanSearch> search = NanSearch::load(*context, scene, options);
+        EXPECT_TRUE(search) << test::text(search.diagnostics);
+        return search ? search->at(0) : Diagnostics();
+    }
+
+    fs::path folder_;
+};
+
+std::vector<int> linesOf(const Diagnostics& diagnostics) {
+    std::vector<int> lines;
+    for (const Diagnostic& each : diagnostics) {
+        EXPECT_EQ(each.id, "draw-W06");
+        lines.push_back(each.place.line);
+    }
+    return lines;
+}
+
+TEST_F(NanSearchTest, FinitePicturesAreNotMentioned) {
+    EXPECT_TRUE(search(scene("Program A uLeft 4.\nQuadXY 0 5\nSphere\n")).empty());
+    EXPECT_TRUE(search(scene("")).empty());
+}
+
+TEST_F(NanSearchTest, NamesTheOneDrawOfMany) {
+    // Line 5 on: good draws, but for one in the middle.
+    for (const int bad : {0, 1, 36, 62, 63}) {
+        std::string text = "Program Good uLeft 1.\n";
+        for (int i = 0; i < 64; ++i)
+            text += i == bad ? "Program Bad uLeft -1.\nQuadXY 0 5\nProgram Good uLeft 1.\n" : "QuadXY 0 5\n";
+        const Diagnostics found = search(scene(text));
+        EXPECT_EQ(linesOf(found), std::vector<int>{5 + bad + 2}) << bad;
+        ASSERT_FALSE(found.empty());
+        EXPECT_EQ(found[0].text, "QuadXY leaves NaN or infinity in 512 pixels, the first at 0, 0");
+    }
+}
+
+TEST_F(NanSearchTest, NamesEveryDrawThatBreaksPixelsOfItsOwn) {
+    const Diagnostics found =
+        search(scene("Program Bad uLeft -1.\nPushMatrix\nTranslate -.5 -.5 0\nQuadXY 0 .1\nPopMatrix\n"
+                     "Program Good uLeft 1.\nQuadXY 0 5\n"
+                     "Program AlsoBad uLeft -2.\nTranslate -.5 .5 0\nQuadXY 0 .1\n"));
+    EXPECT_EQ(linesOf(found), (std::vector<int>{8, 14}));
+}
+
+TEST_F(NanSearchTest, WhatIsClearedAwayIsNotNamed) {
+    EXPECT_TRUE(search(scene("Program Bad uLeft -1.\nQuadXY 0 5\nClear\nProgram Good uLeft 1.\nQuadXY 0 5\n"))
+                    .empty());
+    EXPECT_EQ(linesOf(search(scene("Program Bad uLeft -1.\nQuadXY 0 5\nClear\nProgram Worse uLeft -2.\n"
+                                   "Sphere\n"))),
+              std::vector<int>{9});
+}
+
+TEST_F(NanSearchTest, ManyAreCounted) {
+    std::string text = "Ortho -16 16 -16 16\nProgram Bad uLeft -1.\nTranslate -8 -13 0\n";
+    for (int i = 0; i < 12; ++i) text += "Translate 0 2 0\nQuadXY 0 .6\n";
+    const Diagnostics found = search(scene(text));
+    ASSERT_EQ(found.size(), 8U);
+    EXPECT_NE(found.back().text.find("4 more draws do so"), std::string::npos) << found.back().text;
+}
+
+TEST_F(NanSearchTest, ATextureIsTracedToTheDrawIntoIt) {
+    const Diagnostics found =
+        search(scene("Texture2D 6 32 32 RGBA32F\nRenderToTexture 6\nProgram Bad uLeft -1.\nQuadXY 0 5\n"
+                     "RenderToTexture\nFragment tex.frag\nProgram Show uTex 6\nQuadXY 0 5\n"));
+    EXPECT_EQ(linesOf(found), (std::vector<int>{8, 12}));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NE(found[0].text.find("of the texture of unit 6"), std::string::npos) << found[0].text;
+    EXPECT_NE(found[1].text.find("samples what line 8 has drawn"), std::string::npos) << found[1].text;
+}
+
+TEST_F(NanSearchTest, TiledPicturesAreSearchedToo) {
+    RenderOptions options;
+    options.width = options.height = 300;
+    options.tileSize = 64;
+    EXPECT_EQ(linesOf(search(scene("Program Good uLeft 1.\nQuadXY 0 5\nProgram Bad uLeft -1.\nQuadXY 0 5\n"),
+                             options)),
+              std::vector<int>{8});
+}
+
+TEST_F(NanSearchTest, AJobTellsItOfABytePicture) {
+    // Bytes cannot hold NaN: without the search nobody would know.
+    Result<gpu::Context> context = gpu::openContext();
+    ASSERT_TRUE(context);
+    Job job;
+    job.scene = scene("Program Bad uLeft -1.\nQuadXY 0 5\n");
+    job.output = folder_ / "out.png";
+    JobResult result = runJob(*context, job, [](int) {});
+    EXPECT_FALSE(test::has(result.diagnostics, "draw-W06")) << test::text(result.diagnostics);
+    job.options.checkNan = true;
+    result = runJob(*context, job, [](int) {});
+    EXPECT_TRUE(test::has(result.diagnostics, "draw-W06"));
+    EXPECT_FALSE(result.failed);
+    job.options.strict = true;
+    result = runJob(*context, job, [](int) {});
+    EXPECT_TRUE(result.failed);
+}
+
+}  // namespace
+}  // namespace glibra::render

@@ -1,0 +1,125 @@
+"""A Chromium without a window, driven by the W3C WebDriver protocol through chromedriver; standard library only."""
+import base64
+import http.client
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
+KEYS = {"Escape": "\ue00c", "Enter": "\ue007"}
+
+
+class Browser:
+    """One window. Leaves nothing behind when its `with` ends."""
+
+    def __init__(self, width=1400, height=900):
+        self.size = (width, height)
+
+    def __enter__(self):
+        self.profile = tempfile.mkdtemp(prefix="glibra-browser-")
+        self.log = os.path.join(self.profile, "driver.log")
+        # Port 0 lets the system choose; chromedriver prints which it is.
+        self.driver = subprocess.Popen(["chromedriver", "--port=0", "--allowed-ips=127.0.0.1"], stdout=subprocess.PIPE,
+                                       stderr=subprocess.STDOUT, text=True)
+        self.port = None
+        for line in self.driver.stdout:
+            if "started successfully on port" in line:
+                self.port = int(line.rstrip().rstrip(".").rsplit(" ", 1)[1])
+                break
+        if self.port is None:
+            raise RuntimeError("chromedriver did not start")
+        options = {
+            "binary": shutil.which("chromium"),
+            "args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                     "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                     "--disable-dev-shm-usage", "--force-device-scale-factor=1",
+                     "--user-data-dir=" + os.path.join(self.profile, "profile"),
+                     "--window-size=%d,%d" % self.size],
+        }
+        self.session = None
+        answer = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
+            "browserName": "chrome", "goog:chromeOptions": options,
+            "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}}})
+        self.session = "/session/" + answer["sessionId"]
+        return self
+
+    def __exit__(self, *_):
+        try:
+            if self.session:
+                self.ask("DELETE", self.session)
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+            self.driver.stdout.close()
+            shutil.rmtree(self.profile, ignore_errors=True)
+
+    def ask(self, method, path, body=None):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=300)
+        connection.request(method, path, None if body is None else json.dumps(body),
+                           {"Content-Type": "application/json"})
+        answer = json.load(connection.getresponse())["value"]
+        connection.close()
+        if isinstance(answer, dict) and "error" in answer:
+            raise RuntimeError(answer["error"] + ": " + answer["message"])
+        return answer
+
+    def open(self, url):
+        self.ask("POST", self.session + "/url", {"url": url})
+
+    def run(self, script, *arguments):
+        """What the body of a JavaScript function returns."""
+        return self.ask("POST", self.session + "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def wait(self, script, *arguments):
+        """Waits until the script gives something true, and returns it. ctest ends what never comes."""
+        while True:
+            value = self.run(script, *arguments)
+            if value:
+                return value
+            time.sleep(0.02)
+
+    def element(self, selector):
+        return self.ask("POST", self.session + "/element", {"using": "css selector", "value": selector})[ELEMENT]
+
+    def click(self, selector):
+        self.ask("POST", self.session + "/element/" + self.element(selector) + "/click", {})
+
+    def press(self, *keys):
+        actions = []
+        for key in keys:
+            value = KEYS.get(key, key)
+            actions += [{"type": "keyDown", "value": value}, {"type": "keyUp", "value": value}]
+        self.ask("POST", self.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
+
+    def pointer(self, *steps):
+        """Steps: ("move", x, y) in CSS pixels of the window, "down", "up"."""
+        actions = []
+        for step in steps:
+            if step == "down" or step == "up":
+                actions.append({"type": "pointerDown" if step == "down" else "pointerUp", "button": 0})
+            else:
+                actions.append({"type": "pointerMove", "duration": 0, "x": round(step[1]), "y": round(step[2])})
+        self.ask("POST", self.session + "/actions", {"actions": [
+            {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}]})
+
+    def wheel(self, x, y, delta):
+        self.ask("POST", self.session + "/actions", {"actions": [{"type": "wheel", "id": "wheel", "actions": [
+            {"type": "scroll", "x": round(x), "y": round(y), "deltaX": 0, "deltaY": delta, "duration": 0}]}]})
+
+    def command(self, name, **parameters):
+        """A command of the DevTools protocol."""
+        return self.ask("POST", self.session + "/goog/cdp/execute", {"cmd": name, "params": parameters})
+
+    def logs(self, kind):
+        return self.ask("POST", self.session + "/se/log", {"type": kind})
+
+    def screenshot(self, path=None, selector=None):
+        where = "/element/" + self.element(selector) if selector else ""
+        picture = base64.b64decode(self.ask("GET", self.session + where + "/screenshot"))
+        if path:
+            with open(path, "wb") as file:
+                file.write(picture)
+        return picture

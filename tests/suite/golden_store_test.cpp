@@ -1,0 +1,100 @@
+#include "suite/golden_store.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+#include "image/compare.h"
+#include "pictures.h"
+
+namespace glibra::suite {
+namespace {
+
+class Goldens : public testing::Test {
+  protected:
+    Goldens() {
+        suite.name = "s";
+        suite.goldens = folder / "goldens";
+    }
+    GoldenStore store() const { return *GoldenStore::open(suite); }
+    /// Writes a golden by its file name, as a person would.
+    void put(const std::string& name, const image::Image& image) const {
+        ASSERT_TRUE(store().replace(shotNamed(name), "", image));
+    }
+
+    Folder folder;
+    Suite suite;
+};
+
+TEST_F(Goldens, TheNearestVariantIsTaken) {
+    const Shot shot = shotNamed("a");
+    EXPECT_FALSE(store().find(shot, "llvmpipe"));
+    put("a", gradient());
+    EXPECT_EQ(store().find(shot, "llvmpipe")->variant, "");
+    put("a.nvidia", gradient(1));
+    EXPECT_EQ(store().find(shot, "llvmpipe")->variant, "");
+    EXPECT_EQ(store().find(shot, "nvidia")->variant, "nvidia");
+    put("a.llvmpipe", gradient(2));
+    EXPECT_EQ(store().find(shot, "llvmpipe")->variant, "llvmpipe");
+    EXPECT_EQ(store().find(shot, "osmesa-llvmpipe")->variant, "llvmpipe");
+    EXPECT_EQ(store().find(shot, "softpipe")->variant, "");
+    EXPECT_EQ(store().find(shot, "llvmpipe")->file, folder / "goldens/a.llvmpipe.png");
+}
+
+TEST_F(Goldens, WhatWasWrittenComesBack) {
+    put("deep/er/a", gradient());
+    const Result<Golden> golden = store().find(shotNamed("deep/er/a"), "llvmpipe");
+    ASSERT_TRUE(golden);
+    const Result<image::Image> back = decode(*golden);
+    ASSERT_TRUE(back);
+    EXPECT_TRUE(image::compare(*back, gradient()).identical);
+}
+
+TEST_F(Goldens, FloatShotsAreExr) {
+    Shot shot = shotNamed("a");
+    shot.options.floatPixels = true;
+    EXPECT_EQ(store().file(shot, "nvidia"), folder / "goldens/a.nvidia.exr");
+}
+
+TEST_F(Goldens, AnotherFolderHoldsAFolderASuite) {
+    const Result<GoldenStore> elsewhere = GoldenStore::open(suite, folder / "other");
+    EXPECT_EQ(elsewhere->file(shotNamed("a"), ""), folder / "other/s/a.png");
+}
+
+TEST_F(Goldens, ATruncatedGoldenSaysWhatToDo) {
+    put("a", gradient());
+    const std::string whole = textOf(folder / "goldens/a.png");
+    writeText(folder / "goldens/a.png", whole.substr(0, whole.size() / 2));
+    const Result<Golden> golden = store().find(shotNamed("a"), "llvmpipe");
+    ASSERT_TRUE(golden);
+    const Result<image::Image> picture = decode(*golden);
+    ASSERT_FALSE(picture);
+    EXPECT_EQ(picture.diagnostics.front().id, "file-E04");
+    EXPECT_NE(picture.diagnostics.front().text.find("--update"), std::string::npos);
+}
+
+TEST_F(Goldens, AcceptedPixelsHoldForOneGoldenAndOneTolerance) {
+    Shot shot = shotNamed("a");
+    put("a", gradient());
+    const Golden golden = *store().find(shot, "llvmpipe");
+    const std::vector<AcceptedHash> accepted{{"a", "", golden.identity, hashOf(gradient(1)), "key"}};
+    ASSERT_TRUE(acceptHashes(store().hashFile(), accepted).empty());
+    EXPECT_NE(store().acceptedPixels(shot, *store().find(shot, "llvmpipe"), "key"), nullptr);
+    EXPECT_EQ(store().acceptedPixels(shot, *store().find(shot, "llvmpipe"), "other"), nullptr);
+
+    shot.tolerance.largest = 0;
+    EXPECT_EQ(store().acceptedPixels(shot, *store().find(shot, "llvmpipe"), "key"), nullptr);
+    shot.tolerance = {};
+    put("a", gradient(9));
+    EXPECT_EQ(store().acceptedPixels(shot, *store().find(shot, "llvmpipe"), "key"), nullptr);
+}
+
+TEST_F(Goldens, AFolderThatCannotBeWrittenLeavesEverythingAsItWas) {
+    writeText(folder / "goldens", "a file where the folder should be");
+    const Result<Golden> golden = store().replace(shotNamed("a"), "", gradient());
+    ASSERT_FALSE(golden);
+    EXPECT_EQ(golden.diagnostics.front().id, "file-E10");
+    EXPECT_EQ(textOf(folder / "goldens"), "a file where the folder should be");
+}
+
+}  // namespace
+}  // namespace glibra::suite

@@ -1,0 +1,199 @@
+#include "suite/merge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "folder.h"
+#include "suite/results_file.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+ShotResult shot(const std::string& name, Verdict verdict, const std::string& got = "") {
+    ShotResult made;
+    made.suite = "s";
+    made.shot = name;
+    made.verdict = verdict;
+    made.got = got;
+    return made;
+}
+
+RunResult run(const std::string& shard, std::vector<ShotResult> shots) {
+    RunResult made;
+    made.driver = "llvmpipe";
+    made.shard = shard;
+    made.shots = std::move(shots);
+    return made;
+}
+
+std::string ids(const Diagnostics& diagnostics) {
+    std::string all;
+    for (const Diagnostic& each : diagnostics) all += each.id + " ";
+    return all;
+}
+
+std::string verdicts(const RunResult& result) {
+    std::string all;
+    for (const ShotResult& each : result.shots) all += each.shot + ":" + name(each.verdict) + " ";
+    return all;
+}
+
+class Merge : public testing::Test {
+  protected:
+    fs::path add(const std::string& name, const RunResult& result) {
+        EXPECT_TRUE(writeResults(result, folder / name).empty());
+        folders.push_back(folder / name);
+        return folders.back();
+    }
+    Result<RunResult> merged() { return mergeResults(folders, folder / "into"); }
+
+    Folder folder;
+    std::vector<fs::path> folders;
+};
+
+TEST_F(Merge, JoinsTheShardsWithTheirPictures) {
+    writeText(folder / "1/pictures/a.png", "picture a");
+    writeText(folder / "2/pictures/b.png", "picture b");
+    add("2", run("2/2", {shot("b", Verdict::failed, "pictures/b.png")}));
+    add("1", run("1/2", {shot("a", Verdict::passed, "pictures/a.png"), shot("c", Verdict::missing)}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(ids(result.diagnostics), "");
+    EXPECT_EQ(verdicts(*result), "a:passed b:failed c:missing ");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), "picture a");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), "picture b");
+    EXPECT_EQ(result->shard, "");
+    EXPECT_EQ(result->driver, "llvmpipe");
+    const Result<RunResult> written = readResults(folder / "into");
+    ASSERT_TRUE(written);
+    EXPECT_EQ(verdicts(*written), verdicts(*result));
+}
+
+TEST_F(Merge, GivesTheSameForAnyOrderOfTheFolders) {
+    for (int i = 1; i <= 4; ++i)
+        add(std::to_string(i),
+            run(std::to_string(i) + "/4",
+                {shot("a" + std::to_string(5 - i), Verdict::passed), shot("b", static_cast<Verdict>(i))}));
+    std::sort(folders.begin(), folders.end());
+    std::string first;
+    do {
+        const Result<RunResult> result = merged();
+        ASSERT_TRUE(result);
+        if (first.empty()) first = verdicts(*result);
+        EXPECT_EQ(verdicts(*result), first);
+        EXPECT_EQ(first, "a1:passed a2:passed a3:passed a4:passed b:failed ");
+    } while (std::next_permutation(folders.begin(), folders.end()));
+}
+
+TEST_F(Merge, TellsTheShardsThatAreMissing) {
+    add("1", run("1/4", {shot("a", Verdict::passed)}));
+    add("3", run("3/4", {shot("b", Verdict::passed)}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result) << "what is there is joined";
+    ASSERT_EQ(ids(result.diagnostics), "result-E03 ");
+    EXPECT_NE(result.diagnostics[0].text.find("2/4, 4/4"), std::string::npos) << result.diagnostics[0].text;
+    EXPECT_EQ(result->shots.size(), 2U);
+}
+
+TEST_F(Merge, TellsAHugeNumberOfMissingShardsInOneLine) {
+    add("1", run("1/2000000000", {shot("a", Verdict::passed)}));
+    const Result<RunResult> result = merged();
+    ASSERT_EQ(ids(result.diagnostics), "result-E03 ");
+    EXPECT_LT(result.diagnostics[0].text.size(), 1000U);
+    EXPECT_NE(result.diagnostics[0].text.find("1999999999 of 2000000000"), std::string::npos);
+}
+
+TEST_F(Merge, RefusesToCallShardsOfDifferentCountsWhole) {
+    add("1", run("1/2", {}));
+    add("2", run("2/3", {}));
+    EXPECT_EQ(ids(merged().diagnostics), "result-E04 ");
+    folders.clear();
+    add("1", run("1/1", {}));
+    add("2", run("", {}));
+    EXPECT_EQ(ids(merged().diagnostics), "result-E04 ");
+}
+
+TEST_F(Merge, OfTwoVerdictsTheFailureCountsAndTheOtherIsTold) {
+    add("a", run("", {shot("x", Verdict::passed), shot("y", Verdict::crashed), shot("z", Verdict::failed)}));
+    add("b", run("", {shot("x", Verdict::failed), shot("y", Verdict::passed), shot("z", Verdict::failed)}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(verdicts(*result), "x:failed y:crashed z:failed ");
+    EXPECT_EQ(ids(result.diagnostics), "result-W01 result-W01 ");
+    EXPECT_NE(result.diagnostics[0].text.find("'s/x' is passed in"), std::string::npos)
+        << result.diagnostics[0].text;
+}
+
+TEST_F(Merge, SkippedLosesAgainstAnythingAndSilently) {
+    add("a", run("", {shot("x", Verdict::skipped), shot("y", Verdict::passed), shot("z", Verdict::skipped)}));
+    add("b", run("", {shot("x", Verdict::passed), shot("y", Verdict::skipped), shot("z", Verdict::skipped)}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(verdicts(*result), "x:passed y:passed z:skipped ");
+    EXPECT_EQ(ids(result.diagnostics), "");
+}
+
+TEST_F(Merge, KeepsBothOfTwoPicturesWithOneName) {
+    writeText(folder / "1/p.png", "one");
+    writeText(folder / "2/p.png", "two");
+    writeText(folder / "3/p.png", "one");
+    add("1", run("1/3", {shot("a", Verdict::failed, "p.png")}));
+    add("2", run("2/3", {shot("b", Verdict::failed, "p.png")}));
+    add("3", run("3/3", {shot("c", Verdict::failed, "./p.png")}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), "one");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), "two");
+    EXPECT_EQ(result->shots[2].got, result->shots[0].got);
+}
+
+TEST_F(Merge, LeavesPicturesOutsideOfTheFoldersWhereTheyAre) {
+    writeText(folder / "goldens/g.png", "golden");
+    RunResult result = run("", {shot("a", Verdict::failed, "../goldens/g.png")});
+    result.shots[0].expected = folder / "goldens/g.png";
+    add("1", result);
+    const Result<RunResult> joined = merged();
+    ASSERT_TRUE(joined);
+    EXPECT_EQ(joined->shots[0].got, "../goldens/g.png");
+    EXPECT_EQ(joined->shots[0].expected, folder / "goldens/g.png");
+}
+
+TEST_F(Merge, SaysWhichDriverDrewAShotWhereTheyDiffer) {
+    add("1", run("1/2", {shot("a", Verdict::passed)}));
+    RunResult other = run("2/2", {shot("b", Verdict::passed)});
+    other.driver = "NVIDIA";
+    add("2", other);
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->driver, "llvmpipe; NVIDIA");
+    EXPECT_EQ(result->shots[0].driver, "llvmpipe");
+    EXPECT_EQ(result->shots[1].driver, "NVIDIA");
+}
+
+TEST_F(Merge, AFolderThatCannotBeReadIsToldAndTheOthersAreJoined) {
+    add("1", run("1/2", {shot("a", Verdict::passed)}));
+    folders.push_back(folder / "died");
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(ids(result.diagnostics), "file-E01 result-E03 ");
+    EXPECT_FALSE(mergeResults(std::vector{folder / "died"}, folder / "into"));
+    EXPECT_EQ(ids(mergeResults({}, folder / "into").diagnostics), "result-E05 ");
+}
+
+TEST_F(Merge, GoesIntoOneOfItsOwnFoldersToo) {
+    writeText(folder / "1/p.png", "one");
+    writeText(folder / "2/q.png", "two");
+    add("1", run("1/2", {shot("a", Verdict::failed, "p.png")}));
+    add("2", run("2/2", {shot("b", Verdict::failed, "q.png")}));
+    const Result<RunResult> result = mergeResults(folders, folder / "1");
+    ASSERT_TRUE(result);
+    EXPECT_EQ(textOf(folder / "1/p.png"), "one");
+    EXPECT_EQ(textOf(folder / "1/q.png"), "two");
+    EXPECT_EQ(readResults(folder / "1")->shots.size(), 2U);
+}
+
+}  // namespace
+}  // namespace glibra::suite

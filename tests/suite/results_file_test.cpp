@@ -1,0 +1,196 @@
+#include "suite/results_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "folder.h"
+#include "results_maker.h"
+
+namespace glibra::suite {
+namespace {
+
+RunResult smallRun(int count) {
+    RunResult run;
+    run.driver = "llvmpipe";
+    run.shard = "2/8";
+    for (int i = 0; i < count; ++i) {
+        ShotResult shot;
+        shot.suite = "s";
+        shot.shot = "shot" + std::to_string(i);
+        shot.verdict = Verdict::passed;
+        run.shots.push_back(shot);
+    }
+    return run;
+}
+
+TEST(ResultsFile, ARunComesBackWhole) {
+    const Folder folder;
+    ResultsMaker maker(5);
+    RunResult run = maker.run();
+    for (int i = 0; i < 50; ++i) {
+        run.shots.push_back(maker.shot());
+        run.shots.back().shot += std::to_string(i);
+    }
+    ASSERT_TRUE(writeResults(run, folder / "new/results").empty());
+    const Result<RunResult> back = readResults(folder / "new/results");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->command, run.command);
+    ASSERT_EQ(back->shots.size(), run.shots.size());
+    for (std::size_t i = 0; i < run.shots.size(); ++i) expectEqual(back->shots[i], run.shots[i]);
+    EXPECT_TRUE(readResults(folder / "new/results/results.jsonl")) << "the file itself names the results too";
+}
+
+TEST(ResultsFile, ATornLastLineIsLeftOutWithANote) {
+    const Folder folder;
+    ASSERT_TRUE(writeResults(smallRun(3), folder.path()).empty());
+    const std::string whole = textOf(folder / "results.jsonl");
+    const std::size_t lastLine = whole.rfind('\n', whole.size() - 2) + 1;
+    for (std::size_t length = lastLine + 1; length < whole.size() - 1; length += 13) {
+        writeText(folder / "results.jsonl", whole.substr(0, length));
+        const Result<RunResult> back = readResults(folder.path());
+        ASSERT_TRUE(back) << length;
+        ASSERT_EQ(back->shots.size(), 2U) << length;
+        ASSERT_EQ(back.diagnostics.size(), 1U);
+        EXPECT_EQ(back.diagnostics.front().id, "result-N01");
+        EXPECT_EQ(back.diagnostics.front().place.line, 4);
+    }
+}
+
+TEST(ResultsFile, ABrokenLineInTheMiddleIsAnErrorWithItsPlace) {
+    const Folder folder;
+    ASSERT_TRUE(writeResults(smallRun(3), folder.path()).empty());
+    std::string text = textOf(folder / "results.jsonl");
+    text.replace(text.find("shot1") + 5, 1, "");
+    writeText(folder / "results.jsonl", text);
+    const Result<RunResult> back = readResults(folder.path());
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.diagnostics.front().place.file, (folder / "results.jsonl").string());
+    EXPECT_EQ(back.diagnostics.front().place.line, 3);
+    EXPECT_GT(back.diagnostics.front().place.column, 1);
+}
+
+TEST(ResultsFile, AFolderWithoutResultsIsNamed) {
+    const Folder folder;
+    const Result<RunResult> back = readResults(folder / "none");
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.diagnostics.front().id, "file-E01");
+    EXPECT_NE(back.diagnostics.front().text.find("none"), std::string::npos);
+}
+
+TEST(ResultsWriter, WhatItWasToldIsThereAfterAKill) {
+    const Folder folder;
+    const RunResult run = smallRun(5);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run);
+        for (const ShotResult& shot : run.shots) (void)writer->add(shot);
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const Result<RunResult> back = readResults(folder.path());
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->shard, "2/8");
+    ASSERT_EQ(back->shots.size(), 5U);
+    EXPECT_EQ(back->shots[4].shot, "shot4");
+}
+
+TEST(ResultsWriter, GoesOnBehindATornLine) {
+    const Folder folder;
+    const RunResult run = smallRun(3);
+    ASSERT_TRUE(writeResults(run, folder.path()).empty());
+    const std::string whole = textOf(folder / "results.jsonl");
+    writeText(folder / "results.jsonl", whole.substr(0, whole.size() - 20));
+    {
+        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run, ResultsWriter::Start::resumed);
+        ASSERT_TRUE(writer);
+        ASSERT_TRUE(writer->add(run.shots[2]).empty());
+    }
+    EXPECT_EQ(textOf(folder / "results.jsonl"), whole);
+}
+
+TEST(ResultsWriter, OfTwoLinesForOneShotTheLaterCounts) {
+    const Folder folder;
+    RunResult run = smallRun(3);
+    {
+        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run);
+        for (const ShotResult& shot : run.shots) ASSERT_TRUE(writer->add(shot).empty());
+        run.shots[1].verdict = Verdict::failed;
+        ASSERT_TRUE(writer->add(run.shots[1]).empty());
+    }
+    const Result<RunResult> back = readResults(folder.path());
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->shots.size(), 3U);
+    EXPECT_EQ(back->shots[1].verdict, Verdict::failed);
+}
+
+TEST(ResultsWriter, BeginsAnewUnlessItIsToGoOn) {
+    const Folder folder;
+    ASSERT_TRUE(writeResults(smallRun(3), folder.path()).empty());
+    ASSERT_TRUE(ResultsWriter::open(folder.path(), smallRun(0)));
+    EXPECT_TRUE(readResults(folder.path())->shots.empty());
+    const Folder empty;
+    ASSERT_TRUE(ResultsWriter::open(empty.path(), smallRun(0), ResultsWriter::Start::resumed));
+    EXPECT_EQ(readResults(empty.path())->shard, "2/8");
+}
+
+TEST(ResultsWriter, TwoRunsDoNotWriteIntoOneFolder) {
+    const Folder folder;
+    Result<ResultsWriter> first = ResultsWriter::open(folder.path(), smallRun(0));
+    ASSERT_TRUE(first);
+    const ResultsWriter moved = std::move(*first);
+    const Result<ResultsWriter> second = ResultsWriter::open(folder.path(), smallRun(0));
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.diagnostics.front().id, "result-E02");
+}
+
+TEST(ResultsWriter, AWorkerThatOutlivesTheRunDoesNotKeepTheFolder) {
+    const Folder folder;
+    pid_t child = 0;
+    {
+        const Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), smallRun(0));
+        child = ::fork();
+        if (child == 0) {
+            ::pause();
+            ::_exit(0);
+        }
+    }
+    EXPECT_TRUE(ResultsWriter::open(folder.path(), smallRun(0)));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+}
+
+TEST(ResultsWriter, AFullDiskIsToldAndLeavesWholeLines) {
+    const Folder folder;
+    const RunResult run = smallRun(50);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        // A limit of the file's length stands for the full disk.
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{5000, 5000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run);
+        int told = 0;
+        for (const ShotResult& shot : run.shots) {
+            const Diagnostics problems = writer->add(shot);
+            if (!problems.empty() && problems.front().id == "file-E10") ++told;
+        }
+        ::_exit(told > 0 ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    const Result<RunResult> back = readResults(folder.path());
+    ASSERT_TRUE(back);
+    EXPECT_TRUE(back.diagnostics.empty()) << "no torn line";
+    EXPECT_GT(back->shots.size(), 2U);
+    EXPECT_LT(back->shots.size(), 50U);
+}
+
+}  // namespace
+}  // namespace glibra::suite

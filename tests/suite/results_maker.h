@@ -1,0 +1,31 @@
+#pragma once
+// Results with every member filled, by chance but the same in each run.
+
+#include <random>
+
+#include "suite/results.h"
+
+namespace glibra::suite {
+
+class ResultsMaker {
+  public:
+    explicit ResultsMaker(unsigned seed) : random_(seed) {}
+
+    ShotResult shot();
+    RunResult run();  ///< without shots
+    std::string text();
+    double figure();
+
+  private:
+    std::size_t below(std::size_t limit) { return random_() % limit; }
+    bool chance() { return below(2) == 1; }
+    std::optional<double> maybe() { return chance() ? std::optional(figure()) : std::nullopt; }
+    Diagnostic diagnostic();
+
+    std::mt19937_64 random_;
+};
+
+/// Equal member by member; NaN equals NaN, and 0 is not -0.
+void expectEqual(const ShotResult& a, const ShotResult& b);
+
+}  // namespace glibra::suite

@@ -1,0 +1,247 @@
+// Suite files that are wrong: every mistake has its place, its id and a way out.
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+
+#include "glib/diagnostic_catalogue.h"
+#include "suite/suite_file.h"
+#include "suite_text.h"
+
+namespace glibra::suite::test {
+namespace {
+
+struct Mistake {
+    const char* name;
+    std::string text;
+    std::string message;  ///< "line:column id text" of each, one a line
+};
+
+// GoogleTest calls it by this name.
+// NOLINTNEXTLINE(readability-identifier-naming)
+void PrintTo(const Mistake& mistake, std::ostream* to) {
+    *to << mistake.name;
+}
+
+class SuiteMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(SuiteMistake, IsToldWithItsPlace) {
+    const SceneFolder folder{"teapot.glib", "start/cow.glib"};
+    const auto suite = folder.read(GetParam().text);
+    EXPECT_FALSE(suite);
+    EXPECT_EQ(folder.shown(suite), GetParam().message);
+    for (const Diagnostic& each : suite.diagnostics) {
+        EXPECT_EQ(each.severity, Severity::error);
+        EXPECT_TRUE(glib::findDiagnostic(each.id)) << each.id;
+        EXPECT_EQ(each.place.file, (folder.path() / "s.toml").string());
+    }
+}
+
+/// A shot of the teapot with one more line, which is line 3.
+std::string shot(const std::string& line) {
+    return "[[shot]]\nscript = \"teapot.glib\"\n" + line + "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SuiteMistake,
+    testing::Values(
+        Mistake{"Syntax", "[[shot]\n", "1:8 suite-E01 not TOML: table header: expected ']', saw '\\n'\n"},
+        Mistake{"PointWithoutDigit", shot("set = { uKd = .5 }"),
+                "3:15 suite-E01 not TOML: floating-point: expected decimal digit, saw '.'; a number needs a "
+                "digit "
+                "before its "
+                "point, as 0.5\n"},
+        Mistake{"KeyTwice", shot("time = 1\ntime = 2"),
+                "4:8 suite-E01 not TOML: key-value pair: cannot redefine existing integer 'time'\n"},
+        Mistake{"UnknownKey", shot("sise = [8, 8]"),
+                "3:1 suite-E02 unknown key 'sise' in [[shot]]; did you mean 'size'?\n"},
+        Mistake{"UnknownTopKey", "golden = 'x'\n" + shot(""),
+                "1:1 suite-E02 'golden' belongs under [defaults] or [[shot]]\n"},
+        Mistake{"UnknownTopKeyNear", "goldnes = 'x'\n" + shot(""),
+                "1:1 suite-E02 unknown key 'goldnes' at the top of the file; did you mean 'goldens'?\n"},
+        Mistake{"ShotKeyInDefaults", "[defaults]\nmatch = 'x'\n" + shot(""),
+                "2:1 suite-E02 'match' belongs to one shot and cannot stand in [defaults]\n"},
+        Mistake{"UnknownToleranceKey", shot("tolerance = { maximum = 3, flipp = 1 }"),
+                "3:15 suite-E02 unknown key 'maximum' in tolerance\n"
+                "3:28 suite-E02 unknown key 'flipp' in tolerance; did you mean 'flip'?\n"},
+        Mistake{"UnknownErrorKey", shot("expect-error = { ids = 'glsl-E01' }"),
+                "3:18 suite-E02 unknown key 'ids' in expect-error; did you mean 'id'?\n"},
+        Mistake{"SingleShot", "[shot]\nscript = 'teapot.glib'\n",
+                "1:1 suite-E03 shot: [[shot]] is wanted, not a table\n"},
+        Mistake{"ShotIsNoTable", "shot = [1]\n",
+                "1:9 suite-E03 shot: a table under [[shot]] is wanted, not the number 1\n"},
+        Mistake{"WrongTypes",
+                shot("samples = 'four'\nstrict = 1\ntimeout = '3'\nsize = 'big'\nview = 'best'\ntags = "
+                     "3\ntime = true"),
+                "3:11 suite-E03 samples: a whole number is wanted, not the text 'four'\n"
+                "4:10 suite-E03 strict: true or false is wanted, not the number 1\n"
+                "5:11 suite-E03 timeout: a number is wanted, not the text '3'\n"
+                "6:8 suite-E03 size: [WIDTH, HEIGHT] or \"WIDTHxHEIGHT\" is wanted, not the text 'big'\n"
+                "7:8 suite-E03 view: \"auto\" or \"glman\" is wanted, not the text 'best'\n"
+                "8:8 suite-E03 tags: a text between quotes, or a list of such, is wanted, not the number 3\n"
+                "9:8 suite-E03 time: a number is wanted, not true\n"},
+        Mistake{"DateAsTime", shot("time = 1979-05-27"),
+                "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
+        Mistake{"HalfASample", shot("samples = 1.5"),
+                "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
+                "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
+                "3:19 suite-E03 set.uColor: one value is wanted, not a list of lists; a list of values "
+                "belongs in sweep\n"},
+        Mistake{
+            "SweepOfOneNumber", shot("sweep = { uTol = 0.1 }"),
+            "3:18 suite-E03 sweep.uTol: a list of values, as [0, 0.1, 0.2], is wanted, not the number 0.1\n"},
+        Mistake{"OutOfRange",
+                shot("samples = 100\ntimeout = -1\ntolerance = { flip = 2 }\nsize = [0, 70000]\ntime = [0, "
+                     "1e10]\nset = "
+                     "{ uA = 1e39, uB = nan }"),
+                "3:11 suite-E04 samples: 100 is not between 1 and 64\n"
+                "4:11 suite-E04 timeout: -1 is not between 0 and 1e+06\n"
+                "5:22 suite-E04 tolerance.flip: 2 is not between 0 and 1\n"
+                "6:9 suite-E04 size: 0 is not between 1 and 65536\n"
+                "6:12 suite-E04 size: 70000 is not between 1 and 65536\n"
+                "7:12 suite-E04 time: 1e+10 is not between -1e+09 and 1e+09\n"
+                "8:14 suite-E04 set.uA: 1e+39 is not a finite 32-bit number\n"
+                "8:25 suite-E04 set.uB: nan is not a finite 32-bit number\n"},
+        Mistake{"SizeTextOutOfRange", shot("size = '0x9'"),
+                "3:8 suite-E04 size: 0x9 is not 1 to 65536 pixels a side\n"},
+        Mistake{"EmptyLists", shot("time = []\ntags = []\nsweep = { uA = [] }\nset = { uA = [] }\nname = ''"),
+                "3:8 suite-E04 time: the list is empty\n"
+                "4:8 suite-E04 tags: the list is empty\n"
+                "5:16 suite-E04 sweep.uA: the list is empty\n"
+                "6:14 suite-E04 set.uA: the list is empty\n"
+                "7:8 suite-E04 name: the text is empty\n"},
+        Mistake{"UniformTextThatIsNone", shot("set = { uA = 'red', uB = '[1 2' }"),
+                "3:14 suite-E04 set.uA: 'red': 'red' is not a number\n"
+                "3:26 suite-E04 set.uB: '[1 2': a bracket is not closed\n"},
+        Mistake{
+            "BadNames",
+            shot("name = '../x'\n[[shot]]\nscript = 'teapot.glib'\nname = '/etc/x'\n[[shot]]\nscript = "
+                 "'teapot.glib'\nname = 'a b'\n[[shot]]\nscript = 'teapot.glib'\nname = "
+                 "'a//b'\n[[shot]]\nscript = "
+                 "'teapot.glib'\nname = '.x'\ntags = 'a/b'"),
+            "3:8 suite-E05 name: '../x' has '..' in it\n"
+            "6:8 suite-E05 name: '/etc/x' begins with '/'; names are relative\n"
+            "9:8 suite-E05 name: 'a b' has ' ' in it; letters, digits and . _ - = , @ + can be in a name\n"
+            "12:8 suite-E05 name: 'a//b' has an empty part\n"
+            "15:8 suite-E05 name: '.x' has a part that begins with '.'\n"
+            "16:8 suite-E05 tag 'a/b' has '/' in it\n"},
+        Mistake{"UniformNameThatIsNone", shot("set = { 'u Kd' = 1 }"),
+                "3:9 suite-E05 set: 'u Kd' is not the name of a uniform\n"},
+        Mistake{"NameTwice", shot("") + shot("name = 'teapot'"),
+                "6:8 suite-E06 there are two shots 'teapot'; the other one is on line 2\n"},
+        Mistake{"ValueTwice", shot("sweep = { uA = [0, 0.0] }"),
+                "2:10 suite-E06 this makes two shots 'teapot@uA=0'\n"},
+        Mistake{
+            "NameOfAVariant", shot("") + shot("name = 'teapot.nvidia'"),
+            "6:8 suite-E06 the golden of 'teapot.nvidia' would be a variant of that of 'teapot' on line 2\n"},
+        Mistake{"UnknownShot", shot("") + shot("name = 'b'\nmatch = 'teapto'"),
+                "7:9 suite-E07 match: there is no shot 'teapto'; did you mean 'teapot'?\n"},
+        Mistake{"SweepNamedAsOne", shot("sweep = { uA = [1, 2] }") + shot("name = 'b'\ndiffer = 'teapot'"),
+                "7:10 suite-E07 differ: there is no shot 'teapot'; there is 'teapot@uA=1', one of several\n"},
+        Mistake{"Itself", shot("match = 'teapot'"),
+                "3:9 suite-E08 match: the shots name each other in a ring: teapot, teapot\n"},
+        Mistake{"Ring",
+                shot("name = 'a'\nmatch = 'b'") + shot("name = 'b'\ndiffer = 'c'") +
+                    shot("name = 'c'\nmatch = 'a'"),
+                "12:9 suite-E08 match: the shots name each other in a ring: a, b, c, a\n"},
+        Mistake{"PatternOfNothing", "[[shot]]\nscript = 'strat/*.glib'\n",
+                "2:10 suite-E09 script: 'strat/*.glib' fits no file\n"},
+        Mistake{"ExceptionOfNothing", "[[shot]]\nscript = '*.glib'\nexcept = 'x*'\n",
+                "3:10 suite-E09 except: 'x*' fits no file\n"},
+        Mistake{"ExceptionOfAll", "[[shot]]\nscript = '*.glib'\nexcept = '*'\n",
+                "2:10 suite-E09 script: 'except' leaves no file\n"},
+        Mistake{"MissingScript", "[[shot]]\nscript = 'teapto.glib'\n",
+                "2:10 suite-E10 script: cannot find 'teapto.glib'; did you mean 'teapot.glib'?\n"},
+        Mistake{"MissingScriptOfAList", "[[shot]]\nscript = ['teapot.glib', 'start/cwo.glib']\n",
+                "2:26 suite-E10 script: cannot find 'start/cwo.glib'; did you mean 'cow.glib'?\n"},
+        Mistake{"FolderAsScript", "[[shot]]\nscript = 'start'\n",
+                "2:10 suite-E10 script: cannot find 'start'; it is a folder, write \"start/*.glib\"\n"},
+        Mistake{"WindowsPath", "[[shot]]\nscript = 'far\\off\\cow.glib'\n",
+                "2:10 suite-E10 script: cannot find 'far\\off\\cow.glib'; folders are separated by '/'\n"},
+        Mistake{"MissingLibrary", shot("library = 'nowhere'"),
+                "3:11 suite-E10 library: 'nowhere' is not a folder\n"},
+        Mistake{"NoScript", "[[shot]]\nname = 'x'\n", "1:1 suite-E12 the shot has no script\n"},
+        Mistake{"SetAndSweep", shot("set = { uA = 1 }\nsweep = { uA = [2] }"),
+                "4:11 suite-E12 'uA' stands in set and in sweep\n"},
+        Mistake{"ErrorThatMatches", shot("") + shot("name = 'b'\nexpect-error = true\nmatch = 'teapot'"),
+                "8:9 suite-E12 a shot with expect-error makes no picture that could match or differ\n"},
+        Mistake{"MatchOfAnError", shot("expect-error = true") + shot("name = 'b'\nmatch = 'teapot'"),
+                "7:9 suite-E12 match: 'teapot' has to fail and makes no picture\n"},
+        Mistake{"MatchAndDiffer", shot("") + shot("name = 'b'\nmatch = 'teapot'\ndiffer = 'teapot'"),
+                "8:10 suite-E12 match and differ both name 'teapot'\n"},
+        Mistake{"WarningExpected", shot("expect-error = 'glib-W37'"),
+                "1:1 suite-E12 expect-error: glib-W37 is a warning, which fails a scene only with strict = "
+                "true\n"},
+        Mistake{"NoShots", "[defaults]\nsamples = 4\n", "1:1 suite-E14 the suite has no [[shot]]\n"},
+        Mistake{"UnknownError", shot("expect-error = 'glsl-E1'"),
+                "3:16 suite-E17 expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?\n"},
+        Mistake{"ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
+                "1:1 suite-E02 unknown key 'golds' at the top of the file\n"},
+        Mistake{"ColumnsAfterUmlauts", shot("set = { \"\xc3\xa4\xc3\xb6\" = 1, uA = nan }"),
+                "3:9 suite-E05 set: '\xc3\xa4\xc3\xb6' is not the name of a uniform\n"
+                "3:26 suite-E04 set.uA: nan is not a finite 32-bit number\n"}),
+    [](const testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
+
+TEST(SuiteMistakes, OfAHugeSweepAreToldBeforeItIsMade) {
+    const SceneFolder folder{"a.glib"};
+    std::string values;
+    for (int i = 0; i < 1000; ++i) values += std::to_string(i) + ", ";
+    std::string text = "[[shot]]\nscript = 'a.glib'\nsweep = { ";
+    for (int i = 0; i < 30; ++i) text += "u" + std::to_string(i) + " = [" + values + "], ";
+    text += "last = [1] }\n";
+    const auto suite = folder.read(text);
+    ASSERT_EQ(suite.diagnostics.size(), 1U);
+    EXPECT_EQ(suite.diagnostics[0].id, "suite-E11");
+    EXPECT_EQ(suite.diagnostics[0].place.line, 3);
+}
+
+TEST(SuiteMistakes, HaveTheirColumnInBytesInLongLinesToo) {
+    const SceneFolder folder{"a.glib"};
+    std::string text = "expect-error = { text = \"";
+    for (int i = 0; i < 3000; ++i) text += i % 2 == 0 ? "\xc3\xa4" : "\xe2\x82\xac";
+    text += "\", line = ";
+    EXPECT_EQ(folder.show("[[shot]]\nscript = 'a.glib'\n" + text + "0 }\n"),
+              "3:" + std::to_string(text.size() + 1) +
+                  " suite-E04 expect-error.line: 0 is not between 1 and 2147483647\n");
+}
+
+TEST(SuiteMistakes, AreCountedBeyondAHundred) {
+    const SceneFolder folder{"a.glib"};
+    std::string text = "[[shot]]\nscript = 'a.glib'\n";
+    for (int i = 0; i < 150; ++i) text += "key" + std::to_string(i) + " = 1\n";
+    const auto suite = folder.read(text);
+    ASSERT_EQ(suite.diagnostics.size(), 101U);
+    EXPECT_EQ(suite.diagnostics.back().text, "50 more errors are not shown");
+}
+
+TEST(SuiteMistakes, OfFilesAreTold) {
+    const SceneFolder folder{"a.glib", "start.toml", "empty/notes.txt", "twice/a b.glib", "twice/a_b.glib"};
+    const auto message = [&](const char* name) { return folder.shown(readSuite(folder.path() / name)); };
+    EXPECT_EQ(message("strat.toml"), "1:1 file-E01 cannot find 'strat.toml'; nearest: 'start.toml'\n");
+    EXPECT_EQ(message("a.glib"),
+              "1:1 suite-E13 this is a scene; a suite is a .toml file or a folder of scenes\n");
+    EXPECT_EQ(message("start.toml"), "1:1 file-E02 'start.toml' is empty\n");
+    EXPECT_EQ(message("empty"), "1:1 suite-E14 there is no .glib file in the folder\n");
+    EXPECT_EQ(
+        message("twice"),
+        "1:1 suite-E06 'twice/a b.glib' and 'twice/a_b.glib' would both be the shot 'a_b'; rename one\n");
+}
+
+TEST(SuiteMistakes, OfALongRingShowItsBeginning) {
+    const SceneFolder folder{"a.glib"};
+    std::string text;
+    for (int i = 0; i < 3000; ++i)
+        text += "[[shot]]\nscript = 'a.glib'\nname = 's" + std::to_string(i) + "'\nmatch = 's" +
+                std::to_string((i + 1) % 3000) + "'\n";
+    const auto suite = folder.read(text);
+    ASSERT_EQ(suite.diagnostics.size(), 1U);
+    EXPECT_EQ(suite.diagnostics[0].text,
+              "match: the shots name each other in a ring: s0, s1, s2, s3, s4, s5, ..., s0");
+}
+
+}  // namespace
+}  // namespace glibra::suite::test

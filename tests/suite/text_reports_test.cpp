@@ -1,0 +1,241 @@
+// The reports that are one text: JUnit XML and the terminal's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "folder.h"
+#include "image/write.h"
+#include "results_maker.h"
+#include "suite/figures.h"
+#include "suite/junit_report.h"
+#include "suite/small_heat_map.h"
+#include "suite/terminal_report.h"
+#include "suite/utf8.h"
+
+namespace glibra::suite {
+namespace {
+
+ShotResult failedShot() {
+    ShotResult shot;
+    shot.suite = "start";
+    shot.shot = "teapot";
+    shot.verdict = Verdict::failed;
+    shot.reason = "240 pixels differ by more than 3/255, 13 may";
+    shot.width = shot.height = 256;
+    shot.judgement.decidedBy = image::Rung::differences;
+    shot.judgement.comparison = {true, false, 300, 40 / 255., 17, 4, 2, 0.01};
+    shot.judgement.beyond = 240;
+    shot.judgement.bias = 0.25;
+    shot.judgement.biasX = 16;
+    shot.judgement.cluster = 91;
+    shot.judgement.clusterX = 12;
+    shot.judgement.clusterY = 3;
+    shot.judgement.flip = 0.0125;
+    shot.difference = "teapot.difference.png";
+    shot.reproduce = "glibra render glib/start/teapot.glib --size 256x256";
+    shot.accept = "glibra test scenes/start.toml --only teapot --update";
+    shot.milliseconds = 12.5;
+    return shot;
+}
+
+RunResult runOf(std::vector<ShotResult> shots) {
+    RunResult run;
+    run.driver = "llvmpipe (LLVM 15.0.6, 256 bits)";
+    run.seconds = 65;
+    run.shots = std::move(shots);
+    return run;
+}
+
+ShotResult withVerdict(Verdict verdict) {
+    ShotResult shot;
+    shot.suite = "start";
+    shot.shot = std::string("shot-") + name(verdict);
+    shot.verdict = verdict;
+    return shot;
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
+
+TEST(Figures, SayWhatWasMeasuredAndWhatIsBeyondItsLimit) {
+    const std::vector<Figure> list = figures(failedShot());
+    ASSERT_EQ(list.size(), 7U);
+    EXPECT_EQ(list[0].value, "40/255 (blue, at 17 4)");
+    EXPECT_EQ(list[0].limit, "3/255");
+    EXPECT_TRUE(list[0].beyond);
+    EXPECT_EQ(list[1].value, "240 (0.366 %)");
+    EXPECT_TRUE(list[1].beyond);
+    EXPECT_EQ(list[2].value, "91 (at 12 3)");
+    EXPECT_EQ(list[2].limit, "8");
+    EXPECT_TRUE(list[2].beyond);
+    EXPECT_EQ(list[5].value, "0.25/255 (at 16 0)");
+    EXPECT_FALSE(list[5].beyond);
+    EXPECT_EQ(list[6].value, "0.01250");
+}
+
+TEST(Figures, AreNoneWhereNothingWasCompared) {
+    EXPECT_TRUE(figures(withVerdict(Verdict::crashed)).empty());
+    EXPECT_TRUE(figures(withVerdict(Verdict::passed)).empty());
+}
+
+TEST(Figures, NaNAgainstANumberIsCalledNoNumber) {
+    ShotResult shot = failedShot();
+    shot.judgement.comparison.largest = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(figures(shot)[0].value, "no number (blue, at 17 4)");
+}
+
+TEST(Junit, CountsEachKindOfOutcomeOnce) {
+    RunResult run = runOf({});
+    for (const Verdict verdict : kVerdictsByConcern) run.shots.push_back(withVerdict(verdict));
+    const std::string xml = toJunit(run);
+    EXPECT_NE(xml.find(R"(<testsuites name="glibra" tests="9" failures="4" errors="2" time="65.000">)"),
+              std::string::npos)
+        << xml;
+    EXPECT_NE(xml.find(R"(<testsuite name="start" tests="9" failures="4" errors="2" skipped="1")"),
+              std::string::npos)
+        << xml;
+    EXPECT_EQ(occurrences(xml, "<failure "), 4);
+    EXPECT_EQ(occurrences(xml, "<error "), 2);
+    EXPECT_EQ(occurrences(xml, "<skipped "), 1);
+    EXPECT_EQ(occurrences(xml, "<testcase "), 9);
+}
+
+TEST(Junit, HoldsTheReasonTheFiguresAndTheCommands) {
+    const std::string xml = toJunit(runOf({failedShot()}));
+    EXPECT_NE(xml.find(R"(message="240 pixels differ by more than 3/255, 13 may")"), std::string::npos)
+        << xml;
+    EXPECT_NE(xml.find("largest difference: 40/255 (blue, at 17 4), limit 3/255"), std::string::npos) << xml;
+    EXPECT_NE(xml.find("reproduce: glibra render"), std::string::npos);
+    EXPECT_NE(xml.find("accept: glibra test"), std::string::npos);
+    EXPECT_NE(xml.find(R"(name="teapot" classname="start" time="0.013")"), std::string::npos) << xml;
+}
+
+TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
+    ResultsMaker maker(6);
+    RunResult run = maker.run();
+    for (int i = 0; i < 300; ++i) run.shots.push_back(maker.shot());
+    const std::string xml = toJunit(run);
+    EXPECT_TRUE(isUtf8(xml));
+    for (const char each : xml)
+        ASSERT_TRUE(static_cast<unsigned char>(each) >= 0x20 || each == '\n' || each == '\t' || each == '\r');
+    EXPECT_EQ(xml.find('\x7f'), std::string::npos);
+    // Outside of tags there is no '<' and in attributes no '"' but the markup's own.
+    EXPECT_EQ(occurrences(xml, "<"), occurrences(xml, ">"));
+    EXPECT_EQ(occurrences(xml, "\"") % 2, 0);
+    EXPECT_EQ(xml.find("</script>"), std::string::npos);
+}
+
+TEST(Utf8, KnowsWhatRfc3629Allows) {
+    for (const char* good : {"a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
+                             "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"})
+        EXPECT_TRUE(isUtf8(good)) << good;
+    for (const char* bad :
+         {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf0\x8f\xbf\xbf",
+          "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\xc3\x61"})
+        EXPECT_FALSE(isUtf8(bad));
+}
+
+TEST(Terminal, EndsWithTheSummary) {
+    const std::string text =
+        toText(runOf({failedShot(), withVerdict(Verdict::passed), withVerdict(Verdict::missing)}), false);
+    const std::string end =
+        "1 failed, 1 missing, 1 passed; 3 shots in 1 min 5 s, llvmpipe (LLVM 15.0.6, 256 bits)\n";
+    ASSERT_GE(text.size(), end.size());
+    EXPECT_EQ(text.substr(text.size() - end.size()), end) << text;
+}
+
+TEST(Terminal, TellsTheReasonTheFiguresAndTheCommandsOfAFailure) {
+    const std::string text = toText(runOf({failedShot()}), false);
+    EXPECT_NE(text.find("failed start/teapot: 240 pixels differ by more than 3/255, 13 may\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("largest difference  40/255 (blue, at 17 4)  limit 3/255"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("accept          glibra test scenes/start.toml --only teapot --update"),
+              std::string::npos)
+        << text;
+}
+
+TEST(Terminal, SaysNothingOfPlainPassesAndNothingTwice) {
+    const std::string text =
+        toText(runOf({withVerdict(Verdict::passed), withVerdict(Verdict::skipped)}), false);
+    EXPECT_EQ(occurrences(text, "\n"), 1) << text;
+    RunResult many = runOf({});
+    for (int i = 0; i < 400; ++i) many.shots.push_back(failedShot());
+    const std::string long400 = toText(many, false);
+    EXPECT_EQ(occurrences(long400, "reproduce"), 20);
+    EXPECT_EQ(occurrences(long400, "failed start/teapot"), 400);
+    EXPECT_NE(long400.find("380 more in a line each"), std::string::npos);
+}
+
+TEST(Terminal, NoByteOfASceneControlsTheTerminal) {
+    ShotResult shot = failedShot();
+    shot.reason =
+        "before\033[2J\r\x07 \xc2\x9b"
+        "after";
+    shot.diagnostics.push_back(error("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
+    const std::string text = toText(runOf({shot}), false);
+    EXPECT_EQ(text.find('\033'), std::string::npos);
+    EXPECT_EQ(text.find('\r'), std::string::npos);
+    EXPECT_EQ(text.find('\x07'), std::string::npos);
+    EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);
+    EXPECT_NE(toText(runOf({shot}), true).find("\033[1;31mfailed"), std::string::npos);
+}
+
+image::Image black(int width, int height) {
+    image::Image picture{width, height, 3, image::Component::u8, {}};
+    picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(height));
+    return picture;
+}
+
+TEST(SmallHeatMap, ASinglePixelIsSeenAtItsPlace) {
+    image::Image picture = black(640, 320);
+    const std::size_t pixel = (std::size_t{310} * 640 + 12) * 3;
+    std::fill_n(picture.data.begin() + static_cast<std::ptrdiff_t>(pixel), 3, std::byte{255});
+    const std::vector<std::string> rows = smallHeatMap(picture, 40, false);
+    ASSERT_EQ(rows.size(), 10U);
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        EXPECT_EQ(rows[row], row == 9 ? "@" + std::string(39, ' ') : std::string(40, ' ')) << row;
+}
+
+TEST(SmallHeatMap, InColourACharacterIsTwoCells) {
+    image::Image picture = black(4, 4);
+    for (std::size_t i = 0; i < 12; ++i) picture.data[i] = std::byte{200};  // the first row
+    const std::vector<std::string> rows = smallHeatMap(picture, 4, true);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(occurrences(rows[0], "\033[38;2;200;200;200;48;2;0;0;0m\u2580"), 4) << rows[0];
+    EXPECT_EQ(occurrences(rows[1], "\033[38;2;0;0;0;48;2;0;0;0m\u2580"), 4) << rows[1];
+}
+
+TEST(SmallHeatMap, FitsForPicturesOfAnyShape) {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {1, 5000}, {5000, 1}, {3, 2}, {2000, 2000}, {7, 900}})
+        for (const bool color : {false, true}) {
+            const std::vector<std::string> rows = smallHeatMap(black(width, height), 48, color);
+            ASSERT_GE(rows.size(), 1U);
+            EXPECT_LE(rows.size(), 16U);
+            if (!color) {
+                EXPECT_LE(rows[0].size(), 48U);
+            }
+        }
+    EXPECT_TRUE(smallHeatMap({}, 48, false).empty());
+}
+
+TEST(Terminal, ShowsTheDifferencePictureOfTheResultsFolder) {
+    const Folder folder;
+    image::Image picture = black(96, 96);
+    std::fill(picture.data.begin(), picture.data.begin() + std::ptrdiff_t{96} * 3 * 48, std::byte{255});
+    ASSERT_TRUE(image::writeImage(picture, folder / "teapot.difference.png").empty());
+    const std::string text = toText(runOf({failedShot()}), false, folder.path());
+    EXPECT_EQ(occurrences(text, "    |" + std::string(32, '@') + "|\n"), 8) << text;
+    EXPECT_EQ(occurrences(text, "    |" + std::string(32, ' ') + "|\n"), 8) << text;
+}
+
+}  // namespace
+}  // namespace glibra::suite
