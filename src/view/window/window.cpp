@@ -254,6 +254,8 @@ void Window::present() {
                           picture->width(), height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
     glViewport(0, 0, width, height);
+    // ImGui puts back the program it finds, which is gone by then if a reload has deleted it.
+    glUseProgram(0);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     display_.present();
