@@ -61,10 +61,10 @@ struct UniformResolution {
 /// One `--set NAME=VALUE`: the value as written, numbers separated by commas or blanks, or true/false.
 struct Override {
     std::string name;
-    std::string
-        program{};  ///< name or scene line of the one Program it is for; empty: all that have the uniform
     glib::UniformForm form = glib::UniformForm::number;
     std::vector<double> values;
+    /// Name or scene line of the one Program it is for; empty: all that have the uniform.
+    std::string program{};
 };
 /// Reads "NAME=VALUE"; "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
 /// are for the program of that name or on that line only.

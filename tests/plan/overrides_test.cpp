@@ -76,6 +76,18 @@ TEST(Overriding, ReplacesTheScenesValue) {
     EXPECT_EQ(std::get<Literal>(outcome.resolution.values[0].value).values, Values{.9});
     EXPECT_TRUE(outcome.used.at(0));
 }
+TEST(Overriding, IsForOneProgramIfItNamesOne) {
+    const auto isUsed = [](const std::string& text) {
+        const Result<Override> read = parseOverride(text);
+        const Outcome outcome = resolve(test::interfaceWith({{"uKd", "float"}}), {}, {*read});
+        return outcome.used.at(0) && outcome.resolution.values.size() == 1;
+    };
+    EXPECT_TRUE(isUsed("uKd=.9"));
+    EXPECT_TRUE(isUsed(dots({}).name + ":uKd=.9"));
+    EXPECT_TRUE(isUsed(std::to_string(dots({}).place.line) + " : uKd=.9"));
+    EXPECT_FALSE(isUsed("Other:uKd=.9"));
+    EXPECT_FALSE(isUsed(std::to_string(dots({}).place.line + 1) + ":uKd=.9"));
+}
 TEST(Overriding, SetsWhatTheSceneDoesNot) {
     const Outcome outcome =
         resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKd", UniformForm::number, {.9}}});
