@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
         glibra::cli::addView(app, status);
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
+        glibra::cli::addNoise(app, status);
         glibra::cli::addInfo(app, status);
         glibra::cli::addLanguage(app, status);
         app.parse(argc, argv);

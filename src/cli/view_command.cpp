@@ -56,6 +56,7 @@ int becomeWindow(const std::vector<std::string>& arguments) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& each : words) pointers.push_back(each.data());
     pointers.push_back(nullptr);
     ::execv(program.c_str(), pointers.data());

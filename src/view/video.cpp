@@ -31,6 +31,7 @@ class Encoder {
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
         std::vector<char*> words;
+        words.reserve(arguments.size() + 1);
         for (std::string& each : arguments) words.push_back(each.data());
         words.push_back(nullptr);
         if (posix_spawnp(&process_, "ffmpeg", &actions, nullptr, words.data(), environ) != 0) process_ = -1;

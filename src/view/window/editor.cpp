@@ -62,6 +62,7 @@ std::string openInEditor(const Place& place) {
         addPlace(full, place);
     }
     std::vector<char*> arguments;
+    arguments.reserve(full.size() + 1);
     for (std::string& each : full) arguments.push_back(each.data());
     arguments.push_back(nullptr);
     pid_t process = -1;

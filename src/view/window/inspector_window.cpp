@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <string>
@@ -117,8 +118,8 @@ void image(Ui& ui) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size(static_cast<float>(texels.width) * inspector.zoom,
                       static_cast<float>(texels.height) * inspector.zoom);
-    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(inspector.shown->id())), size,
-                 {0, 1}, {1, 0});
+    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(inspector.shown->id())), size, {0, 1},
+                 {1, 0});
     mark(ui, "inspector/image");
     inspector.hovered.clear();
     if (ImGui::IsItemHovered()) {

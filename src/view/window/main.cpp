@@ -50,9 +50,7 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
     return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
     CLI::App app{"glibra view: a scene in a window, with a slider for every range"};
     glibra::view::WindowArguments arguments;
     std::string scene;
@@ -79,6 +77,14 @@ int main(int argc, char** argv) {
         return run(arguments, size);
     } catch (const CLI::ParseError& wrong) {
         return app.exit(wrong) == 0 ? 0 : kWrongUsage;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return start(argc, argv);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "glibra: error: %s\n", failure.what());
         return kNoDriver;

@@ -28,7 +28,6 @@ float panel(Ui& ui) {
     ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({usual, window.y}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({narrowest, window.y}, {widest, window.y});
-    float width = usual;
     if (ImGui::Begin("Controls", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse)) {
         scenePanel(ui);
@@ -42,7 +41,7 @@ float panel(Ui& ui) {
         }
         if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
     }
-    width = ImGui::GetWindowWidth();
+    const float width = ImGui::GetWindowWidth();
     ImGui::End();
     ui.settings.panelWidth = width;
     return width;

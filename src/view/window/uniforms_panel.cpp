@@ -212,20 +212,20 @@ void uniformsPanel(Ui& ui) {
     ImGui::Checkbox("Show labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
     int last = -1;
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
-        if (knobs[i].program == last) continue;
-        last = knobs[i].program;
+    for (const Knob& first : knobs) {
+        if (first.program == last) continue;
+        last = first.program;
         ImGui::PushID(last);
         const std::string title =
-            knobs[i].title +
+            first.title +
             (ui.session.live().showsEarlierProgram(last) ? " (last good version)###program" : "###program");
         ImGui::SetNextItemOpen(true, ImGuiCond_Once);
         if (ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth)) {
-            mark(ui, "section/" + knobs[i].title);
+            mark(ui, "section/" + first.title);
             section(ui, last);
             ImGui::TreePop();
         } else {
-            mark(ui, "section/" + knobs[i].title);
+            mark(ui, "section/" + first.title);
         }
         ImGui::PopID();
     }

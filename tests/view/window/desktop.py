@@ -77,6 +77,9 @@ class Window:
             if self.process.poll() is not None:
                 raise AssertionError("the window is gone: " + self.process.stderr.read())
             state = self.state()
+            for each in (state or {}).get("messages", []):
+                if each["id"].startswith("gpu"):
+                    raise AssertionError("an error of OpenGL: " + each["text"])
             if state and holds(state):
                 return state
             time.sleep(PAUSE)
