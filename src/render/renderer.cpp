@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "gpu/context.h"
+#include "render/nan_search.h"
 #include "render/scene_renderer.h"
 
 namespace glibra {
@@ -33,7 +34,10 @@ Result<Picture> Renderer::render(const std::filesystem::path& scene, const Rende
     if (!loaded) return diagnostics;
     Result<image::Image> image = loaded->draw(options.time, stats);
     append(diagnostics, std::move(image.diagnostics));
-    if (!image) return diagnostics;
+    if (options.checkNan)
+        if (Result<render::NanSearch> search = render::NanSearch::load(state_->context, scene, options))
+            append(diagnostics, search->at(options.time));
+    if (!image || hasError(diagnostics)) return diagnostics;
     Picture picture;
     picture.width = image->width;
     picture.height = image->height;

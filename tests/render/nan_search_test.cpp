@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 #include "gpu/context.h"
 #include "render/job.h"
@@ -141,6 +140,18 @@ TEST_F(NanSearchTest, AJobTellsItOfABytePicture) {
     job.options.strict = true;
     result = runJob(*context, job, [](int) {});
     EXPECT_TRUE(result.failed);
+}
+
+TEST_F(NanSearchTest, TheLibraryTellsItWithThePicture) {
+    Result<Renderer> renderer = Renderer::open();
+    ASSERT_TRUE(renderer);
+    const fs::path bad = scene("Program Bad uLeft -1.\nQuadXY 0 5\n");
+    EXPECT_FALSE(test::has(renderer->render(bad).diagnostics, "draw-W06"));
+    RenderOptions options;
+    options.checkNan = true;
+    const Result<Picture> searched = renderer->render(bad, options);
+    EXPECT_TRUE(searched);
+    EXPECT_TRUE(test::has(searched.diagnostics, "draw-W06")) << test::text(searched.diagnostics);
 }
 
 }  // namespace
