@@ -90,8 +90,8 @@ TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
 TEST_F(Survival, AKilledRunContinuesWithWhatIsMissing) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     shell(
-        "$GLIBRA test s.toml --jobs 1 & parent=$!\n"
-        "until [ $(wc -l <glibra-results/results.jsonl) -gt 3 ]; do sleep .01; done\nkill -9 $parent\n"
+        "rm -r glibra-results\n$GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "until [ $(cat glibra-results/results.jsonl | wc -l) -gt 3 ]; do sleep .01; done\nkill -9 $parent\n"
         "wait $parent\ncp glibra-results/results.jsonl before\n");
     const std::string before = readFile(folder / "before");
     const Finished rest = run("s.toml --resume");
