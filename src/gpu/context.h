@@ -82,8 +82,8 @@ class ContextOpening {
     std::future<Result<Context>> pending_;
 };
 
-/// Sets what drivers read from the environment when they are loaded (ContextOptions::floatFiltering). openContext
-/// does it by itself; who makes a context to adopt calls it first, before any thread exists.
+/// Sets what drivers read from the environment when they are loaded (ContextOptions::floatFiltering).
+/// openContext does it by itself; who makes a context to adopt calls it first, before any thread exists.
 void prepareEnvironment(const ContextOptions& options = {});
 
 /// Takes over a context that is current on this thread (a window's). `loader` gives the address of a GL
