@@ -138,6 +138,7 @@ class Widgets(WindowTest):
         window.wait_knob("uFloat", lambda v: v == [1.75])
         self.assertShows(window, scene, "--set", "uFloat=1.75")
         window.double_click("uniform/Kinds/uInt")
+        window.wait(lambda s: s["typing"] == "uniform/Kinds/uInt")
         window.type("-3")
         window.key("Return")
         window.wait_knob("uInt", lambda v: v == [-3])
