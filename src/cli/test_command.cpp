@@ -105,8 +105,9 @@ int test(const TestArguments& arguments) {
     run.shard = arguments.suites.shard;
     run.command = arguments.command;
     run.began = utcNow();
-    std::optional<RunRecord> record = RunRecord::open(arguments.results, run, arguments.suites.resume,
-                                                      [&] { return interruption.signal() != 0; });
+    std::optional<RunRecord> record =
+        RunRecord::open(arguments.results, run, arguments.suites.resume, arguments.update,
+                        [&] { return interruption.signal() != 0; });
     if (!record) {
         interruption.obey();
         return kSceneIsWrong;

@@ -24,6 +24,10 @@ void removePictures(const suite::RunResult& earlier, const fs::path& folder) {
         }
 }
 
+bool isOfUpdate(suite::Verdict verdict) {
+    return verdict == suite::Verdict::updated || verdict == suite::Verdict::refused;
+}
+
 bool isLocked(const Diagnostics& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& each) { return each.id == "result-E02"; });
@@ -32,7 +36,7 @@ bool isLocked(const Diagnostics& diagnostics) {
 }  // namespace
 
 std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::RunResult& run, bool resume,
-                                         const std::function<bool()>& stop) {
+                                         bool update, const std::function<bool()>& stop) {
     using Start = suite::ResultsWriter::Start;
     for (bool told = false;; told = true) {
         const Result<suite::RunResult> earlier = suite::readResults(folder);
@@ -55,7 +59,7 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
             return record;
         }
         for (const suite::ShotResult& each : earlier->shots)
-            if (each.verdict != suite::Verdict::skipped)
+            if (each.verdict != suite::Verdict::skipped && (update || !isOfUpdate(each.verdict)))
                 record.results_.emplace(Key(each.suite, each.shot), each);
         return record;
     }

@@ -15,9 +15,10 @@ namespace glibra::cli {
 class RunRecord {
   public:
     /// Waits while another run writes to the folder, until `stop` says so. Without `resume` the results of
-    /// an earlier run are removed. Nothing if it cannot be written; the reason has been printed.
+    /// an earlier run are removed; with it, those of a run with --update count only if this one updates too.
+    /// Nothing if it cannot be written; the reason has been printed.
     static std::optional<RunRecord> open(const std::filesystem::path& folder, const suite::RunResult& run,
-                                         bool resume, const std::function<bool()>& stop);
+                                         bool resume, bool update, const std::function<bool()>& stop);
 
     /// True if the run that is continued has a verdict on it.
     [[nodiscard]] bool isDone(const suite::Suite& suite, const suite::ShotReference& shot) const;

@@ -2,9 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -21,23 +19,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWindowProgram = "glibra-view";
 
-/// The folder of the running program; empty if the system does not say.
-fs::path ownFolder() {
-    std::array<char, PATH_MAX> path{};
-    const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
-    return length > 0 ? fs::path(std::string(path.data(), static_cast<std::size_t>(length))).parent_path()
-                      : fs::path();
-}
-
 /// Beside this program, as in the build folder, or where it is installed. Libraries may lie one folder deeper
 /// than lib, as in lib/x86_64-linux-gnu.
 fs::path windowProgram() {
-    const fs::path folder = ownFolder();
+    std::error_code failure;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
     std::vector<fs::path> places{folder / kWindowProgram, folder / "../lib/glibra" / kWindowProgram};
 #ifdef GLIBRA_VIEW_INSTALL_DIR
     places.emplace_back(folder / ".." / GLIBRA_VIEW_INSTALL_DIR / kWindowProgram);
 #endif
-    std::error_code failure;
     for (const fs::path& each : places)
         if (fs::is_regular_file(each, failure) && ::access(each.c_str(), X_OK) == 0) return each;
     return {};

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <deque>
 #include <mutex>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "image/inspect.h"
@@ -147,6 +149,14 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
     const auto checkNan = [&](double time) {
         if (search) append(result.diagnostics, search->at(time));
     };
+    // Of an animation the first frame of one colour and the first with NaN are told.
+    std::set<std::string> told;
+    const auto remark = [&](const image::Image& picture) {
+        for (Diagnostic& each : remarksOn(picture, job.scene, options.checkNan))
+            if (told.insert(each.id).second) result.diagnostics.push_back(std::move(each));
+        applyStrict(result.diagnostics, options.strict);
+        return !hasError(result.diagnostics);
+    };
     const auto writeOne = [&](const image::Image& picture) {
         const StageTimer timer(stats, "write");
         return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
@@ -155,18 +165,14 @@ JobResult runJob(gpu::Context& context, const Job& job, const std::function<void
         Result<image::Image> picture = loaded->draw(options.time, stats);
         append(result.diagnostics, std::move(picture.diagnostics));
         checkNan(options.time);
-        if (picture) {
-            append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
-            append(result.diagnostics, writeOne(*picture));
-        }
+        if (picture && remark(*picture)) append(result.diagnostics, writeOne(*picture));
     } else {
         PictureWriter writer(frameWritten);
         for (int i = 0; i < job.frames; ++i) {
             Result<image::Image> picture = loaded->draw(options.time + i / job.framesPerSecond, stats);
             append(result.diagnostics, std::move(picture.diagnostics));
             checkNan(options.time + i / job.framesPerSecond);
-            if (!picture || hasError(result.diagnostics)) break;
-            if (i == 0) append(result.diagnostics, remarksOn(*picture, job.scene, options.checkNan));
+            if (!picture || !remark(*picture)) break;
             if (!writer.add(std::move(*picture), frameFile(job.output, i, job.frames))) break;
         }
         append(result.diagnostics, writer.finish());

@@ -137,7 +137,11 @@ Rendering ShotWorker::render(const Shot& shot) {
     Result<image::Image> picture = loaded_->renderer.draw(shot.options.time, *loaded_->stats);
     append(rendering.diagnostics, std::move(picture.diagnostics));
     rendering.picture = std::move(picture.value);
-    if (rendering.picture) append(rendering.diagnostics, render::remarksOn(*rendering.picture, shot.script));
+    if (rendering.picture) {
+        append(rendering.diagnostics, render::remarksOn(*rendering.picture, shot.script));
+        render::applyStrict(rendering.diagnostics, shot.options.strict);
+        if (hasError(rendering.diagnostics)) rendering.picture.reset();
+    }
     return rendering;
 }
 

@@ -88,6 +88,8 @@ ShotResult ShotJudge::begin(const Attempt& attempt) const {
     result.diagnostics = attempt.own.diagnostics;
     result.milliseconds = attempt.own.milliseconds;
     if (attempt.own.picture) {
+        if (attempt.shot->golden && !attempt.shot->expectedError)
+            result.accept = acceptCommand(suite_, *attempt.shot);
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
     }
@@ -103,7 +105,6 @@ ShotResult ShotJudge::broken(const Suite& suite, const Shot& shot, Verdict verdi
     result.script = shot.script;
     result.tolerance = shot.tolerance;
     result.reproduce = reproduceCommand(shot);
-    if (shot.golden && !shot.expectedError) result.accept = acceptCommand(suite, shot);
     return result;
 }
 

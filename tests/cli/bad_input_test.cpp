@@ -228,6 +228,26 @@ TEST_F(BadInput, StrictTurnsWarningsIntoErrors) {
     EXPECT_FALSE(std::filesystem::exists(folder / "strict.png"));
 }
 
+TEST_F(BadInput, NanIsToldOnceInWhicheverFrameItComesAndStrictRefusesIt) {
+    folder.write("nan.frag",
+                 "#version 330 core\nuniform float Timer;\nout vec4 f;\n"
+                 "void main() { f = vec4(sqrt(.25 - Timer), gl_FragCoord.x, 0., 1.); }\n");
+    folder.write("scene.glib",
+                 "WindowSize 8 8\nTimer 1\nVertex whole.vert\nFragment nan.frag\nProgram P\nQuadXY 0 1\n");
+    folder.write(
+        "whole.vert",
+        "#version 330 core\nin vec4 aVertex;\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
+    const std::string frames = "render scene.glib --frames 4 --fps 5 -o f.exr";  // 0, .2, .4, .6 seconds
+    const Finished run = glibra(folder.path(), frames);
+    EXPECT_EQ(run.status, 0) << run.err;
+    const std::size_t first = run.err.find("[draw-W06]");
+    EXPECT_NE(first, std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("[draw-W06]", first + 1), std::string::npos) << run.err;
+    EXPECT_EQ(glibra(folder.path(), "render scene.glib --strict -o good.exr").status, 0);
+    EXPECT_EQ(glibra(folder.path(), "render scene.glib --strict --time .5 -o bad.exr").status, 3);
+    EXPECT_FALSE(std::filesystem::exists(folder / "bad.exr"));
+}
+
 TEST_F(BadInput, AllMistakesOfAFileComeAtOnce) {
     expectRefused("Spere\nLookAt 1 2\nPopMatrix\n", {"[glib-E01]", "[glib-E04]", "[glib-E06]"});
 }

@@ -87,6 +87,12 @@ TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
     EXPECT_TRUE(contains(run("s.toml").out, count(kShots, "passed")));
 }
 
+TEST_F(Survival, ResumeAfterAnUpdateComparesInsteadOfRepeatingThatThereWasOne) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    EXPECT_TRUE(contains(run("s.toml --update --resume").out, count(kShots, "updated")));
+    EXPECT_TRUE(contains(run("s.toml --resume").out, count(kShots, "passed")));
+}
+
 TEST_F(Survival, AKilledRunContinuesWithWhatIsMissing) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     shell(
