@@ -136,9 +136,10 @@ std::string EditedFile::encoded() const {
 
 bool EditedFile::lookAtDisk() {
     std::string bytes;
-    // A file that is gone may be on its way back; the text is all there is of it now.
+    std::string why = whyReadOnly_;
     if (!readBytes(bytes)) {
-        if (!savedText_.empty() || !text_.empty()) whyReadOnly_.clear();
+        // A file that is gone may be on its way back; the text is all there is of it now.
+        whyReadOnly_ = std::move(why);
         return false;
     }
     if (bytes == diskBytes_) return false;

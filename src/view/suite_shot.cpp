@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A basic string of TOML.
-std::string quoted(std::string_view text) {
+std::string tomlText(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -31,11 +31,11 @@ std::string quoted(std::string_view text) {
     return result + "\"";
 }
 
-std::string quoted(const fs::path& file, const fs::path& folder) {
+std::string tomlText(const fs::path& file, const fs::path& folder) {
     std::error_code failure;
     const fs::path whole = fs::weakly_canonical(file, failure);
     const fs::path relative = whole.lexically_relative(fs::weakly_canonical(folder, failure));
-    return quoted((relative.empty() ? whole : relative).generic_string());
+    return tomlText((relative.empty() ? whole : relative).generic_string());
 }
 
 std::string list(const auto& values) {
@@ -49,7 +49,7 @@ std::string keyText(std::string_view key) {
     const bool isBare = std::all_of(key.begin(), key.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     });
-    return isBare ? std::string(key) : quoted(key);
+    return isBare ? std::string(key) : tomlText(key);
 }
 
 /// "uKd=.25" as "uKd = .25"; what is no plain number or word stays a text as for --set.
@@ -59,7 +59,7 @@ std::string setText(const std::vector<std::string>& set) {
         const std::size_t equals = each.find('=');
         const std::string value = each.substr(equals + 1);
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", keyText(each.substr(0, equals)),
-                            value == "true" || value == "false" ? value : quoted(value));
+                            value == "true" || value == "false" ? value : tomlText(value));
     }
     return text;
 }
@@ -91,8 +91,8 @@ std::string contentOf(const fs::path& file) {
 
 std::string shotText(const Session& session, const std::string& name, const fs::path& folder) {
     const RenderOptions options = session.renderOptions();
-    std::string text = fmt::format("[[shot]]\nname = {}\nscript = {}\nsize = [{}, {}]\n", quoted(name),
-                                   quoted(session.path(), folder), options.width, options.height);
+    std::string text = fmt::format("[[shot]]\nname = {}\nscript = {}\nsize = [{}, {}]\n", tomlText(name),
+                                   tomlText(session.path(), folder), options.width, options.height);
     if (options.time != 0) text += fmt::format("time = {}\n", options.time);
     if (!options.set.empty()) text += "set = { " + setText(options.set) + " }\n";
     if (options.view == ViewPolicy::glman) text += "view = \"glman\"\n";
@@ -102,7 +102,7 @@ std::string shotText(const Session& session, const std::string& name, const fs::
     if (!options.libraryRoots.empty()) {
         std::string roots;
         for (const fs::path& each : options.libraryRoots)
-            roots += (roots.empty() ? "" : ", ") + quoted(each, folder);
+            roots += (roots.empty() ? "" : ", ") + tomlText(each, folder);
         text += "library = [" + roots + "]\n";
     }
     return text;
