@@ -103,7 +103,9 @@ void folderList(Ui& ui) {
 
 void entry(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
-    const float buttons = ImGui::CalcTextSize("Open in new tab Cancel Open").x + 90 * ui.scale;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttons = ImGui::CalcTextSize("OpenOpen in new tabCancel").x + 6 * style.FramePadding.x +
+                          3 * style.ItemSpacing.x;
     ImGui::SetNextItemWidth(std::max(120 * ui.scale, ImGui::GetContentRegionAvail().x - buttons));
     if (std::exchange(dialog.focusEntry, false)) ImGui::SetKeyboardFocusHere();
     const bool isEntered =

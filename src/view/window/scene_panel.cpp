@@ -19,6 +19,14 @@ namespace {
 const ImVec4 kErrorColor{.95F, .35F, .30F, 1};
 const ImVec4 kWarningColor{.90F, .65F, .15F, 1};
 
+/// The next button goes into the same row if it has room there.
+void flow(const char* next) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(next).x + 2 * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
 void message(Ui& ui, const Diagnostic& each, int index) {
     ImGui::PushID(index);
     const bool isError = each.severity == Severity::error;
@@ -56,19 +64,19 @@ void scenePanel(Ui& ui) {
         ui.shared.dialog.inNewTab = false;
     }
     mark(ui, "scene/open");
-    ImGui::SameLine();
+    flow("Examples");
     if (ImGui::Button("Examples")) ui.shared.examples.isOpen = !ui.shared.examples.isOpen;
     mark(ui, "scene/examples");
-    ImGui::SameLine();
+    flow("Source");
     ImGui::BeginDisabled(!ui.session.hasScene());
     if (ImGui::Button("Source")) ui.settings.showSource = !ui.settings.showSource;
     ImGui::EndDisabled();
     mark(ui, "scene/source");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The scene and its shaders as text, to be edited (E)");
-    ImGui::SameLine();
+    flow("Reload");
     if (ImGui::Button("Reload")) ui.requests.reload = true;
     mark(ui, "scene/reload");
-    ImGui::SameLine();
+    flow("Save values");
     ImGui::BeginDisabled(!ui.session.hasScene());
     if (ImGui::Button("Save values")) {
         const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
@@ -79,7 +87,7 @@ void scenePanel(Ui& ui) {
     mark(ui, "scene/save");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Puts the present values into the Program lines of the .glib file");
-    ImGui::SameLine();
+    flow("?");
     if (ImGui::Button("?")) ui.showHelp = !ui.showHelp;
     mark(ui, "help");
 }

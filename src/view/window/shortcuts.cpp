@@ -45,7 +45,7 @@ void toggleProjection(Ui& ui) {
     ui.session.setView(std::move(view));
 }
 
-const std::array<Shortcut, 31> kShortcuts{{
+const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_SPACE, false, "Space", "play or pause",
      [](Ui& ui) {
          Clock clock = ui.session.clock();
@@ -92,7 +92,7 @@ const std::array<Shortcut, 31> kShortcuts{{
      [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
     {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }, true},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
-}};
+});
 
 }  // namespace
 

@@ -235,7 +235,7 @@ void sourcePanel(Ui& ui, Rectangle& free) {
     refresh(ui);
     takeGoTo(ui);
     // Beside the picture where both have room, else below it.
-    const bool isBeside = free[2] >= 900 * ui.scale;
+    const bool isBeside = free[2] >= 1100 * ui.scale;
     float& extent = isBeside ? ui.settings.sourceWidth : ui.settings.sourceHeight;
     const float room = isBeside ? free[2] : free[3];
     const float least = std::min(room * .5F, 220 * ui.scale);

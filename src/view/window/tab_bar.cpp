@@ -12,6 +12,7 @@ namespace glibra::view {
 void tabBar(Ui& ui, Rectangle& free) {
     if (ui.shared.tabs.size() < 2) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4 * ui.scale, 3 * ui.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     const float height = ImGui::GetFrameHeight() + 6 * ui.scale;
     ImGui::SetNextWindowPos({free[0], free[1]});
     ImGui::SetNextWindowSize({free[2], height});
@@ -19,7 +20,7 @@ void tabBar(Ui& ui, Rectangle& free) {
         ImGui::Begin("Scenes", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     if (isOpen && ImGui::BeginTabBar("scenes", ImGuiTabBarFlags_FittingPolicyScroll)) {
         for (std::size_t i = 0; i < ui.shared.tabs.size(); ++i) {
             const TabTitle& each = ui.shared.tabs[i];

@@ -56,6 +56,7 @@ void applyTheme(bool light, float scale) {
         ImGui::StyleColorsLight(&style);
     else
         ImGui::StyleColorsDark(&style);
+    for (const int each : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) style.Colors[each].w = 1;
     style.WindowRounding = 0;
     style.FrameRounding = 3;
     style.GrabRounding = 3;

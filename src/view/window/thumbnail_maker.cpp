@@ -66,6 +66,11 @@ std::vector<std::filesystem::path> ThumbnailMaker::takeFinished() {
     return std::exchange(finished_, {});
 }
 
+bool ThumbnailMaker::hasFinished() {
+    const std::scoped_lock lock(mutex_);
+    return !finished_.empty();
+}
+
 void ThumbnailMaker::finish(std::size_t scene) {
     {
         const std::scoped_lock lock(mutex_);

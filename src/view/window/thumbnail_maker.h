@@ -23,6 +23,7 @@ class ThumbnailMaker {
 
     /// The scenes that the cache has a picture or a failure of since the last call.
     std::vector<std::filesystem::path> takeFinished();
+    [[nodiscard]] bool hasFinished();
 
   private:
     void run();

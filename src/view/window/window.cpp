@@ -217,6 +217,7 @@ void Window::takeRequests() {
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
     if (requests.close || !display_.isOpen()) quit();
+    if (shared_.examples.maker && shared_.examples.maker->hasFinished()) framesWanted_ = kFramesAfterEvent;
     if (shared_.settings.lightTheme != lightTheme_) {
         lightTheme_ = shared_.settings.lightTheme;
         applyTheme(lightTheme_, ui().scale);

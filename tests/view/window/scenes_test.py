@@ -259,6 +259,7 @@ class Tabs(ScenesTest):
         window.wait(lambda s: s["axes"])
         window.click("tab/0", across=0.3)
         one = window.wait(lambda s: s["shownTab"] == 0)
+        window.move(20, 300)
         self.assertEqual((one["knobs"][0]["current"], one["axes"]), ([0.25], False))
         self.assertShows(window, self.files / "one.glib")
         left, top, width, height = window.state()["picture"]
@@ -309,10 +310,10 @@ class Tabs(ScenesTest):
 class Suites(ScenesTest):
     def test_the_state_becomes_a_shot_that_glibra_test_holds(self):
         scene = self.files / "one.glib"
-        window = self.open(scene, "--size", "320x900")
+        window = self.open(scene, "--size", "320x820")
         window.drag_widget("uniform/Plain/uBlue", 0.25, 0.8)
         window.wait_knob("uBlue", lambda v: v[0] > 0.7)
-        window.drag((160, 450), (220, 420))
+        window.drag((160, 410), (220, 380))
         window.wait(lambda s: s["view"]["eye"] != IDENTITY)
         window.click("suite")
         window.click("suite/add")
