@@ -23,6 +23,7 @@ struct CodeView {
     std::optional<int> goTo;           ///< a line that is to be shown, and to get the cursor
     int generation = 0;                ///< counted up when somebody else than the widget changes the text
     int cursor = 0, previousSize = 0;  ///< bytes
+    float height = 0;                  ///< of what was seen
 };
 
 enum class Dialect { glsl, glib };

@@ -73,10 +73,11 @@ bool Tabs::uses(const Tab& tab, const fs::path& file) const {
 
 std::vector<fs::path> Tabs::unsaved(std::size_t tab) const {
     std::vector<fs::path> files;
-    for (const auto& [path, source] : shared_.sources) {
-        if (!source.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
+    for (const auto& each : shared_.sources) {
+        const fs::path& path = each.first;
+        if (!each.second.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
         const auto users = std::count_if(tabs_.begin(), tabs_.end(),
-                                         [&](const std::unique_ptr<Tab>& each) { return uses(*each, path); });
+                                         [&](const std::unique_ptr<Tab>& one) { return uses(*one, path); });
         if (users == 1) files.push_back(path);
     }
     return files;
@@ -122,15 +123,15 @@ bool Tabs::noteChanged(const std::vector<fs::path>& files) {
 void Tabs::writeTitles() {
     shared_.tabs.clear();
     shared_.shownTab = shown_;
-    for (std::size_t i = 0; i < tabs_.size(); ++i) {
-        const Session& session = tabs_[i]->session;
+    for (const std::unique_ptr<Tab>& tab : tabs_) {
+        const Session& session = tab->session;
         TabTitle title;
-        title.id = tabs_[i]->id;
+        title.id = tab->id;
         title.label = session.hasScene() ? session.path().stem().string() : "empty";
         title.path = session.path().string();
         title.hasError = hasError(session.diagnostics());
         title.isUnsaved = std::any_of(shared_.sources.begin(), shared_.sources.end(), [&](const auto& each) {
-            return each.second.isChanged() && uses(*tabs_[i], each.first);
+            return each.second.isChanged() && uses(*tab, each.first);
         });
         shared_.tabs.push_back(std::move(title));
     }

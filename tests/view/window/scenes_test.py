@@ -90,8 +90,8 @@ class Source(ScenesTest):
 
     def test_an_error_is_marked_where_it_is_with_what_became_of_the_line(self):
         window = self.open(self.files / "old.glib", "--size", "520x560")
-        good = window.pixels()[2]
         self.edit(window, 3)
+        good = window.pixels()[2]
         window.type(" oops;")
         window.key("ctrl+s")
         broken = window.wait(lambda s: any(m["severity"] == "error" for m in s["messages"]) and
@@ -106,7 +106,7 @@ class Source(ScenesTest):
         marked = self.pixel(window, left + 2, top + 2.5 * row)
         plain = self.pixel(window, left + 2, top + 4.5 * row)
         self.assertGreater(marked[0] - plain[0], 30, f"{marked} beside {plain}")
-        self.assertEqual(window.pixels()[2][:3 * 520 * 150], good[:3 * 520 * 150], "the last good picture stays")
+        self.assertEqual(window.pixels()[2][:3 * 520 * 200], good[:3 * 520 * 200], "the last good picture stays")
         window.key("ctrl+Home")
         window.wait(lambda s: s["source"]["line"] == 1)
         window.click("source/message/0")
@@ -319,6 +319,7 @@ class Suites(ScenesTest):
         window.click("suite/add")
         window.wait(lambda s: "is a shot of pictures.toml" in s["suiteMessage"])
         suite = self.files / "pictures.toml"
+        window.move(20, 20)
         width, height, screen = window.pixels()
         self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL).returncode, 1, "there is no golden yet")
