@@ -1,12 +1,16 @@
 #include <vector>
 
 #include "bench/builtins.h"
+#include "bench/lighting.h"
+#include "bench/primitives.h"
 #include "bench/subject.h"
 
 namespace glibra::bench {
 
 std::span<const Subject> subjects() {
     static const std::vector<Subject> table{
+        {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
+        {"lighting", "Lighting: by vertex and by fragment against the analytic surface", measureLighting},
         {"builtins", "GLSL functions: units in the last place, and what the specification allows",
          measureBuiltins},
     };
