@@ -102,7 +102,10 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
         for (int slices = 8; slices <= most; slices *= 2) {
             const Result<LitMesh> mesh = LitMesh::create(meshOf(surface, slices));
             if (!mesh) return mesh.diagnostics;
-            Point point{.setting = static_cast<double>(slices), .label = fmt::format("{} slices", slices)};
+            Point point{.setting = static_cast<double>(slices),
+                        .label = fmt::format("{} slices", slices),
+                        .time = {},
+                        .memory = {}};
             point.time = bench.time([&] {
                 mesh->draw(*program, *target);
                 glFinish();
@@ -188,8 +191,11 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                 const Result<double> error =
                     highlightError(capabilities, *half, *target, light, exponent * factor, wanted);
                 if (!error) return error.diagnostics;
-                curve.points.push_back(
-                    {.setting = factor, .label = fmt::format("{} times", factor), .error = *error});
+                curve.points.push_back({.setting = factor,
+                                        .label = fmt::format("{} times", factor),
+                                        .error = *error,
+                                        .time = {},
+                                        .memory = {}});
             }
             figure.findings.push_back(bestFactor(curve));
             figure.curves.push_back(std::move(curve));
@@ -226,7 +232,11 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                 highlightError(capabilities, *program, *target, light, kExponent * row.factor,
                                highlights(side, light, kExponent));
             if (!error) return error.diagnostics;
-            Point point{.setting = angle, .label = fmt::format("{} degrees", angle), .error = *error};
+            Point point{.setting = angle,
+                        .label = fmt::format("{} degrees", angle),
+                        .error = *error,
+                        .time = {},
+                        .memory = {}};
             point.time = bench.time([&] {
                 target->bind();
                 drawWhole(*program);
