@@ -47,6 +47,8 @@ std::string shot(const std::string& line) {
 INSTANTIATE_TEST_SUITE_P(
     All, SuiteMistake,
     testing::Values(
+        Mistake{"HalfAWord", "[[shot]]\nx = tru\n",
+                "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '\n"},
         Mistake{"Syntax", "[[shot]\n", "1:8 suite-E01 not TOML: table header: expected ']', saw '\\n'\n"},
         Mistake{"PointWithoutDigit", shot("set = { uKd = .5 }"),
                 "3:15 suite-E01 not TOML: floating-point: expected decimal digit, saw '.'; a number needs a "
