@@ -30,8 +30,19 @@ constexpr std::array<Format, 4> kFormats{{{gpu::TexelFormat::rgba32f, "float"},
                                           {gpu::TexelFormat::rgba16, "16 bit"},
                                           {gpu::TexelFormat::rgba8, "8 bit"}}};
 
-Result<Point> measure(Bench& bench, const gpu::Capabilities& capabilities, const Plane& picture,
-                      const Method& method, int setting, const Plane& wanted) {
+struct Measured {
+    Point point;
+    double shift = 0;  ///< mean of the signed differences, 255ths
+};
+
+double meanDifference(const Plane& a, const Plane& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) sum += a.values[i] - b.values[i];
+    return sum / static_cast<double>(a.values.size());
+}
+
+Result<Measured> measure(Bench& bench, const gpu::Capabilities& capabilities, const Plane& picture,
+                         const Method& method, int setting, const Plane& wanted) {
     const Result<FilterChain> chain =
         FilterChain::create(capabilities, picture, method.fragments(setting), method.between);
     if (!chain) return chain.diagnostics;
@@ -45,7 +56,7 @@ Result<Point> measure(Bench& bench, const gpu::Capabilities& capabilities, const
     if (!drawn) return drawn.diagnostics;
     point.error = rootMeanSquare(*drawn, wanted) * kBytes;
     point.memory = chain->bytesBetween();
-    return point;
+    return Measured{std::move(point), meanDifference(*drawn, wanted) * kBytes};
 }
 
 std::vector<Method> blurMethods() {
@@ -84,10 +95,10 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     for (const Method& method : blurMethods()) {
         Curve curve{.name = method.name, .points = {}};
         for (std::size_t i = 0; i < radii.size(); ++i) {
-            Result<Point> point = measure(bench, capabilities, picture, method, radii[i], wanted[i]);
-            if (!point) return std::move(point.diagnostics);
-            point->label = fmt::format("radius {}", radii[i]);
-            curve.points.push_back(std::move(*point));
+            Result<Measured> measured = measure(bench, capabilities, picture, method, radii[i], wanted[i]);
+            if (!measured) return std::move(measured.diagnostics);
+            measured->point.label = fmt::format("radius {}", radii[i]);
+            curve.points.push_back(std::move(measured->point));
         }
         figure.curves.push_back(std::move(curve));
     }
@@ -134,15 +145,17 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
                             format.format};
         Curve curve{.name = fmt::format("{} between", format.name), .points = {}};
         std::size_t at = 0;
+        double shift = 0;
         for (int count = 1; count <= most; count *= 2) {
-            Result<Point> point = measure(bench, capabilities, picture, method, count, wanted[at++]);
-            if (!point) return std::move(point.diagnostics);
-            point->label = fmt::format("{} blurs", count);
-            curve.points.push_back(std::move(*point));
+            Result<Measured> measured = measure(bench, capabilities, picture, method, count, wanted[at++]);
+            if (!measured) return std::move(measured.diagnostics);
+            measured->point.label = fmt::format("{} blurs", count);
+            shift = measured->shift;
+            curve.points.push_back(std::move(measured->point));
         }
-        figure.findings.push_back(fmt::format("{}: {} of a byte's step after 1 blur, {} after {}", curve.name,
-                                              numberText(curve.points.front().error),
-                                              numberText(curve.points.back().error), most));
+        figure.findings.push_back(fmt::format(
+            "{}: {} of a byte's step after 1 blur, {} after {}, of the mean {:+.2g}", curve.name,
+            numberText(curve.points.front().error), numberText(curve.points.back().error), most, shift));
         figure.curves.push_back(std::move(curve));
     }
     return figure;
@@ -175,10 +188,10 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
         Curve curve{.name = method.name, .points = {}};
         for (const int side : sides) {
             const Plane picture = testPicture(side);
-            Result<Point> point = measure(bench, capabilities, picture, method, side, sobel(picture));
-            if (!point) return std::move(point.diagnostics);
-            point->label = fmt::format("{0} x {0}", side);
-            curve.points.push_back(std::move(*point));
+            Result<Measured> measured = measure(bench, capabilities, picture, method, side, sobel(picture));
+            if (!measured) return std::move(measured.diagnostics);
+            measured->point.label = fmt::format("{0} x {0}", side);
+            curve.points.push_back(std::move(measured->point));
         }
         figure.curves.push_back(std::move(curve));
     }

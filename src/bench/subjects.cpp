@@ -4,6 +4,7 @@
 #include "bench/filters.h"
 #include "bench/lighting.h"
 #include "bench/primitives.h"
+#include "bench/scenes.h"
 #include "bench/subject.h"
 #include "bench/volume.h"
 
@@ -17,6 +18,7 @@ std::span<const Subject> subjects() {
         {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
         {"builtins", "GLSL functions: units in the last place, and what the specification allows",
          measureBuiltins},
+        {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
     };
     return table;
 }
