@@ -10,7 +10,7 @@ import os
 import sys
 import tempfile
 
-from processes import FLOOR, GLIBRA, pairs, ratios, spread, wall
+from processes import FLOOR, GLIBRA, measure, pairs, ratios, spread
 
 SCENE = """WindowSize 600 600
 Perspective 50 .1 1000
@@ -56,8 +56,10 @@ def main():
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 25
     with tempfile.TemporaryDirectory() as folder:
         scene = write_scene(folder)
-        floor, glibra = pairs(lambda: wall([FLOOR, os.path.join(folder, "floor.png")]),
-                              lambda: wall([GLIBRA, "render", scene, "-o", os.path.join(folder, "glibra.png")]), runs)
+        floor, glibra = pairs(lambda: measure([FLOOR, os.path.join(folder, "floor.png")]),
+                              lambda: measure([GLIBRA, "render", scene, "-o", os.path.join(folder, "glibra.png")]),
+                              runs)
+    floor, glibra = [each.wall for each in floor], [each.wall for each in glibra]
     for name, values, unit in (("floor", floor, 1000), ("glibra", glibra, 1000), ("ratio", ratios(glibra, floor), 1)):
         least, median, most = (each * unit for each in spread(values))
         print(f"{name:7} min {least:8.3f}  median {median:8.3f}  max {most:8.3f}{'' if name == 'ratio' else ' ms'}")

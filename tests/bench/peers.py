@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 
-from processes import GLIBRA, ROOT, TOOLS, wall
+from processes import GLIBRA, ROOT, TOOLS, measure
 
 # A pattern that costs about what an exercise's fragment stage does, as each program wants it.
 PATTERN = """
@@ -40,7 +40,7 @@ def pattern_at(x, y):
 def runs(command, environment=None):
     """True if a peer does what it is asked for on this machine."""
     try:
-        wall(command, environment)
+        measure(command, environment)
         return True
     except (OSError, subprocess.CalledProcessError):
         return False
@@ -73,20 +73,20 @@ def piglit():
 
 
 def contests(folder):
-    """What is drawn, the peer's name, ours and theirs as functions that give seconds."""
+    """What is drawn, the peer's name, ours and theirs as functions that give their cost."""
     out = os.path.join(folder, "out.png")
     quad = write(folder, "quad.glib", QUAD[0])
     write(folder, "quad.vert", QUAD[1])
     write(folder, "quad.frag", "#version 330\n" + PATTERN + FULL)
 
     def ours(scene):
-        return lambda: wall([GLIBRA, "render", scene, "-o", out])
+        return lambda: measure([GLIBRA, "render", scene, "-o", out])
 
     runner = piglit()
     test = [runner, write(folder, "quad.shader_test", SHADER_TEST + "probe rgb 300 300 {} {} {}\n".format(*pattern_at(300.5 / 600, 300.5 / 600))), "-auto", "-fbo"]
     surfaceless = {"PIGLIT_PLATFORM": "surfaceless_egl"}
     if runner and runs(test, surfaceless):
-        yield "full-screen pattern, 600 x 600", "piglit shader_runner", ours(quad), lambda: wall(test, surfaceless)
+        yield "full-screen pattern, 600 x 600", "piglit shader_runner", ours(quad), lambda: measure(test, surfaceless)
     with Display() as display:
         if not display.server:
             return
@@ -95,7 +95,7 @@ def contests(folder):
         view = [viewer, plain, "--headless", "-w", "600", "-h", "600", "--noncurses", "-E",
                 "screenshot," + os.path.join(folder, "viewer.png")]
         if viewer and runs(view, display.environment):
-            yield "full-screen pattern, 600 x 600", "glslViewer", ours(quad), lambda: wall(view, display.environment)
+            yield "full-screen pattern, 600 x 600", "glslViewer", ours(quad), lambda: measure(view, display.environment)
         if shutil.which("f3d"):
             yield from models(folder, ours, display.environment)
 
@@ -110,4 +110,4 @@ def models(folder, ours, environment):
         scene = write(folder, "model.glib", MODEL.format(model='"' + model + '"', eye=eye))
         f3d = ["f3d", "--dry-run", "--resolution=600,600", "--output=" + os.path.join(folder, "f3d.png"), model]
         if runs(f3d, environment):
-            yield what, "F3D", ours(scene), lambda command=f3d: wall(command, environment)
+            yield what, "F3D", ours(scene), lambda command=f3d: measure(command, environment)

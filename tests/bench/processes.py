@@ -3,6 +3,7 @@ import os
 import statistics
 import subprocess
 import time
+from typing import NamedTuple
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BUILD = os.environ.get("GLIBRA_BENCH_BUILD", os.path.join(ROOT, "build", "bench"))
@@ -11,27 +12,28 @@ TOOLS = os.path.join(BUILD, "tests", "bench")
 FLOOR = os.path.join(TOOLS, "glibra_floor")
 
 
-def wall(command, environment=None, folder=None):
-    """Seconds of one process, which must succeed."""
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=folder,
-                   env=dict(os.environ, **(environment or {})))
-    return time.perf_counter() - start
+class Cost(NamedTuple):
+    """What one run took: seconds by the clock, seconds of all processors, and the most memory in MiB."""
+    wall: float
+    processor: float
+    memory: float = 0
 
 
-def wall_and_memory(command):
-    """Seconds and the most memory of one process, in MiB."""
+def measure(command, environment=None):
+    """The cost of one process, which must succeed."""
     start = time.perf_counter()
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          env=dict(os.environ, **(environment or {}))) as process:
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
+    wall = time.perf_counter() - start
     if process.returncode != 0:
         raise subprocess.CalledProcessError(process.returncode, command)
-    return time.perf_counter() - start, usage.ru_maxrss / 1024
+    return Cost(wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
 
 def pairs(first, second, runs):
-    """Calls both in turn; the values of each, without those of the first pair, which warms caches."""
+    """Calls both in turn; the costs of each, without those of the first pair, which warms caches."""
     values = [(first(), second()) for _ in range(runs + 1)][1:]
     return [a for a, _ in values], [b for _, b in values]
 

@@ -20,21 +20,28 @@ import tempfile
 
 import peers
 from one_image import write_scene
-from processes import FLOOR, GLIBRA, TOOLS, pairs, ratios, spread, wall, wall_and_memory
+from processes import FLOOR, GLIBRA, TOOLS, Cost, measure, pairs, ratios, spread
 
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "README.md")
 
 
 class Row:
-    """One line of the table. `values` are ratios, or nothing where `text` says it all."""
+    """One line of the table: costs of two things, `over` divided by `under`, pair by pair."""
 
-    def __init__(self, what, against, values, aim, figures):
-        self.what, self.against, self.aim, self.figures = what, against, aim, figures
-        least, median, most = spread(values)
-        self.ratio = f"{median:.2f} ({least:.2f} .. {most:.2f})"
+    def __init__(self, what, against, over, under, aim, note=""):
+        self.what, self.against, self.aim = what, against, aim
+        walls = [each.wall for each in over], [each.wall for each in under]
+        self.wall = self.ratio(walls)
+        self.processor = self.ratio(([each.processor for each in over], [each.processor for each in under]))
+        self.figures = f"{milliseconds(walls[0])} / {milliseconds(walls[1])}{note}"
+
+    @staticmethod
+    def ratio(values):
+        least, median, most = spread(ratios(*values))
+        return f"{median:.2f} ({least:.2f} .. {most:.2f})"
 
     def markdown(self):
-        return f"| {self.what} | {self.against} | {self.ratio} | {self.aim} | {self.figures} |"
+        return f"| {self.what} | {self.against} | {self.wall} | {self.processor} | {self.aim} | {self.figures} |"
 
 
 def milliseconds(values):
@@ -44,18 +51,18 @@ def milliseconds(values):
 
 def against_floor(what, first, second, runs, aim):
     floor, glibra = pairs(first, second, runs)
-    return Row(what, "floor", ratios(glibra, floor), aim, f"{milliseconds(glibra)} / {milliseconds(floor)}")
+    return Row(what, "floor", glibra, floor, aim)
 
 
 def start_rows(folder, runs):
     """One picture, warm and cold."""
     scene, out = write_scene(folder), os.path.join(folder, "out.png")
     floor, glibra = [FLOOR, out], [GLIBRA, "render", scene, "-o", out]
-    yield against_floor("one picture, 600 x 600", lambda: wall(floor), lambda: wall(glibra), runs, "1.10")
+    yield against_floor("one picture, 600 x 600", lambda: measure(floor), lambda: measure(glibra), runs, "1.10")
 
     def cold(command):
         with tempfile.TemporaryDirectory(dir=folder) as empty:
-            return wall(command, {"MESA_SHADER_CACHE_DIR": empty, "XDG_CACHE_HOME": empty})
+            return measure(command, {"MESA_SHADER_CACHE_DIR": empty, "XDG_CACHE_HOME": empty})
 
     yield against_floor("cold: no shader cache, no cache of our own", lambda: cold(floor), lambda: cold(glibra),
                         runs, "-")
@@ -70,7 +77,7 @@ def start_rows(folder, runs):
         yield against_floor("coldest: page cache emptied besides", lambda: coldest(floor), lambda: coldest(glibra),
                             max(3, runs // 4), "-")
     large = ["--size", "4096x4096"]
-    yield against_floor("one picture, 4096 x 4096", lambda: wall(floor + ["4096"]), lambda: wall(glibra + large),
+    yield against_floor("one picture, 4096 x 4096", lambda: measure(floor + ["4096"]), lambda: measure(glibra + large),
                         max(3, runs // 3), "1.10")
 
 
@@ -80,8 +87,9 @@ def animation_rows(folder, runs):
     frames = os.path.join(folder, "frame.png")
     for what, threads in (("all processors draw", {}), ("one is left to encode", {"LP_NUM_THREADS": "1"})):
         yield against_floor(f"300 frames, 600 x 600, software rasteriser: {what}",
-                            lambda: wall([FLOOR, frames, "600", "300"], threads),
-                            lambda: wall([GLIBRA, "render", scene, "--frames", "300", "-o", frames], threads),
+                            lambda: measure([FLOOR, frames, "600", "300"], threads),
+                            lambda: measure([GLIBRA, "render", scene, "--frames", "300", "-o", frames],
+                                            threads),
                             max(3, runs // 4), "1.05")
 
 
@@ -90,41 +98,39 @@ def model_rows(folder, runs):
     model = os.path.join(folder, "grid.obj")
     loader = os.path.join(TOOLS, "glibra_load_obj")
     subprocess.run([loader, "grid", model], check=True)
-    ours, theirs = pairs(lambda: wall_and_memory([loader, "glibra", model]),
-                         lambda: wall_and_memory([loader, "tinyobjloader", model]), max(3, runs // 4))
-    seconds = [a for a, _ in ours], [a for a, _ in theirs]
-    memory = [b for _, b in ours], [b for _, b in theirs]
-    yield Row("OBJ of 70 MB: file to mesh, process", "tinyobjloader, time / ours", ratios(seconds[1], seconds[0]),
-              "4", f"{milliseconds(seconds[1])} / {milliseconds(seconds[0])}")
-    yield Row("OBJ of 70 MB: most memory", "tinyobjloader, MiB / ours", ratios(memory[1], memory[0]), "1",
-              f"{spread(memory[1])[1]:.0f} MiB / {spread(memory[0])[1]:.0f} MiB")
+    ours, theirs = pairs(lambda: measure([loader, "glibra", model]),
+                         lambda: measure([loader, "tinyobjloader", model]), max(3, runs // 4))
+    memory = [spread([each.memory for each in costs])[1] for costs in (theirs, ours)]
+    yield Row("OBJ of 70 MB: file to mesh, process", "tinyobjloader, time / ours", theirs, ours, "4",
+              f"; memory {memory[0]:.0f} MiB / {memory[1]:.0f} MiB")
 
 
 def measured_functions(filters, repetitions):
-    """Per name the real times of the repetitions in ms, and the counters."""
+    """Per name the costs of the repetitions, and the counters of the last."""
     command = [os.path.join(TOOLS, "glibra_functions"), "--benchmark_format=json",
                f"--benchmark_filter={filters}", f"--benchmark_repetitions={repetitions}",
                "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.1"]
     report = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-    times, counters = {}, {}
+    scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
+    costs, counters = {}, {}
     for each in report["benchmarks"]:
         if each["run_type"] != "iteration":
             continue
-        name = each["run_name"].removesuffix("/real_time")
-        times.setdefault(name, []).append(each["real_time"] / 1000)
+        name = each["run_name"].split("/process_time")[0].removesuffix("/real_time")
+        unit = scale[each["time_unit"]]
+        costs.setdefault(name, []).append(Cost(each["real_time"] * unit, each["cpu_time"] * unit))
         counters[name] = each
-    return times, counters
+    return costs, counters
 
 
 def function_rows(_, runs):
     """Functions beside what they are measured against, repetitions in random order."""
-    times, counters = measured_functions(".", max(3, runs // 2))
+    costs, counters = measured_functions(".", max(3, runs // 2))
 
     def row(what, over, under, against, aim, note=""):
         # Repetitions are not in pairs: the median of one over each of the other.
-        median = spread(times[over])[1]
-        values = [median / each for each in times[under]]
-        return Row(what, against, values, aim, f"{milliseconds(times[over])} / {milliseconds(times[under])}{note}")
+        median = Cost(*(spread(values)[1] for values in zip(*costs[over])))
+        return Row(what, against, [median] * len(costs[under]), costs[under], aim, note)
 
     yield row("noise texture 256³", "noise3Of256", "writeNewMemory", "writing 64 MiB of new memory, all processors", "2")
     yield row("noise texture 4096²", "noise2Of4096", "writeNewMemory", "the same", "2")
@@ -134,7 +140,7 @@ def function_rows(_, runs):
         yield row(f"PNG 1024² {picture}: encode", f"encodeLibpng/{picture}", f"encode/{picture}",
                   "libpng's defaults, time / ours", "8", f"; size {ours / theirs:.2f} of libpng's")
     yield row("PNG 1024² marble: decode", "decodeLibpng/marble", "decode/marble", "libpng, time / ours", "-")
-    rate = 100_000 / spread(times["parseScene"])[1] / 1e6
+    rate = 100_000 / spread([each.wall for each in costs["parseScene"]])[1] / 1e6
     note = f"; {rate:.1f} million lines a second"
     yield row("GLIB of 100,000 lines", "parseScene", "splitIntoWordsAndNumbers", "splitting into words and numbers",
               "-", note)
@@ -147,8 +153,7 @@ GROUPS = (("pictures", start_rows), ("animation", animation_rows), ("models", mo
 def peer_rows(folder, runs):
     for what, name, ours, theirs in peers.contests(folder):
         peer, glibra = pairs(theirs, ours, max(3, runs // 3))
-        yield Row(what, f"{name}, time / ours", ratios(peer, glibra), "-",
-                  f"{milliseconds(peer)} / {milliseconds(glibra)}")
+        yield Row(what, f"{name}, time / ours", peer, glibra, "-")
 
 
 def first_match(path, pattern):
@@ -188,8 +193,8 @@ def main():
     parser.add_argument("--write", action="store_true", help="rewrite the table in README.md")
     options = parser.parse_args()
     runs = 3 if options.quick else options.runs
-    lines = [f"Measured on: {machine()}.", "", "| what | against | ratio: median (least .. most) | aim | medians |",
-             "|---|---|---|---|---|"]
+    lines = [f"Measured on: {machine()}.", "", "| what | against | ratio: median (least .. most) | of processor time | aim | medians |",
+             "|---|---|---|---|---|---|"]
     print("\n".join(lines))
     for name, rows in GROUPS:
         if options.only and not any(fnmatch.fnmatch(name, f"*{word}*") for word in options.only):

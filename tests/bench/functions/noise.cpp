@@ -65,9 +65,9 @@ void writeOwnMemory(benchmark::State& state) {
     }
 }
 
-BENCHMARK(noise3Of256)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(noise2Of4096)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(writeNewMemory)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(writeOwnMemory)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(noise3Of256)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(noise2Of4096)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(writeNewMemory)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(writeOwnMemory)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace

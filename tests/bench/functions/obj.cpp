@@ -62,8 +62,8 @@ void tinyobjToPolygons(benchmark::State& state) {
     state.SetBytesProcessed(static_cast<std::int64_t>(from.size()) * state.iterations());
 }
 
-BENCHMARK(objToPolygons)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(objToMesh)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(tinyobjToPolygons)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(objToPolygons)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(objToMesh)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(tinyobjToPolygons)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
