@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace glibra::bench {
 namespace {
@@ -29,6 +30,14 @@ double percentile(const std::vector<double>& sorted, double fraction) {
 }
 
 }  // namespace
+
+Timing timingOf(std::vector<double> seconds) {
+    std::ranges::sort(seconds);
+    return {.median = percentile(seconds, .5),
+            .low = percentile(seconds, .25),
+            .high = percentile(seconds, .75),
+            .repeats = static_cast<int>(seconds.size())};
+}
 
 struct Bench::State {
     BenchOptions options;
@@ -66,11 +75,7 @@ Timing Bench::time(const std::function<void()>& work) const {
         taken.push_back(seconds(work, inner));
         total += taken.back() * inner;
     }
-    std::ranges::sort(taken);
-    return {.median = percentile(taken, .5),
-            .low = percentile(taken, .25),
-            .high = percentile(taken, .75),
-            .repeats = static_cast<int>(taken.size())};
+    return timingOf(std::move(taken));
 }
 
 }  // namespace glibra::bench

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "bench/measurement.h"
 #include "gpu/context.h"
@@ -16,6 +17,9 @@ struct BenchOptions {
     bool quick = false;  ///< fewer settings and repeats, seconds instead of minutes in all
     Driver driver = Driver::automatic;
 };
+
+/// Median and quartiles of measurements, not empty, by linear interpolation between the closest ranks.
+Timing timingOf(std::vector<double> seconds);
 
 class Bench {
   public:

@@ -8,6 +8,7 @@
 
 #include "bench/fit.h"
 #include "bench/log_axis.h"
+#include "bench/run.h"
 
 namespace glibra::bench {
 namespace {
@@ -64,7 +65,7 @@ std::string tip(const Figure& figure, const Curve& curve, const Point& point) {
     return escapeHtml(text);
 }
 
-std::string grid(const LogAxis& across, const LogAxis& up) {
+std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
     const double right = kWidth - kRight, floor = kHeight - kBottom;
     std::string svg = "<g class=\"grid\">";
     std::string labels = "<g class=\"ticks\">";
@@ -80,6 +81,8 @@ std::string grid(const LogAxis& across, const LogAxis& up) {
         labels += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kLeft - 7, y + 4,
                               tick.label);
     }
+    if (hasZero)
+        labels += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">0</text>", kLeft - 7, floor + 4);
     return svg +
            fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></g>", kLeft, kTop, right - kLeft,
                        floor - kTop) +
@@ -146,7 +149,8 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
     const double right = kWidth - kRight, floor = kHeight - kBottom;
     const auto placeX = [&](double cost) { return kLeft + across.place(cost) * (right - kLeft); };
 
-    std::string curves;
+    const bool hasFront = isTimed(figure) == (abscissa == Abscissa::time);
+    std::string curves, fronts;
     std::vector<Placed> all;
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
         std::vector<Placed> points;
@@ -163,12 +167,14 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
         }
         curves += curveSvg(figure, i, points);
         all.insert(all.end(), points.begin(), points.end());
+        if (hasFront && figure.alternatives == Alternatives::curve) fronts += frontLine(std::move(points));
     }
-    const bool isTimed = abscissa == Abscissa::time;
+    if (hasFront && figure.alternatives == Alternatives::figure) fronts = frontLine(std::move(all));
     return fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">",
                        kWidth, kHeight, escapeHtml(figure.errorName),
-                       isTimed ? "time" : escapeHtml(figure.settingName)) +
-           grid(across, up) + axisNames(figure, abscissa) + frontLine(all) + curves + "</svg>";
+                       abscissa == Abscissa::time ? "time" : escapeHtml(figure.settingName)) +
+           grid(across, up, std::ranges::find(errors, 0.) != errors.end()) + axisNames(figure, abscissa) +
+           fronts + curves + "</svg>";
 }
 
 std::string legendSign(std::size_t index) {
