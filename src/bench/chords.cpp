@@ -151,14 +151,14 @@ Figure chordFigure(const Bench& bench, bool isStep) {
     for (int steps = 8; steps <= finest; steps *= 2)
         fixed.points.push_back(pointOf(shape, fixedSteps(shape, steps), fmt::format("{} segments", steps),
                                        bench.time([&] { fixedSteps(shape, steps); })));
-    const int smallest = bench.isQuick() ? -12 : -20;
+    const int smallest = bench.isQuick() ? -16 : -20;
     for (int power = -4; power >= smallest; power -= 2) {
         const double tolerance = std::ldexp(1., power);
         adaptive.points.push_back(pointOf(shape, byFlatness(shape, tolerance),
                                           fmt::format("tolerance 2^{}", power),
                                           bench.time([&] { byFlatness(shape, tolerance); })));
     }
-    figure.findings = {orderSentence(fixed, "segments", 256), orderSentence(adaptive, "segments", 12)};
+    figure.findings = {orderSentence(fixed, "segments", 256), orderSentence(adaptive, "segments", 30)};
     // The fixed steps that reach what the finest adaptive chain does, by the fitted order.
     const double order = fittedOrder(fixed, 256);
     const Point &goal = adaptive.points.back(), &from = fixed.points.back();

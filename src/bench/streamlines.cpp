@@ -16,7 +16,7 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kEnd = 2;
-const std::complex<double> kStart(1, .02);  ///< passes |z| = 50 half-way
+const std::complex<double> kStart(1, .1);  ///< passes |z| = 10 half-way
 
 /// 1 / z falls by t: the exact solution.
 std::complex<double> exactAt(double t) {
@@ -143,7 +143,7 @@ Figure streamlineFigure(const Bench& bench) {
     const int finest = bench.isQuick() ? 4096 : 65536;
     for (const Method& method : kMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
-        for (int steps = 64; steps <= finest; steps *= 4)
+        for (int steps = 256; steps <= finest; steps *= 4)
             curve.points.push_back(
                 pointOf(bench, fmt::format("{} steps", steps), [&] { return method.trace(steps); }));
     }

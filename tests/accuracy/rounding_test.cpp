@@ -119,7 +119,7 @@ TEST(Curves, BehaveAsTheirSchemesSay) {
         const Curve &fixed = curveOf(chords, "fixed steps of t"),
                     &adaptive = curveOf(chords, "halved until flat");
         EXPECT_NEAR(fittedOrder(fixed, 250), -2, .1) << name;
-        EXPECT_NEAR(fittedOrder(adaptive, 12), -2, .5) << name;
+        EXPECT_NEAR(fittedOrder(adaptive, 30), -2, .5) << name;
         for (const Point& point : adaptive.points) {
             const double tolerance = std::ldexp(1., std::stoi(point.label.substr(point.label.find('^') + 1)));
             EXPECT_LT(point.error, 1.5 * tolerance) << name << ", " << point.label;
@@ -135,7 +135,7 @@ TEST(Curves, BehaveAsTheirSchemesSay) {
     EXPECT_NEAR(fittedOrder(curveOf(streamlines, "midpoint"), 2000), -2, .2);
     EXPECT_NEAR(fittedOrder(curveOf(streamlines, "Runge-Kutta 4"), 2000), -4, .4);
     const Curve& adaptive = curveOf(streamlines, "Dormand-Prince, adaptive");
-    EXPECT_LT(adaptive.points.back().error, 1e-4);
+    EXPECT_LT(adaptive.points.back().error, 1e-3 * adaptive.points.front().error);
     EXPECT_TRUE(std::ranges::is_sorted(adaptive.points, std::greater<>(), &Point::error));
 }
 
