@@ -129,10 +129,12 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
         std::vector<std::string> tags;
         for (const glib::UniformSpec& each :
              scene_.programs[static_cast<std::size_t>(variant.program)].uniforms)
-            tags.push_back(fmt::format("{} {}", each.tag, each.values.size()));
+            tags.push_back(
+                fmt::format("{} {} {}", each.tag, static_cast<int>(each.form), each.values.size()));
         for (const std::string& each : options_.set)
             if (const Result<plan::Override> given = plan::parseOverride(each))
-                tags.push_back(fmt::format("{}:{} {}", given->program, given->name, given->values.size()));
+                tags.push_back(fmt::format("{}:{} {} {}", given->program, given->name,
+                                           static_cast<int>(given->form), given->values.size()));
         std::sort(tags.begin(), tags.end());
         for (const std::string& each : tags) key += each + '\n';
     }

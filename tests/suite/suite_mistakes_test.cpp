@@ -149,6 +149,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "NameOfAVariant", shot("") + shot("name = 'teapot.nvidia'"),
             "6:8 suite-E06 the golden of 'teapot.nvidia' would be a variant of that of 'teapot' on line 2\n"},
+        Mistake{
+            "NameOfAVariantThatIsNotLettersAlone", shot("") + shot("name = 'teapot.osmesa-llvmpipe'"),
+            "6:8 suite-E06 the golden of 'teapot.osmesa-llvmpipe' would be a variant of that of 'teapot' on "
+            "line 2\n"},
         Mistake{"UnknownShot", shot("") + shot("name = 'b'\nmatch = 'teapto'"),
                 "7:9 suite-E07 match: there is no shot 'teapto'; did you mean 'teapot'?\n"},
         Mistake{"SweepNamedAsOne", shot("sweep = { uA = [1, 2] }") + shot("name = 'b'\ndiffer = 'teapot'"),
