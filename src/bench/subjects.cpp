@@ -1,11 +1,27 @@
 #include <vector>
 
+#include "bench/budget.h"
+#include "bench/builtins.h"
+#include "bench/filters.h"
+#include "bench/lighting.h"
+#include "bench/primitives.h"
+#include "bench/scenes.h"
 #include "bench/subject.h"
+#include "bench/volume.h"
 
 namespace glibra::bench {
 
 std::span<const Subject> subjects() {
-    static const std::vector<Subject> table{};
+    static const std::vector<Subject> table{
+        {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
+        {"lighting", "Lighting: by vertex and by fragment against the analytic surface", measureLighting},
+        {"volume", "Volume ray casting: steps against a fine integration", measureVolume},
+        {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
+        {"builtins", "GLSL functions: units in the last place, and what the specification allows",
+         measureBuiltins},
+        {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
+        {"budget", "A bound instead of counts: --max-error on the shipped scenes", measureBudget},
+    };
     return table;
 }
 

@@ -78,7 +78,7 @@ gpu::TexelType typeOf(image::Component type) {
 }
 
 /// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
-std::vector<std::uint16_t> widened(const std::vector<std::uint8_t>& bytes) {
+std::vector<std::uint16_t> widened(const noise::TexelBytes& bytes) {
     std::vector<std::uint16_t> wide(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
     return wide;
@@ -89,13 +89,13 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
            static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
 }
 
-Result<std::vector<std::uint8_t>> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
-                                              const Place& place) {
+Result<noise::TexelBytes> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
+                                      const Place& place) {
     if (source.file == scene::kNone) return noise::cachedTexels(source.dimensions, source.size);
     const scene::FileReference& file = scene.files[static_cast<std::size_t>(source.file)];
     Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
     if (!read) return std::move(read.diagnostics);
-    std::vector<std::uint8_t> bytes(read->data.size());
+    noise::TexelBytes bytes(read->data.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
     return bytes;
 }
@@ -161,7 +161,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const StageTimer timer(stats_, "noise");
         if (noise->file != scene::kNone) stats_.add("files read", 1);
-        Result<std::vector<std::uint8_t>> bytes = noiseTexels(scene_, *noise, texture.place);
+        Result<noise::TexelBytes> bytes = noiseTexels(scene_, *noise, texture.place);
         Diagnostics diagnostics = noise->remarks;
         append(diagnostics, std::move(bytes.diagnostics));
         if (!bytes) return diagnostics;

@@ -223,11 +223,12 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
             const double width = tile_.width;
             const double height = tile_.height;
             const std::array<double, 4> part{width_ / width, height_ / height,
-                                             (width_ - 2.0 * tile_.x - width) / width,
-                                             (height_ - 2.0 * tile_.y - height) / height};
+                                             (width_ - 2.0 * (tile_.x - shift_.x) - width) / width,
+                                             (height_ - 2.0 * (tile_.y - shift_.y) - height) / height};
             gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
         } else if (uniform.name == "glibra_TileOrigin") {
-            const std::array<double, 2> origin{isWindow ? tile_.x : 0.0, isWindow ? tile_.y : 0.0};
+            const std::array<double, 2> origin{isWindow ? tile_.x - shift_.x : 0.0,
+                                               isWindow ? tile_.y - shift_.y : 0.0};
             gpu::setUniform(*built.program, uniform, origin);
         }
     }

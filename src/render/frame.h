@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <set>
 
@@ -39,6 +40,10 @@ class FrameDrawer {
     void forgetLiterals(int program);
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
+
+    /// Moves the window's pictures right and up by parts of a pixel; what shaders see as gl_FragCoord moves
+    /// with them. For programs made for tiles; others stay.
+    void setShift(double x, double y) { shift_ = {x, y}; }
 
     /// Leaves out what provably does not reach the tile; `samples`: of the window's target.
     void leaveOutOfTile(int samples) { windowSamples_ = samples; }
@@ -94,6 +99,7 @@ class FrameDrawer {
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;
     Tile tile_;
+    glm::dvec2 shift_{0.0};
     int clipDistances_ = 0;
     bool lineWidthTold_ = false;
 };

@@ -182,7 +182,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
             built.reflected = std::move(earlier->reflected);
             built.remarks = std::move(earlier->remarks);
         } else if (!borrow(variant, built)) {
-            compile(variant, translated, built, built.remarks);
+            if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
         }
         append(diagnostics, built.remarks);
     }

@@ -195,6 +195,9 @@ const plan::FramePlan& SceneRenderer::plan() const {
 int SceneRenderer::width() const {
     return state_->width;
 }
+void SceneRenderer::setShift(double x, double y) {
+    state_->drawer->setShift(x, y);
+}
 int SceneRenderer::height() const {
     return state_->height;
 }
@@ -252,8 +255,9 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
     const TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
 
-    auto state = std::make_unique<State>(context, options, std::move(*interpreted), grid.tiles.size() > 1,
-                                         stats, options.skip ? shared : nullptr);
+    auto state = std::make_unique<State>(context, options, std::move(*interpreted),
+                                         grid.tiles.size() > 1 || options.tileSize > 0, stats,
+                                         options.skip ? shared : nullptr);
     state->width = width;
     state->height = height;
     state->tiles = grid.tiles;

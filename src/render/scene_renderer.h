@@ -40,6 +40,10 @@ class SceneRenderer {
     /// floats. For searches.
     Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
 
+    /// Moves the pictures that follow right and up by parts of a pixel: many of them average to one of many
+    /// samples. Textures that the scene draws stay. Needs options.tileSize > 0, even of one tile.
+    void setShift(double x, double y);
+
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
