@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "bench/budget.h"
 #include "bench/builtins.h"
 #include "bench/filters.h"
 #include "bench/lighting.h"
@@ -19,6 +20,7 @@ std::span<const Subject> subjects() {
         {"builtins", "GLSL functions: units in the last place, and what the specification allows",
          measureBuiltins},
         {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
+        {"budget", "A bound instead of counts: --max-error on the shipped scenes", measureBudget},
     };
     return table;
 }

@@ -97,6 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
                 "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"WrongBound", shot("max-error = 0\noverride-counts = 1"),
+                "3:13 suite-E04 max-error: 0 is not between 1e-09 and 1e+06\n"
+                "4:19 suite-E03 override-counts: true or false is wanted, not the number 1\n"},
         Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
                 "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
