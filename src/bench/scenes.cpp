@@ -113,7 +113,7 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     for (const ShippedScene& scene : *scenes) {
         Result<Measured> measured = measure(bench, **context, scene);
         if (measured) {
-            all.push_back(std::move(*measured));
+            all.push_back(*measured);
             continue;
         }
         failures.push_back(
