@@ -124,11 +124,9 @@ class LineReader {
         const char c = text_[at_];
         if (c == '"')
             readQuoted();
-        else if (!mayEndWord(c))
-            readWord();
-        else if (kOpening.find(c) != std::string_view::npos)
+        else if (mayEndWord(c) && kOpening.find(c) != std::string_view::npos)
             add(TokenKind::open, at_, at_ + 1, text_.substr(at_, 1));
-        else if (kClosing.find(c) != std::string_view::npos)
+        else if (mayEndWord(c) && kClosing.find(c) != std::string_view::npos)
             add(TokenKind::close, at_, at_ + 1, text_.substr(at_, 1));
         else
             readWord();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "glib/bracket_group.h"
 #include "glib/text.h"
@@ -73,7 +72,7 @@ Statement StatementReader::begin() {
         line.range.number, static_cast<int>(statement.end - line.message.size() - line.range.begin) + 1};
     statement.faulty = line.faulty;
     line.tokens.erase(line.tokens.begin());
-    statement.arguments = std::move(line.tokens);
+    statement.arguments.swap(line.tokens);
     statement.plainArguments = countPlain(statement.arguments);
     drop();
     return statement;

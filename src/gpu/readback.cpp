@@ -1,10 +1,10 @@
 #include "gpu/readback.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,19 +28,19 @@ void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
     }
 }
 
-/// Three of four bytes of every pixel. `to` may be shorter by the pixels' fourth bytes.
+/// The first three of the four bytes of every pixel.
 void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
     const std::byte* from = rgba.data();
     const std::byte* const end = from + rgba.size();
-    // Four pixels are three words.
     if constexpr (std::endian::native == std::endian::little)
         for (; from + 16 <= end; from += 16, to += 12) {
-            std::array<std::uint32_t, 4> p{};
-            std::memcpy(p.data(), from, sizeof p);
-            const std::array<std::uint32_t, 3> packed{(p[0] & 0xffffffU) | p[1] << 24U,
-                                                      (p[1] >> 8U & 0xffffU) | p[2] << 16U,
-                                                      (p[2] >> 16U & 0xffU) | p[3] << 8U};
-            std::memcpy(to, packed.data(), sizeof packed);
+            std::uint64_t a = 0, b = 0;  // two pixels each
+            std::memcpy(&a, from, sizeof a);
+            std::memcpy(&b, from + sizeof a, sizeof b);
+            const std::uint64_t first = (a & 0xffffffU) | (a >> 8U & 0xffffff000000U) | b << 48U;
+            const auto last = static_cast<std::uint32_t>((b >> 16U & 0xffU) | (b >> 24U & 0xffffff00U));
+            std::memcpy(to, &first, sizeof first);
+            std::memcpy(to + sizeof first, &last, sizeof last);
         }
     for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
 }
@@ -53,14 +53,15 @@ void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte
     const auto width = static_cast<std::size_t>(rectangle.width);
     const int most = static_cast<int>(std::clamp<std::size_t>(kMostBytes / (4 * width), 1, 1U << 20U));
     const int rowsAtOnce = std::min(most, rectangle.height);
-    std::vector<std::byte> part(4 * width * static_cast<std::size_t>(rowsAtOnce));
+    const auto part =
+        std::make_unique_for_overwrite<std::byte[]>(4 * width * static_cast<std::size_t>(rowsAtOnce));
     std::byte* to = pixels.data();
     for (int done = 0; done < rectangle.height; done += rowsAtOnce) {
         const int rows = std::min(rowsAtOnce, rectangle.height - done);
         const int y = rectangle.y + (topFirst ? rectangle.height - done - rows : done);
-        glReadPixels(rectangle.x, y, rectangle.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
+        glReadPixels(rectangle.x, y, rectangle.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, part.get());
         const std::size_t count = width * static_cast<std::size_t>(rows);
-        dropFourth(std::span(part).first(4 * count), to);
+        dropFourth({part.get(), 4 * count}, to);
         to += 3 * count;
     }
 }

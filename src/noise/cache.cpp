@@ -163,10 +163,10 @@ bool storeTexels(const fs::path& folder, int dimensions, int n, std::span<const 
     return true;
 }
 
-TexelBytes cachedTexels(int dimensions, int n, const fs::path& folder) {
+TexelBytes cachedTexels(int dimensions, int n, const fs::path& folder, std::size_t smallest) {
     const std::size_t bytes = texelBytes(dimensions, n);
     if (bytes == 0) return {};
-    if (bytes < kSmallestCachedBytes || folder.empty()) return compute(dimensions, n);
+    if (bytes < smallest || folder.empty()) return compute(dimensions, n);
     if (auto stored = loadTexels(folder, dimensions, n)) return std::move(*stored);
     TexelBytes texels = compute(dimensions, n);
     storeTexels(folder, dimensions, n,

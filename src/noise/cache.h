@@ -12,9 +12,9 @@
 
 namespace glibra::noise {
 
-/// Textures below this many bytes are computed, never cached: computing them takes a few milliseconds, about
-/// what opening, reading and checking a file costs, and the most usual size, 64 cubed, is among them.
-inline constexpr std::size_t kSmallestCachedBytes = std::size_t{16} << 20;
+/// Textures below this many bytes are computed, never cached: computing them on two processors takes as long
+/// as reading them back and checking them (25 ms for 256 cubed), and the first time they need not be written.
+inline constexpr std::size_t kSmallestCachedBytes = std::size_t{128} << 20;
 
 /// The cache's folder by the environment; empty if there is none (neither variable set to an absolute path).
 std::filesystem::path cacheFolder();
@@ -28,7 +28,9 @@ std::optional<TexelBytes> loadTexels(const std::filesystem::path& folder, int di
 bool storeTexels(const std::filesystem::path& folder, int dimensions, int n,
                  std::span<const std::uint8_t> texels);
 
-/// noise3Texels or noise2Texels by way of the cache in `folder` (empty: no cache).
-TexelBytes cachedTexels(int dimensions, int n, const std::filesystem::path& folder = cacheFolder());
+/// noise3Texels or noise2Texels by way of the cache in `folder` (empty: no cache); textures of fewer bytes
+/// than `smallest` are computed.
+TexelBytes cachedTexels(int dimensions, int n, const std::filesystem::path& folder = cacheFolder(),
+                        std::size_t smallest = kSmallestCachedBytes);
 
 }  // namespace glibra::noise

@@ -13,7 +13,7 @@ namespace glibra::noise {
 template <class T>
 struct Unset : std::allocator<T> {
     template <class Other>
-    struct rebind {
+    struct rebind {  // NOLINT(readability-identifier-naming): the standard's name
         using other = Unset<Other>;
     };
     template <class Other>

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <glibra/diagnostic.h>
 
+#include <memory>
+
 #include "image/texture_file.h"
 #include "noise/cache.h"
 #include "plan/texture_uses.h"
@@ -78,8 +80,8 @@ gpu::TexelType typeOf(image::Component type) {
 }
 
 /// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
-std::vector<std::uint16_t> widened(const noise::TexelBytes& bytes) {
-    std::vector<std::uint16_t> wide(bytes.size());
+std::unique_ptr<std::uint16_t[]> widened(const noise::TexelBytes& bytes) {
+    auto wide = std::make_unique_for_overwrite<std::uint16_t[]>(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
     return wide;
 }
@@ -165,11 +167,11 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
         Diagnostics diagnostics = noise->remarks;
         append(diagnostics, std::move(bytes.diagnostics));
         if (!bytes) return diagnostics;
-        const std::vector<std::uint16_t> wide = widened(*bytes);
+        const auto wide = widened(*bytes);
         const int depth = noise->dimensions == 3 ? noise->size : 1;
         Result<gpu::Texture> made = gpu::Texture::create(
             capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
-            {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+            {std::as_bytes(std::span(wide.get(), bytes->size())), 4, gpu::TexelType::u16});
         append(diagnostics, std::move(made.diagnostics));
         made.diagnostics = std::move(diagnostics);
         return made;
