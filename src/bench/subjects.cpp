@@ -1,11 +1,16 @@
 #include <vector>
 
+#include "bench/antialiasing.h"
+#include "bench/depth.h"
 #include "bench/subject.h"
 
 namespace glibra::bench {
 
 std::span<const Subject> subjects() {
-    static const std::vector<Subject> table{};
+    static const std::vector<Subject> table{
+        {"antialiasing", "Antialiasing: samples a pixel and their filters", measureAntialiasing},
+        {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
+    };
     return table;
 }
 
