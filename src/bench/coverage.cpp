@@ -41,9 +41,9 @@ int limited(double value, int most) {
 
 }  // namespace
 
-std::vector<double> coverage(std::span<const Triangle> triangles, int width, int height) {
+std::vector<double> coverage(std::span<const FlatTriangle> triangles, int width, int height) {
     std::vector<double> shares(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.);
-    for (const Triangle& triangle : triangles) {
+    for (const FlatTriangle& triangle : triangles) {
         const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
         const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
         const Polygon whole(triangle.begin(), triangle.end());

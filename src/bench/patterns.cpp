@@ -93,7 +93,7 @@ std::vector<glm::vec2> star() {
 
 std::vector<double> starCoverage(int side) {
     const std::vector<glm::vec2> corners = star();
-    std::vector<Triangle> triangles(kSpokes);
+    std::vector<FlatTriangle> triangles(kSpokes);
     for (std::size_t i = 0; i < corners.size(); ++i)
         triangles[i / 3][i % 3] = {static_cast<double>(corners[i].x) * side,
                                    (1. - static_cast<double>(corners[i].y)) * side};

@@ -27,6 +27,7 @@ void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
 void addView(CLI::App& app, int& status);
 void addNoise(CLI::App& app, int& status);
+void addBench(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);
 void addLanguage(CLI::App& app, int& status);
 

@@ -187,6 +187,9 @@ constexpr CatalogueRow kRows[] = {
      "'start/teapot' is passed in 'a' and failed in 'b'; it counts as failed"},
     {"result-W02", Severity::warning, "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", Severity::note, "the last line is torn, its shot is not counted"},
+    // Run time against error
+    {"bench-E01", Severity::error, "there is no subject 'primitve'; did you mean 'primitives'?"},
+    {"bench-E02", Severity::error, "this is no run of glibra bench; --against takes its bench.json"},
     // The window
     {"view-E01", Severity::error, "the value of 'uKd' cannot be found in the scene any more"},
     {"view-E02", Severity::error,

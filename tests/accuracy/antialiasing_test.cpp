@@ -16,7 +16,7 @@ namespace glibra::bench {
 namespace {
 
 TEST(Coverage, ATriangleThatCoversHalfASquareOfPixelsHasHalfItsArea) {
-    const std::vector<Triangle> triangles{{{{0, 0}, {4, 0}, {0, 4}}}};
+    const std::vector<FlatTriangle> triangles{{{{0, 0}, {4, 0}, {0, 4}}}};
     const std::vector<double> shares = coverage(triangles, 4, 4);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
@@ -26,11 +26,11 @@ TEST(Coverage, ATriangleThatCoversHalfASquareOfPixelsHasHalfItsArea) {
 }
 
 TEST(Coverage, AreasOfAnyTriangleAddUpAndReachBeyondThePictureWithoutHarm) {
-    const std::vector<Triangle> inside{{{{1.3, .7}, {8.9, 5.1}, {2.2, 9.6}}}};
+    const std::vector<FlatTriangle> inside{{{{1.3, .7}, {8.9, 5.1}, {2.2, 9.6}}}};
     const std::vector<double> shares = coverage(inside, 10, 10);
     const double area = .5 * std::abs((8.9 - 1.3) * (9.6 - .7) - (2.2 - 1.3) * (5.1 - .7));
     EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.), area, 1e-12);
-    const std::vector<Triangle> beyond{{{{-100, -100}, {200, -100}, {-100, 200}}}};
+    const std::vector<FlatTriangle> beyond{{{{-100, -100}, {200, -100}, {-100, 200}}}};
     const std::vector<double> full = coverage(beyond, 3, 3);
     EXPECT_DOUBLE_EQ(std::accumulate(full.begin(), full.end(), 0.), 9);
 }
