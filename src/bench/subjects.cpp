@@ -4,12 +4,15 @@
 #include "bench/depth.h"
 #include "bench/primitives.h"
 #include "bench/subject.h"
+#include "bench/tessellation.h"
 
 namespace glibra::bench {
 
 std::span<const Subject> subjects() {
     static const std::vector<Subject> table{
         {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
+        {"tessellation", "Tessellation shaders: levels and spacings against analytic surfaces",
+         measureTessellation},
         {"antialiasing", "Antialiasing: samples a pixel and their filters", measureAntialiasing},
         {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
     };
