@@ -2,6 +2,7 @@
 
 #include "bench/antialiasing.h"
 #include "bench/depth.h"
+#include "bench/noise_textures.h"
 #include "bench/primitives.h"
 #include "bench/subject.h"
 #include "bench/tessellation.h"
@@ -13,6 +14,7 @@ std::span<const Subject> subjects() {
         {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
         {"tessellation", "Tessellation shaders: levels and spacings against analytic surfaces",
          measureTessellation},
+        {"noise", "Noise textures: size and texel format against the function", measureNoise},
         {"antialiasing", "Antialiasing: samples a pixel and their filters", measureAntialiasing},
         {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
     };
