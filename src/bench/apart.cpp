@@ -1,5 +1,6 @@
 #include "bench/apart.h"
 
+#include <link.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +10,10 @@
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <system_error>
 
 namespace glibra::bench {
 namespace {
@@ -75,6 +80,21 @@ void answerOnce(int answers, const Head& request, const std::string& text) {
     if (!isAnswered) send(answers, {}, {});
 }
 
+bool isDriverLoaded() {
+    const auto isDriver = [](dl_phdr_info* library, std::size_t, void*) {
+        const std::string_view path = library->dlpi_name;
+        return path.find("libEGL") != path.npos || path.find("OSMesa") != path.npos ? 1 : 0;
+    };
+    return dl_iterate_phdr(isDriver, nullptr) != 0;
+}
+
+/// False too where threads cannot be counted.
+bool isSingleThreaded() {
+    std::error_code problem;
+    const std::filesystem::directory_iterator threads("/proc/self/task", problem);
+    return !problem && std::distance(begin(threads), end(threads)) == 1;
+}
+
 [[noreturn]] void serve(int requests, int answers) {
     // A parent that is gone is noticed by its closed pipes.
     (void)std::signal(SIGPIPE, SIG_IGN);
@@ -87,6 +107,7 @@ void answerOnce(int answers, const Head& request, const std::string& text) {
 }  // namespace
 
 Apart::Apart() {
+    if (!isSingleThreaded() || isDriverLoaded()) return;
     std::array<int, 2> requests{}, answers{};
     if (pipe(requests.data()) != 0) return;
     if (pipe(answers.data()) != 0) {

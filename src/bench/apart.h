@@ -9,8 +9,8 @@ namespace glibra::bench {
 
 class Apart {
   public:
-    /// Forks a process that waits. It must be made before this process loads a driver or starts a thread;
-    /// made later, its work meets the driver as this process has set it up.
+    /// Forks a process that waits. If this process has more than one thread or has loaded a driver already,
+    /// none is forked and nothing is ever answered: a driver's locks would stay locked there.
     Apart();
     Apart(const Apart&) = delete;
     Apart& operator=(const Apart&) = delete;
@@ -18,7 +18,7 @@ class Apart {
 
     using Work = std::string (*)(const std::string& request);
     /// What `work` answers to the request, in a new process each time. Nothing if that process crashed or
-    /// could not be made.
+    /// there is none.
     std::optional<std::string> run(Work work, const std::string& request);
 
   private:

@@ -2,6 +2,7 @@
 
 #include "bench/antialiasing.h"
 #include "bench/depth.h"
+#include "bench/minification.h"
 #include "bench/noise_textures.h"
 #include "bench/primitives.h"
 #include "bench/subject.h"
@@ -16,6 +17,8 @@ std::span<const Subject> subjects() {
          measureTessellation},
         {"noise", "Noise textures: size and texel format against the function", measureNoise},
         {"antialiasing", "Antialiasing: samples a pixel and their filters", measureAntialiasing},
+        {"minification", "Texture filters: minified and magnified, against many samples",
+         measureMinification},
         {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
     };
     return table;
