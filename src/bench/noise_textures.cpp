@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -32,18 +33,17 @@ std::vector<int> sidesOf(const Bench& bench) {
     return bench.isQuick() ? std::vector{16, 32, 64} : std::vector{16, 32, 64, 128, 256};
 }
 
-/// Exact texels by size, made once.
+/// Exact texels by size, made once; 268 MB for the largest.
 class ExactTexels {
   public:
     const std::vector<float>& of(int side) {
-        if (side != side_) texels_ = exactTexels(side);
-        side_ = side;
-        return texels_;
+        std::vector<float>& texels = bySide_[side];
+        if (texels.empty()) texels = exactTexels(side);
+        return texels;
     }
 
   private:
-    int side_ = 0;
-    std::vector<float> texels_;
+    std::map<int, std::vector<float>> bySide_;
 };
 
 struct Sample {
@@ -68,7 +68,7 @@ std::string texelsLabel(int side) {
 }
 
 /// Interpolation on the CPU, for the sum and for each octave.
-std::vector<Figure> onCpu(const Bench& bench) {
+std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     Figure sum{.name = "texels",
                .title = "Noise texture: sum of four octaves, interpolated in double (time: 4096 places)",
                .settingName = "texels a side",
@@ -85,7 +85,6 @@ std::vector<Figure> onCpu(const Bench& bench) {
     Octaves strength{};
     for (const Sample& each : samples)
         for (std::size_t i = 0; i < strength.size(); ++i) strength[i] += std::pow(each.exact[i] - .5, 2);
-    ExactTexels exact;
     double look = 0;
     for (const int side : sidesOf(bench))
         for (const NoiseFormat format : kNoiseFormats) {
@@ -216,7 +215,7 @@ void compareDrawn(Figure& figure) {
     }
 }
 
-Result<Figure> onDevice(Bench& bench, const gpu::Context& context) {
+Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& exact) {
     const gpu::Capabilities& capabilities = context.capabilities();
     Figure figure{.name = "drawn",
                   .title = fmt::format("Noise in a picture of {0} x {0} pixels, sum of four octaves", kSide),
@@ -229,7 +228,6 @@ Result<Figure> onDevice(Bench& bench, const gpu::Context& context) {
     Result<NoisePicture> byFunction = NoisePicture::create(capabilities, NoiseShader::function, kSide);
     for (Result<NoisePicture>* each : {&byDriver, &byShader, &byFunction})
         if (!*each) return std::move(each->diagnostics);
-    ExactTexels exact;
     for (const int side : sidesOf(bench))
         for (const NoiseFormat format : kNoiseFormats) {
             const NoiseVolume volume(side, format, exact.of(side));
@@ -273,7 +271,7 @@ Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, g
     return kByte * largest;
 }
 
-Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities) {
+Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, ExactTexels& exact) {
     Figure figure{.name = "seam",
                   .title = "Noise texture of floats: within half a texel of the period's border",
                   .settingName = "texels a side",
@@ -288,7 +286,6 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities) {
         double middle;
     };
     // The last texel of a row is n - 1; between it and the next period's first lies the border.
-    ExactTexels exact;
     for (const int side : sidesOf(bench)) {
         const NoiseVolume volume(side, NoiseFormat::single, exact.of(side));
         Result<gpu::Texture> texture = volume.upload(capabilities);
@@ -318,11 +315,12 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities) {
 Result<std::vector<Figure>> measureNoise(Bench& bench) {
     Result<gpu::Context*> context = bench.context();
     if (!context) return std::move(context.diagnostics);
-    std::vector<Figure> figures = onCpu(bench);
-    Result<Figure> device = onDevice(bench, **context);
+    ExactTexels exact;
+    std::vector<Figure> figures = onCpu(bench, exact);
+    Result<Figure> device = onDevice(bench, **context, exact);
     if (!device) return std::move(device.diagnostics);
     figures.push_back(std::move(*device));
-    Result<Figure> border = seam(bench, (*context)->capabilities());
+    Result<Figure> border = seam(bench, (*context)->capabilities(), exact);
     if (!border) return std::move(border.diagnostics);
     figures.push_back(std::move(*border));
     return figures;

@@ -91,9 +91,9 @@ Analytic pnTriangle() {
 
 std::vector<double> levelsOf(const Bench& bench, Spacing spacing) {
     if (bench.isQuick()) return {1, 2, 4, 8, 16, 32, 64};
-    std::vector<double> levels{1, 2, 3, 4, 5, 6, 8, 11, 12, 16, 23, 24, 32, 45, 48, 64};
+    std::vector<double> levels{1, 2, 3, 4, 6, 8, 11, 16, 24, 32, 45, 64};
     if (spacing != Spacing::equal)
-        for (const double between : {2.5, 3.7, 9.5, 19.2, 38.9}) levels.push_back(between);
+        for (const double between : {2.5, 9.5, 38.9}) levels.push_back(between);
     std::ranges::sort(levels);
     return levels;
 }

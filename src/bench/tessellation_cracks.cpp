@@ -160,6 +160,22 @@ std::string_view nameOf(Evaluation evaluation) {
     return "sum of Bernstein polynomials";
 }
 
+/// How many patches come out whole if all of them are one draw.
+Result<std::string> wholePatches(const gpu::Capabilities& capabilities) {
+    constexpr float kLevel = 62;
+    Result<Tessellator> teapot =
+        Tessellator::create(capabilities, Evaluation::symmetric, Spacing::equal, turnedTeapot());
+    if (!teapot) return std::move(teapot.diagnostics);
+    Result<std::vector<TessellatedVertex>> vertices =
+        teapot->capture({.outer = kLevel, .inner = kLevel}, teapot->patches());
+    if (!vertices) return std::move(vertices.diagnostics);
+    std::vector<std::size_t> count(static_cast<std::size_t>(teapot->patches()), 0);
+    for (const TessellatedVertex& each : *vertices) ++count[static_cast<std::size_t>(each.patch)];
+    const auto whole = std::ranges::count(count, vertices->size() / count.size());
+    return fmt::format("{} of {} patches of level {} come out right when they are one draw", whole,
+                       count.size(), kLevel);
+}
+
 Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
     const ControlPoints points = turnedTeapot();
     const std::vector<SharedEdge> shared = sharedEdges(points);
@@ -206,6 +222,9 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
                 all.different, all.vertices, numberText(all.widest), all.withoutPartner));
             figure.curves.push_back(std::move(curve));
         }
+    Result<std::string> whole = wholePatches(capabilities);
+    if (!whole) return std::move(whole.diagnostics);
+    figure.findings.push_back(std::move(*whole));
     return figure;
 }
 

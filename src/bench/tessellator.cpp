@@ -13,13 +13,20 @@ namespace {
 
 constexpr int kFloatsAVertex = 7;
 
-constexpr std::string_view kVertex = "void main() { gl_Position = vec4(0.); }\n";
+// Patches are counted over several draws.
+constexpr std::string_view kVertex =
+    "uniform float uFirst;\n"
+    "out float vPatch;\n"
+    "void main() { vPatch = uFirst + float(gl_VertexID); gl_Position = vec4(0.); }\n";
 
 constexpr std::string_view kControl =
     "layout(vertices = 1) out;\n"
+    "in float vPatch[];\n"
+    "out float cPatch[];\n"
     "uniform vec3 uLevels;\n"
     "void main() {\n"
-    "    float inner = uLevels.y + uLevels.z * float(gl_PrimitiveID % 3);\n"
+    "    cPatch[gl_InvocationID] = vPatch[0];\n"
+    "    float inner = uLevels.y + uLevels.z * mod(vPatch[0], 3.);\n"
     "    for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uLevels.x;\n"
     "    for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = inner;\n"
     "}\n";
@@ -29,12 +36,15 @@ constexpr std::string_view kEvaluation =
     "#version 410 core\n"
     "layout({0}, ccw) in;\n"
     "layout(std140) uniform Points {{ vec4 uPoints[1024]; }};\n"
+    "in float cPatch[];\n"
     "out vec3 vPosition;\n"
     "out vec4 vWhere;\n"
+    "int patchNumber;\n"
     "{1}"
     "void main() {{\n"
+    "    patchNumber = int(cPatch[0]);\n"
     "    vPosition = surface();\n"
-    "    vWhere = vec4(gl_TessCoord, float(gl_PrimitiveID));\n"
+    "    vWhere = vec4(gl_TessCoord, float(patchNumber));\n"
     "    gl_Position = vec4(vPosition.xy * .4, vPosition.z * .1, 1.);\n"
     "}}\n";
 
@@ -48,7 +58,7 @@ constexpr std::string_view kBernstein =
     "    vec3 sum = vec3(0.);\n"
     "    for (int row = 0; row < 4; ++row)\n"
     "        for (int column = 0; column < 4; ++column)\n"
-    "            sum += u[column] * v[row] * uPoints[gl_PrimitiveID * 16 + row * 4 + column].xyz;\n"
+    "            sum += u[column] * v[row] * uPoints[patchNumber * 16 + row * 4 + column].xyz;\n"
     "    return sum;\n"
     "}\n";
 
@@ -57,7 +67,7 @@ constexpr std::string_view kCurveOfCurves =
     "vec3 surface() {\n"
     "    vec3 along[4];\n"
     "    for (int column = 0; column < 4; ++column) {\n"
-    "        int first = gl_PrimitiveID * 16 + column;\n"
+    "        int first = patchNumber * 16 + column;\n"
     "        along[column] = curve(uPoints[first].xyz, uPoints[first + 4].xyz, uPoints[first + 8].xyz,\n"
     "                              uPoints[first + 12].xyz, gl_TessCoord.y);\n"
     "    }\n"
@@ -82,8 +92,8 @@ constexpr std::string_view kSymmetric =
 constexpr std::string_view kSphereOctant = "vec3 surface() { return normalize(gl_TessCoord); }\n";
 
 constexpr std::string_view kPnTriangle =
-    "vec3 corner(int i) { return uPoints[gl_PrimitiveID * 6 + i].xyz; }\n"
-    "vec3 normal(int i) { return uPoints[gl_PrimitiveID * 6 + 3 + i].xyz; }\n"
+    "vec3 corner(int i) { return uPoints[patchNumber * 6 + i].xyz; }\n"
+    "vec3 normal(int i) { return uPoints[patchNumber * 6 + 3 + i].xyz; }\n"
     "vec3 near(int i, int j) {\n"
     "    return (2. * corner(i) + corner(j) - dot(corner(j) - corner(i), normal(i)) * normal(i)) / 3.;\n"
     "}\n"
@@ -190,24 +200,31 @@ void Tessellator::prepare(const Levels& levels) const {
     glPatchParameteri(GL_PATCH_VERTICES, 1);
 }
 
-Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels) const {
+Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels, int patchesADraw) const {
     prepare(levels);
-    Result<Captured> captured = bench::capture(*capabilities_, program_, GL_PATCHES, patches_, GL_TRIANGLES,
-                                               kFloatsAVertex, mostVertices(levels, patches_));
-    if (!captured) return std::move(captured.diagnostics);
     std::vector<TessellatedVertex> vertices;
-    for (std::size_t i = 0; i + kFloatsAVertex <= captured->values.size(); i += kFloatsAVertex) {
-        const float* from = captured->values.data() + i;
-        vertices.push_back({.position = {from[0], from[1], from[2]},
-                            .coordinate = {from[3], from[4], from[5]},
-                            .patch = static_cast<int>(from[6])});
+    for (int first = 0; first < patches_; first += patchesADraw) {
+        const int count = std::min(patchesADraw, patches_ - first);
+        setFloats(program_, "uFirst", {static_cast<float>(first)});
+        Result<Captured> captured = bench::capture(*capabilities_, program_, GL_PATCHES, count, GL_TRIANGLES,
+                                                   kFloatsAVertex, mostVertices(levels, count));
+        if (!captured) return std::move(captured.diagnostics);
+        for (std::size_t i = 0; i + kFloatsAVertex <= captured->values.size(); i += kFloatsAVertex) {
+            const float* from = captured->values.data() + i;
+            vertices.push_back({.position = {from[0], from[1], from[2]},
+                                .coordinate = {from[3], from[4], from[5]},
+                                .patch = static_cast<int>(from[6])});
+        }
     }
     return vertices;
 }
 
 void Tessellator::draw(const Levels& levels) const {
     prepare(levels);
-    drawVertices(program_, GL_PATCHES, patches_);
+    for (int first = 0; first < patches_; first += kPatchesADraw) {
+        setFloats(program_, "uFirst", {static_cast<float>(first)});
+        drawVertices(program_, GL_PATCHES, std::min(kPatchesADraw, patches_ - first));
+    }
     glFinish();
 }
 

@@ -44,12 +44,18 @@ struct Levels {
 
 class Tessellator {
   public:
+    /// llvmpipe (Mesa 22.3) numbers the vertices that come out of one draw in 16 bits and repeats the first
+    /// patches beyond that; 8 patches of level 64 stay below.
+    static constexpr int kPatchesADraw = 8;
+
     /// `points`: the control points of all patches, at most 1024.
     static Result<Tessellator> create(const gpu::Capabilities& capabilities, Evaluation evaluation,
                                       Spacing spacing, std::span<const glm::vec3> points);
 
     /// Three vertices a triangle.
-    Result<std::vector<TessellatedVertex>> capture(const Levels& levels) const;
+    Result<std::vector<TessellatedVertex>> capture(const Levels& levels,
+                                                   int patchesADraw = kPatchesADraw) const;
+    [[nodiscard]] int patches() const { return patches_; }
     /// Draws all into the bound target, seen along -z, grey by height, and waits.
     void draw(const Levels& levels) const;
 
