@@ -60,6 +60,7 @@ struct RenderOptions {
     bool strict = false;       ///< warnings are errors
     bool checkNan = false;     ///< searches the draws that put NaN or infinity into the picture
     bool shim = true;          ///< false: shaders are compiled as they are
+    bool skip = true;          ///< false: what the picture does not need is read, made and drawn all the same
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows

@@ -1,12 +1,17 @@
 #include <vector>
 
 #include "bench/antialiasing.h"
+#include "bench/builtins.h"
 #include "bench/depth.h"
+#include "bench/filters.h"
+#include "bench/lighting.h"
 #include "bench/minification.h"
 #include "bench/noise_textures.h"
 #include "bench/primitives.h"
+#include "bench/scenes.h"
 #include "bench/subject.h"
 #include "bench/tessellation.h"
+#include "bench/volume.h"
 
 namespace glibra::bench {
 
@@ -20,6 +25,12 @@ std::span<const Subject> subjects() {
         {"minification", "Texture filters: minified and magnified, against many samples",
          measureMinification},
         {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
+        {"lighting", "Lighting: by vertex and by fragment against the analytic surface", measureLighting},
+        {"volume", "Volume ray casting: steps against a fine integration", measureVolume},
+        {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
+        {"builtins", "GLSL functions: units in the last place, and what the specification allows",
+         measureBuiltins},
+        {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
     };
     return table;
 }

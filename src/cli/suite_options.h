@@ -26,6 +26,7 @@ struct SuiteArguments {
     int jobs = 0;                   ///< 0: as many as the machine is best with
     std::optional<double> timeout;  ///< seconds
     bool resume = false;
+    bool skip = true;  ///< false: --no-skip
 };
 
 /// --only, --shard, --resume.

@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <vector>
+
+#include "noise/texel_bytes.h"
 
 namespace glibra::noise {
 
@@ -20,8 +21,7 @@ std::filesystem::path cacheFolder();
 
 /// The stored texels of the noise texture with 2 or 3 dimensions and size n, or nothing: no such file, wrong
 /// size, wrong checksum, or written for other tables than this program's.
-std::optional<std::vector<std::uint8_t>> loadTexels(const std::filesystem::path& folder, int dimensions,
-                                                    int n);
+std::optional<TexelBytes> loadTexels(const std::filesystem::path& folder, int dimensions, int n);
 
 /// Stores texels, under a temporary name first, renamed when whole. False if that was not possible; nothing
 /// is left then.
@@ -29,7 +29,6 @@ bool storeTexels(const std::filesystem::path& folder, int dimensions, int n,
                  std::span<const std::uint8_t> texels);
 
 /// noise3Texels or noise2Texels by way of the cache in `folder` (empty: no cache).
-std::vector<std::uint8_t> cachedTexels(int dimensions, int n,
-                                       const std::filesystem::path& folder = cacheFolder());
+TexelBytes cachedTexels(int dimensions, int n, const std::filesystem::path& folder = cacheFolder());
 
 }  // namespace glibra::noise

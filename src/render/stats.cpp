@@ -25,6 +25,10 @@ void Stats::add(std::string_view count, std::uint64_t value) {
     counts.push_back({std::string(count), value});
 }
 
+void Stats::skip(std::string_view what, std::string why, const Place& place) {
+    skipped.push_back({std::string(what), std::move(why), place});
+}
+
 std::string toJson(const Stats& stats, std::string_view scene, int width, int height,
                    std::string_view driver) {
     nlohmann::ordered_json json;

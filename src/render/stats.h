@@ -27,6 +27,7 @@ struct Stats {
 
     void addTime(std::string_view stage, double milliseconds);
     void add(std::string_view count, std::uint64_t value);
+    void skip(std::string_view what, std::string why, const Place& place);
 };
 
 /// Adds the time from its construction to its end to one stage.

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "geometry/arrow.h"
 #include "geometry/box.h"
@@ -170,22 +171,23 @@ Mesh objMesh(CommandId command, const geo::ObjModel& model, bool withTangents) {
 }
 
 /// The content of a model file as a mesh.
-Result<Mesh> parseModel(CommandId command, std::span<const std::byte> bytes, const std::string& path,
+Result<Mesh> parseModel(CommandId command, std::vector<std::byte> bytes, const std::string& path,
                         bool withTangents) {
     if (command == CommandId::shp) return geo::parseShp(bytes, path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     Result<geo::ObjModel> model = geo::parseObj(text, path);
     if (!model) return std::move(model.diagnostics);
+    std::vector<std::byte>().swap(bytes);  // a large text need not stand beside the mesh
     return {objMesh(command, *model, withTangents), std::move(model.diagnostics)};
 }
 
 Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withTangents) {
     Diagnostics diagnostics = file.remarks;
     if (file.path.empty()) return diagnostics;
-    const auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
+    auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
     append(diagnostics, bytes.diagnostics);
     if (!bytes) return diagnostics;
-    Result<Mesh> mesh = parseModel(shape.command, *bytes, file.path.string(), withTangents);
+    Result<Mesh> mesh = parseModel(shape.command, std::move(*bytes), file.path.string(), withTangents);
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {

@@ -122,7 +122,7 @@ TEST_F(NoiseCache, ReplacesADamagedFile) {
 
 TEST_F(NoiseCache, IsUsedWhenWhole) {
     // A file that is consistent but holds other texels shows where they came from.
-    std::vector<std::uint8_t> marked = noise2Texels(2048);
+    TexelBytes marked = noise2Texels(2048);
     marked[0] = 3;
     ASSERT_TRUE(storeTexels(folder, 2, 2048, marked));
     EXPECT_EQ(cachedTexels(2, 2048, folder), marked);
