@@ -31,6 +31,7 @@ double percentile(const std::vector<double>& sorted, double fraction) {
 }  // namespace
 
 struct Bench::State {
+    Apart apart;  // before anything that loads a driver
     BenchOptions options;
     std::optional<gpu::Context> context;
 };
@@ -52,6 +53,10 @@ Result<gpu::Context*> Bench::context() {
         state_->context.emplace(std::move(*opened));
     }
     return &*state_->context;
+}
+
+Apart& Bench::apart() {
+    return state_->apart;
 }
 
 Timing Bench::time(const std::function<void()>& work) const {

@@ -1,12 +1,17 @@
 #include <vector>
 
+#include "bench/antialiasing.h"
 #include "bench/budget.h"
 #include "bench/builtins.h"
+#include "bench/depth.h"
 #include "bench/filters.h"
 #include "bench/lighting.h"
+#include "bench/minification.h"
+#include "bench/noise_textures.h"
 #include "bench/primitives.h"
 #include "bench/scenes.h"
 #include "bench/subject.h"
+#include "bench/tessellation.h"
 #include "bench/volume.h"
 
 namespace glibra::bench {
@@ -14,6 +19,13 @@ namespace glibra::bench {
 std::span<const Subject> subjects() {
     static const std::vector<Subject> table{
         {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
+        {"tessellation", "Tessellation shaders: levels and spacings against analytic surfaces",
+         measureTessellation},
+        {"noise", "Noise textures: size and texel format against the function", measureNoise},
+        {"antialiasing", "Antialiasing: samples a pixel and their filters", measureAntialiasing},
+        {"minification", "Texture filters: minified and magnified, against many samples",
+         measureMinification},
+        {"depth", "Depth buffers: the smallest gap that is told apart", measureDepth},
         {"lighting", "Lighting: by vertex and by fragment against the analytic surface", measureLighting},
         {"volume", "Volume ray casting: steps against a fine integration", measureVolume},
         {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
