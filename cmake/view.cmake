@@ -1,6 +1,6 @@
 # The window: a room that needs no display (src/view), and a program of its own that shows it (src/view/window), so
 # that the program glibra stays free of GLFW and ImGui.
-glibra_room(view ROOMS render image LINK nlohmann_json::nlohmann_json)
+glibra_room(view ROOMS render suite image LINK nlohmann_json::nlohmann_json)
 
 pkg_check_modules(glfw IMPORTED_TARGET glfw3)
 pkg_check_modules(imgui IMPORTED_TARGET imgui)

@@ -40,6 +40,7 @@ Timing timingOf(std::vector<double> seconds) {
 }
 
 struct Bench::State {
+    Apart apart;  // before anything that loads a driver
     BenchOptions options;
     std::optional<gpu::Context> context;
 };
@@ -61,6 +62,10 @@ Result<gpu::Context*> Bench::context() {
         state_->context.emplace(std::move(*opened));
     }
     return &*state_->context;
+}
+
+Apart& Bench::apart() {
+    return state_->apart;
 }
 
 Timing Bench::time(const std::function<void()>& work) const {

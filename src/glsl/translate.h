@@ -94,6 +94,14 @@ struct DeclaredUniform {
     bool hasInitializer = false;
 };
 
+/// Where a program puts what it draws, as far as its text proves it. It then has no stages but vertex and
+/// fragment, and no effects but on the picture.
+enum class Placement {
+    unknown,
+    vertex,  ///< gl_Position is the model-view-projection times the vertex
+    point    ///< ... times vec4(vertex.xyz, 1)
+};
+
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error
     Diagnostics diagnostics;
@@ -110,6 +118,7 @@ struct TranslatedProgram {
         geometryInput;  ///< the geometry stage's input primitive, plain GLSL word; empty: no such stage
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written
+    Placement placement = Placement::unknown;
 
     std::string name;  ///< of the Program, and its scene line: for the notes under compile errors
     Place place;
@@ -119,6 +128,16 @@ struct TranslatedProgram {
 
 /// Translates all stages of one program together. The user's mistakes are diagnostics, never exceptions.
 TranslatedProgram translate(const ProgramRequest& request);
+
+/// A line of a translated source.
+struct EmittedLine {
+    int number = 0;  ///< in TranslatedStage::source, from 1
+    std::string text;
+};
+
+/// The lines that a stage's translation made of the user's line at `place`, in order, blank ones and #line
+/// directives left out.
+std::vector<EmittedLine> emittedLines(const TranslatedStage& stage, const Place& place);
 
 /// The driver's compile log in the user's terms (language, 7.12): user's file and line, user's names, id
 /// glsl-E01. Understands the formats of Mesa, NVIDIA, AMD/ATI, Apple and glslang. Driver warnings become

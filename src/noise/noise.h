@@ -5,8 +5,7 @@
 // Octave c = 0..3 has 4, 8, 16, 32 cells a period and is component r, g, b, a of the texture. A value is 1/2
 // plus the noise, exactly 1/2 at lattice points, and stays well inside 0..1 (table 9.1).
 
-#include <cstdint>
-#include <vector>
+#include "noise/texel_bytes.h"
 
 namespace glibra::noise {
 
@@ -27,9 +26,9 @@ double noise2(double x, double y, int octave);
 /// Texels of the 3D texture of size n: n*n*n RGBA bytes, x fastest, then y, then z. Texel (i, j, k) is the
 /// function at (i, j, k) * cells / n, as floor(255 * value). n is 1..kLargestSize3, else the result is empty.
 /// `threads` is the number of threads to use (0: as many as the machine has); the bytes do not depend on it.
-std::vector<std::uint8_t> noise3Texels(int n, int threads = 0);
+TexelBytes noise3Texels(int n, int threads = 0);
 
 /// The same for the 2D texture: n*n RGBA bytes, x fastest. n is 1..kLargestSize2, else the result is empty.
-std::vector<std::uint8_t> noise2Texels(int n, int threads = 0);
+TexelBytes noise2Texels(int n, int threads = 0);
 
 }  // namespace glibra::noise

@@ -13,12 +13,14 @@
 #include "glib/suggest.h"
 #include "glib/text.h"
 #include "suite/shot_name.h"
+#include "suite/shot_view.h"
 
 namespace glibra::suite {
 namespace {
 
 constexpr int kLargestSide = 65536;
 constexpr double kLongestTime = 1e9;
+constexpr double kLeastError = 1e-9, kMostError = 1e6;  ///< pixels
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 struct Context {
@@ -242,12 +244,21 @@ void readName(const Context& in, const toml::node& node) {
 
 template <bool RenderOptions::*field>
 void readFlag(const Context& in, const toml::node& node) {
-    constexpr std::string_view kWord = field == &RenderOptions::axes          ? "axes"
-                                       : field == &RenderOptions::alpha       ? "alpha"
-                                       : field == &RenderOptions::floatPixels ? "float"
-                                       : field == &RenderOptions::strict      ? "strict"
-                                                                              : "shim";
+    constexpr std::string_view kWord = field == &RenderOptions::axes             ? "axes"
+                                       : field == &RenderOptions::alpha          ? "alpha"
+                                       : field == &RenderOptions::floatPixels    ? "float"
+                                       : field == &RenderOptions::strict         ? "strict"
+                                       : field == &RenderOptions::overrideCounts ? "override-counts"
+                                                                                 : "shim";
     if (const auto value = in.reader.truth(node, kWord)) in.to.shot.options.*field = *value;
+}
+
+template <Matrix ViewState::*field>
+void readTransform(const Context& in, const toml::node& node) {
+    constexpr std::string_view kWord = field == &ViewState::scene ? "scene-transform"
+                                       : field == &ViewState::eye ? "eye-transform"
+                                                                  : "texture-transform";
+    readMatrix(in.reader, node, kWord, in.to.shot.options.viewState.*field);
 }
 
 struct Key {
@@ -257,7 +268,7 @@ struct Key {
 };
 
 /// Every key of [[shot]] and [defaults].
-constexpr std::array<Key, 23> kKeys{{
+constexpr std::array<Key, 31> kKeys{{
     {"script", false, readScript},
     {"except", false, readExceptions},
     {"name", false, readName<&ShotTemplate::name>},
@@ -269,7 +280,28 @@ constexpr std::array<Key, 23> kKeys{{
      [](const Context& in, const toml::node& node) {
          if (const auto value = in.reader.whole(node, "samples", 1, 64)) in.to.shot.options.samples = *value;
      }},
+    {"max-error", true,
+     [](const Context& in, const toml::node& node) {
+         if (const auto value = in.reader.number(node, "max-error", kLeastError, kMostError))
+             in.to.shot.options.maxError = *value;
+     }},
+    {"override-counts", true, readFlag<&RenderOptions::overrideCounts>},
     {"view", true, readView},
+    {"scene-transform", true, readTransform<&ViewState::scene>},
+    {"eye-transform", true, readTransform<&ViewState::eye>},
+    {"texture-transform", true, readTransform<&ViewState::texture>},
+    {"object-transform", true,
+     [](const Context& in, const toml::node& node) {
+         readObjectTransforms(in.reader, node, in.to.shot.options.viewState);
+     }},
+    {"projection", true,
+     [](const Context& in, const toml::node& node) {
+         readProjection(in.reader, node, in.to.shot.options.viewState);
+     }},
+    {"background", true,
+     [](const Context& in, const toml::node& node) {
+         readBackground(in.reader, node, in.to.shot.options.viewState);
+     }},
     {"axes", true, readFlag<&RenderOptions::axes>},
     {"alpha", true, readFlag<&RenderOptions::alpha>},
     {"float", true, readFlag<&RenderOptions::floatPixels>},

@@ -17,6 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A threshold that leaves textures in the cache which a test makes quickly: 512 x 512 texels.
+constexpr std::size_t kSmall = std::size_t{1} << 20;
+
 class NoiseCache : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -97,8 +100,8 @@ TEST_F(NoiseCache, AnUnusableFolderChangesNothing) {
     std::ofstream(folder / "file") << "not a folder";
     EXPECT_FALSE(storeTexels(folder / "file", 2, 8, noise2Texels(8)));
     EXPECT_FALSE(loadTexels(folder / "file", 2, 8));
-    EXPECT_EQ(cachedTexels(2, 2048, folder / "file"), noise2Texels(2048));
-    EXPECT_EQ(cachedTexels(2, 2048, fs::path()), noise2Texels(2048));
+    EXPECT_EQ(cachedTexels(2, 512, folder / "file", kSmall), noise2Texels(512));
+    EXPECT_EQ(cachedTexels(2, 512, fs::path(), kSmall), noise2Texels(512));
 }
 
 TEST_F(NoiseCache, SomethingElseUnderTheNameIsNotRead) {
@@ -112,24 +115,25 @@ TEST_F(NoiseCache, SomethingElseUnderTheNameIsNotRead) {
 }
 
 TEST_F(NoiseCache, ReplacesADamagedFile) {
-    const auto texels = cachedTexels(2, 2048, folder);
+    const auto texels = cachedTexels(2, 512, folder, kSmall);
     const fs::path file = onlyFile();
     overwriteByte(file, 5000, '\x01');
-    EXPECT_FALSE(loadTexels(folder, 2, 2048));
-    EXPECT_EQ(cachedTexels(2, 2048, folder), texels);
-    EXPECT_EQ(loadTexels(folder, 2, 2048), texels);
+    EXPECT_FALSE(loadTexels(folder, 2, 512));
+    EXPECT_EQ(cachedTexels(2, 512, folder, kSmall), texels);
+    EXPECT_EQ(loadTexels(folder, 2, 512), texels);
 }
 
 TEST_F(NoiseCache, IsUsedWhenWhole) {
     // A file that is consistent but holds other texels shows where they came from.
-    std::vector<std::uint8_t> marked = noise2Texels(2048);
+    TexelBytes marked = noise2Texels(512);
     marked[0] = 3;
-    ASSERT_TRUE(storeTexels(folder, 2, 2048, marked));
-    EXPECT_EQ(cachedTexels(2, 2048, folder), marked);
+    ASSERT_TRUE(storeTexels(folder, 2, 512, marked));
+    EXPECT_EQ(cachedTexels(2, 512, folder, kSmall), marked);
 }
 
 TEST_F(NoiseCache, SmallTexturesAreNotStored) {
     EXPECT_EQ(cachedTexels(3, 64, folder), noise3Texels(64));
+    EXPECT_EQ(cachedTexels(2, 511, folder, kSmall), noise2Texels(511));
     EXPECT_TRUE(fs::is_empty(folder));
     EXPECT_TRUE(cachedTexels(3, 401, folder).empty());
     EXPECT_TRUE(cachedTexels(5, 64, folder).empty());

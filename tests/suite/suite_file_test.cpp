@@ -18,6 +18,36 @@ namespace {
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
+constexpr const char* kShift = "[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1]";
+
+TEST(SuiteFile, ReadsTheViewOfAWindow) {
+    const SceneFolder folder{"a.glib"};
+    const std::string shift = kShift;
+    const auto suite =
+        folder.read("[[shot]]\nscript = 'a.glib'\nscene-transform = " + shift + "\neye-transform = " + shift +
+                    "\ntexture-transform = " + shift + "\nobject-transform = { 12 = " + shift +
+                    " }\nprojection = 'orthographic'\nbackground = [0, 0.5, 1]\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    Matrix shifted = kIdentity;
+    shifted[12] = .5;
+    ViewState wanted;
+    wanted.scene = wanted.eye = wanted.texture = shifted;
+    wanted.objects = {{12, shifted}};
+    wanted.projection = ProjectionMode::orthographic;
+    wanted.background = {0, .5, 1, 1};
+    EXPECT_EQ(suite->shots.at(0).options.viewState, wanted);
+}
+
+TEST(SuiteFile, ATagCanBelongToOneProgram) {
+    const SceneFolder folder{"a.glib"};
+    const auto suite = folder.read(
+        "[[shot]]\nscript = 'a.glib'\nset = { 'Dots:uKd' = 0.5, '12:uKd' = 1 }\n"
+        "sweep = { 'Dots:uAd' = [1, 2] }\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    EXPECT_EQ(suite->shots.at(0).options.set, (Strings{"Dots:uKd=0.5", "12:uKd=1", "Dots:uAd=1"}));
+    EXPECT_EQ(suite->shots.at(1).name, "a@Dots.uAd=2");
+}
+
 TEST(SuiteFile, ReadsEveryKeyOfAShot) {
     const SceneFolder folder{"a.glib", "lib/x.glib"};
     const auto suite = folder.read(R"(
@@ -29,6 +59,8 @@ size = [320, 240]
 time = 1.5
 set = { uKd = 0.5, uColor = [1, 0.5, 0], uOn = true, uCount = 3, uRange = "<0 .5 1>", light = { pos = [1, 2, 3] } }
 samples = 4
+max-error = 0.25
+override-counts = true
 view = "glman"
 axes = true
 alpha = true
@@ -61,6 +93,8 @@ match = "left/one"
     EXPECT_EQ(options.set, (Strings{"uKd=0.5", "uColor=1,0.5,0", "uOn=true", "uCount=3", "uRange=<0 .5 1>",
                                     "light.pos=1,2,3"}));
     EXPECT_EQ(options.samples, 4);
+    EXPECT_EQ(options.maxError, .25);
+    EXPECT_TRUE(options.overrideCounts);
     EXPECT_EQ(options.view, ViewPolicy::glman);
     EXPECT_TRUE(options.axes && options.alpha && options.floatPixels && options.strict && !options.shim);
     EXPECT_EQ(options.tileSize, 64);

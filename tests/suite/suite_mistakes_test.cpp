@@ -47,12 +47,23 @@ std::string shot(const std::string& line) {
 INSTANTIATE_TEST_SUITE_P(
     All, SuiteMistake,
     testing::Values(
+        Mistake{"HalfAWord", "[[shot]]\nx = tru\n",
+                "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '\n"},
         Mistake{"Syntax", "[[shot]\n", "1:8 suite-E01 not TOML: table header: expected ']', saw '\\n'\n"},
         Mistake{"PointWithoutDigit", shot("set = { uKd = .5 }"),
                 "3:15 suite-E01 not TOML: floating-point: expected decimal digit, saw '.'; a number needs a "
                 "digit "
                 "before its "
                 "point, as 0.5\n"},
+        Mistake{
+            "WrongView",
+            shot("eye-transform = [1, 2]\nprojection = 'flat'\nbackground = [1, 'a', 0]\n"
+                 "object-transform = { teapot = [1] }"),
+            "3:17 suite-E03 eye-transform: a list of 16 numbers, column by column, is wanted, not a list\n"
+            "4:14 suite-E03 projection: \"scene\", \"perspective\" or \"orthographic\" is wanted, not the "
+            "text 'flat'\n"
+            "5:18 suite-E03 background: a number is wanted, not the text 'a'\n"
+            "6:22 suite-E04 object-transform: 'teapot' is not the number of a line of the scene\n"},
         Mistake{"KeyTwice", shot("time = 1\ntime = 2"),
                 "4:8 suite-E01 not TOML: key-value pair: cannot redefine existing integer 'time'\n"},
         Mistake{"UnknownKey", shot("sise = [8, 8]"),
@@ -86,6 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
                 "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"WrongBound", shot("max-error = 0\noverride-counts = 1"),
+                "3:13 suite-E04 max-error: 0 is not between 1e-09 and 1e+06\n"
+                "4:19 suite-E03 override-counts: true or false is wanted, not the number 1\n"},
         Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
                 "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
@@ -138,6 +152,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "NameOfAVariant", shot("") + shot("name = 'teapot.nvidia'"),
             "6:8 suite-E06 the golden of 'teapot.nvidia' would be a variant of that of 'teapot' on line 2\n"},
+        Mistake{
+            "NameOfAVariantThatIsNotLettersAlone", shot("") + shot("name = 'teapot.osmesa-llvmpipe'"),
+            "6:8 suite-E06 the golden of 'teapot.osmesa-llvmpipe' would be a variant of that of 'teapot' on "
+            "line 2\n"},
         Mistake{"UnknownShot", shot("") + shot("name = 'b'\nmatch = 'teapto'"),
                 "7:9 suite-E07 match: there is no shot 'teapto'; did you mean 'teapot'?\n"},
         Mistake{"SweepNamedAsOne", shot("sweep = { uA = [1, 2] }") + shot("name = 'b'\ndiffer = 'teapot'"),

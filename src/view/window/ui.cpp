@@ -37,6 +37,7 @@ float panel(Ui& ui) {
             viewPanel(ui);
             timePanel(ui);
             hardcopyPanel(ui);
+            suitePanel(ui);
             costPanel(ui);
         }
         if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
@@ -51,11 +52,19 @@ float panel(Ui& ui) {
 
 void showAll(Ui& ui) {
     ui.widgets.clear();
+    ui.shownTranslation.clear();
     shortcuts(ui);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = ui.showPanel ? panel(ui) : 0;
     ui.picture = {0, 0, std::max(1.F, window.x - width), std::max(1.F, window.y)};
+    tabBar(ui, ui.picture);
+    sourcePanel(ui, ui.picture);
+    ui.picture[2] = std::max(1.F, ui.picture[2]);
+    ui.picture[3] = std::max(1.F, ui.picture[3]);
     inspectorWindow(ui);
+    exampleWindow(ui);
+    fileDialog(ui);
+    questionDialog(ui);
     helpWindow(ui);
     pictureInput(ui);
 }

@@ -16,6 +16,8 @@
 #include "view/texel_view.h"
 #include "view/window/display.h"
 #include "view/window/settings.h"
+#include "view/window/shared.h"
+#include "view/window/source_panel.h"
 
 namespace glibra::view {
 
@@ -25,9 +27,27 @@ using Rectangle = std::array<float, 4>;
 /// What the panels ask of the loop.
 struct Requests {
     std::optional<std::filesystem::path> open;
+    bool inNewTab = false;  ///< for `open`
     bool reload = false;
-    bool openMenu = false;
-    bool close = false;
+    bool close = false;  ///< the window
+    std::optional<std::size_t> showTab, closeTab;
+    std::optional<std::filesystem::path> saved;  ///< a source that the source panel has written
+};
+
+/// The entries of the section that adds a shot to a suite.
+struct SuiteEntries {
+    std::filesystem::path scene;  ///< that they were proposed for
+    std::array<char, 1024> file{};
+    std::array<char, 256> name{};
+    std::string message;  ///< how the last one went
+    bool failed = false;
+};
+
+/// What the source panel shows, for tests and scripts.
+struct SourceState {
+    std::string file;
+    int line = 0, column = 0;
+    bool isActive = false, isChanged = false, hasConflict = false;
 };
 
 /// The hardcopy section's entries.
@@ -56,18 +76,22 @@ struct Inspector {
 };
 
 struct Ui {
-    Ui(gpu::Context& usedContext, Session& usedSession) : context(usedContext), session(usedSession) {}
+    Ui(gpu::Context& usedContext, Session& usedSession, Shared& usedShared)
+        : context(usedContext), session(usedSession), shared(usedShared), settings(usedShared.settings) {}
 
     gpu::Context& context;
     Session& session;
+    Shared& shared;
+    Settings& settings;
     History history;
-    Settings settings;
+    SourcePanel source;
+    SourceState sourceState;
+    std::string shownTranslation;  ///< the first line of core GLSL under an error
+    SuiteEntries suite;
     Requests requests;
     HardcopyEntries hardcopy;
     TransformMode mode = TransformMode::eye;
     float scale = 1;
-    std::array<char, 1024> openEntry{};
-    std::vector<std::string> neighbours;  ///< scenes in the folder of the one that is shown
     int lastErrors = 0;
     bool showPanel = true, showHelp = false, showLabels = false;
     Rectangle picture{};        ///< where the picture stands
@@ -95,7 +119,23 @@ void viewPanel(Ui& ui);
 void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
 void costPanel(Ui& ui);
+void suitePanel(Ui& ui);
 void inspectorWindow(Ui& ui);
+void exampleWindow(Ui& ui);
+void fileDialog(Ui& ui);
+/// Asks before text that is not saved would be lost.
+void questionDialog(Ui& ui);
+
+// These take their part of what is left of the window.
+void tabBar(Ui& ui, Rectangle& free);
+void sourcePanel(Ui& ui, Rectangle& free);
+
+/// Writes the file that the source panel shows.
+void saveSource(Ui& ui);
+/// Opens the source panel there.
+void showSource(Ui& ui, const Place& place);
+/// What became of that line in a shader that the driver refused, drawn below a message.
+void translatedLines(Ui& ui, const Place& place);
 
 /// The mouse over the picture, and what is drawn over it.
 void pictureInput(Ui& ui);

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -170,7 +171,7 @@ class Widgets(WindowTest):
         # so the number of its lines is judged by opening what it names.
         window.click("uniforms/copySet")
         window.click("scene/open")
-        window.wait(lambda s: "scene/path" in s["widgets"])
+        window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.key("ctrl+v")
         window.key("Return")
         window.wait(lambda s: any("--set uInt=5" in m["file"] + m["text"] for m in s["messages"]))
@@ -395,11 +396,15 @@ class Replay(WindowTest):
 
     def test_random_input_does_no_harm(self):
         (self.files / "broken.glib").write_text("Program {\nSphere -1 9999999 2\nVertex none.vert\nObj none.obj\n")
+        # Copies: who clicks and types anything may save it too.
+        for folder in ("glib/patterns", "shaders/patterns", "shaders/common"):
+            shutil.copytree(SOURCES / folder, self.files / "library" / folder)
+        ovals = self.files / "library/glib/patterns/ovalnoise.glib"
         scenes = [str(self.files / "kinds.glib"), str(self.files / "broken.glib"), str(self.files / "none.glib"),
-                  str(self.files / "moving.glib"), str(OVALS)]
+                  str(self.files / "moving.glib"), str(ovals)]
         script = self.files / "random.jsonl"
         script.write_text("".join(json.dumps(each) + "\n" for each in frames(1, 400, scenes)))
-        done = subprocess.run([PROGRAM, "view", str(OVALS), "--replay", str(script)], text=True, stderr=subprocess.PIPE,
+        done = subprocess.run([PROGRAM, "view", str(ovals), "--replay", str(script)], text=True, stderr=subprocess.PIPE,
                               env=dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "fresh")))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
