@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "bench/depth_target.h"
@@ -187,8 +186,10 @@ Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabi
 
     };
     std::vector<Place> places;
-    for (double z = 2; z <= kFar / 2; z *= bench.isQuick() ? 8 : 2)
+    for (int octave = 1; octave <= 12; octave += bench.isQuick() ? 3 : 1) {
+        const double z = std::ldexp(1., octave);
         places.push_back({z, kFar, z, fmt::format("{:g}", z)});
+    }
     Diagnostics problems = sweep(figure, bench, capabilities, places);
     if (!problems.empty()) return problems;
     for (const Curve& curve : figure.curves)
@@ -212,7 +213,8 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
         if (!target) return std::move(target.diagnostics);
         Curve curve{.name = std::string(kind.name)};
         double clean = kNaN;
-        for (double steps = .125; steps <= 64; steps *= bench.isQuick() ? 2 : std::numbers::sqrt2) {
+        for (int half = -6; half <= 12; half += bench.isQuick() ? 2 : 1) {
+            const double steps = std::exp2(half / 2.);
             const double gap = steps * depthStep(kind, kNear, kFar, kDistance) / kDistance;
             Result<double> wrong = target->fighting(kind, kNear, kFar, kDistance, gap);
             if (!wrong) return std::move(wrong.diagnostics);

@@ -111,10 +111,13 @@ Result<std::vector<std::byte>> DepthTarget::picture() const {
 Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double near, double far,
                                                  std::span<const DepthPair> pairs) {
     std::vector<float> back, front;
+    const auto side = static_cast<std::size_t>(side_);
+    const auto middle = [this](std::size_t pixel) {
+        return (static_cast<double>(pixel) + .5) * 2 / side_ - 1;
+    };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto side = static_cast<std::size_t>(side_);
-        const double x = (static_cast<double>(i % side) + .5) * 2 / side_ - 1;
-        const double y = (static_cast<double>(i / side) + .5) * 2 / side_ - 1;
+        const std::size_t row = i / side;
+        const double x = middle(i % side), y = middle(row);
         push(back, x, y, pairs[i].back);
         push(front, x, y, pairs[i].front);
     }
@@ -127,7 +130,6 @@ Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double n
     if (!pixels) return std::move(pixels.diagnostics);
     std::vector<bool> isTold;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto side = static_cast<std::size_t>(side_);
         const std::size_t row = side - 1 - i / side;  // pictures begin at the top
         isTold.push_back((*pixels)[(row * side + i % side) * 4] == std::byte{255});
     }

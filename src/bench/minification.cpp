@@ -133,11 +133,12 @@ std::vector<double> reference(const View& view, int side, int factor) {
     for (int row = side - 1; row >= 0; --row)
         for (int column = 0; column < side; ++column) {
             double sum = 0;
-            for (int i = 0; i < factor * factor; ++i) {
-                const glm::dvec2 sample((i % factor + .5) / factor, (i / factor + .5) / factor);
-                sum += bilinear(card, kCardSide,
-                                texelsAt(view, (glm::dvec2(column, row) + sample) / double(side)));
-            }
+            for (int y = 0; y < factor; ++y)
+                for (int x = 0; x < factor; ++x) {
+                    const glm::dvec2 sample((x + .5) / factor, (y + .5) / factor);
+                    const glm::dvec2 place = (glm::dvec2(column, row) + sample) / static_cast<double>(side);
+                    sum += bilinear(card, kCardSide, texelsAt(view, place));
+                }
             pixels.push_back(sum / (factor * factor));
         }
     return pixels;

@@ -209,8 +209,7 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
                     countCracks(shared, edgeVertices(*vertices, static_cast<int>(points.size() / 16)));
                 curve.points.push_back(
                     {.setting = static_cast<double>(level),
-                     .label = fmt::format("level {:g}: {} of {}", level,
-                                          found.different + found.withoutPartner, found.vertices),
+                     .label = fmt::format("level {:g}", level),
                      .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices});
                 all.vertices += found.vertices;
                 all.different += found.different;
