@@ -52,6 +52,21 @@ std::string found(const Measured& each) {
     return {};
 }
 
+/// Of a function whose precision GLSL leaves open: the sweeps where it is best and worst.
+std::string spread(const BuiltinFunction& function, const std::vector<Measured>& all) {
+    const Measured* best = nullptr;
+    const Measured* worst = nullptr;
+    for (const Measured& each : all) {
+        if (each.function != &function || each.stage != PrecisionStage::fragment) continue;
+        if (!best || each.precision.largest < best->precision.largest) best = &each;
+        if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
+    }
+    if (!best || best == worst) return {};
+    return fmt::format("{}: at most {:.3g} ULP over {}, {:.3g} over {}; GLSL leaves its precision open",
+                       function.name, best->precision.largest, best->sweep->words, worst->precision.largest,
+                       worst->sweep->words);
+}
+
 std::vector<std::string> findings(const std::vector<Measured>& all) {
     std::vector<std::string> sentences;
     const Measured* worst = nullptr;
@@ -68,6 +83,10 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     if (bounded > 0)
         sentences.insert(sentences.begin(),
                          fmt::format("{} of {} bounds of GLSL 4.60, section 4.7.1, are kept", kept, bounded));
+    for (const BuiltinFunction& function : builtinFunctions())
+        if (std::string sentence = function.allowed ? std::string() : spread(function, all);
+            !sentence.empty())
+            sentences.push_back(std::move(sentence));
     if (worst && std::isfinite(worst->precision.largest))
         sentences.push_back(
             fmt::format("the largest error is {:.3g} ULP (absolute {:.3g}): {} over {}, at ({})",
