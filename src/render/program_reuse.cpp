@@ -65,7 +65,7 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
 
 std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
     if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
-    std::string key = render::keyOf(asked);
+    const std::string key = render::keyOf(asked);
     if (const auto* known = shared_->translations.find(key)) {
         stats_.add("translations kept", 1);
         return *known;
@@ -86,7 +86,7 @@ std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::P
     auto translated = std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
     std::size_t size = key.size();
     for (const glsl::TranslatedStage& each : translated->stages) size += each.source.size();
-    if (!asksMore) shared_->translations.add(std::move(key), translated, size);
+    if (!asksMore) shared_->translations.add(key, translated, size);
     return translated;
 }
 
