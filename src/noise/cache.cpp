@@ -76,7 +76,9 @@ std::size_t texelBytes(int dimensions, int n) {
 }
 
 TexelBytes compute(int dimensions, int n) {
-    return dimensions == 3 ? noise3Texels(n) : noise2Texels(n);
+    TexelBytes texels(texelBytes(dimensions, n));
+    dimensions == 3 ? writeNoise3(n, texels) : writeNoise2(n, texels);
+    return texels;
 }
 
 template <class Values>

@@ -131,10 +131,10 @@ void forEachIndex(int count, int threads, const Work& work) {
 
 }  // namespace
 
-TexelBytes noise3Texels(int n, int threads) {
-    if (n < 1 || n > kLargestSize3) return {};
+bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize3) return false;
     const auto size = static_cast<std::size_t>(n);
-    TexelBytes texels(4 * size * size * size);
+    if (texels.size() != 4 * size * size * size) return false;
     const auto octaves = octaveRows(tables::kOctaves3, n);
     forEachIndex(n, threads, [&](int slice) {
         const auto k = static_cast<std::size_t>(slice);
@@ -160,13 +160,13 @@ TexelBytes noise3Texels(int n, int threads) {
                      });
         }
     });
-    return texels;
+    return true;
 }
 
-TexelBytes noise2Texels(int n, int threads) {
-    if (n < 1 || n > kLargestSize2) return {};
+bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize2) return false;
     const auto size = static_cast<std::size_t>(n);
-    TexelBytes texels(4 * size * size);
+    if (texels.size() != 4 * size * size) return false;
     const auto octaves = octaveRows(tables::kOctaves2, n);
     forEachIndex(n, threads, [&](int row) {
         const auto j = static_cast<std::size_t>(row);
@@ -185,6 +185,22 @@ TexelBytes noise2Texels(int n, int threads) {
             return exactByte(octaves[octave].table, places[i], places[j]);
         });
     });
+    return true;
+}
+
+std::vector<std::uint8_t> noise3Texels(int n, int threads) {
+    if (n < 1 || n > kLargestSize3) return {};
+    const auto size = static_cast<std::size_t>(n);
+    std::vector<std::uint8_t> texels(4 * size * size * size);
+    writeNoise3(n, texels, threads);
+    return texels;
+}
+
+std::vector<std::uint8_t> noise2Texels(int n, int threads) {
+    if (n < 1 || n > kLargestSize2) return {};
+    const auto size = static_cast<std::size_t>(n);
+    std::vector<std::uint8_t> texels(4 * size * size);
+    writeNoise2(n, texels, threads);
     return texels;
 }
 

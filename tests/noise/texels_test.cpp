@@ -20,7 +20,7 @@ struct Statistics {
 };
 
 /// Of one component (0..3), or of the sum of all four (4).
-Statistics statisticsOf(const TexelBytes& texels, std::size_t component) {
+Statistics statisticsOf(const std::vector<std::uint8_t>& texels, std::size_t component) {
     Statistics result{0, 0, 4, 0};
     double squares = 0;
     const double count = static_cast<double>(texels.size()) / 4;
@@ -179,6 +179,11 @@ TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
     EXPECT_TRUE(noise3Texels(kLargestSize3 + 1).empty());
     EXPECT_TRUE(noise2Texels(0).empty());
     EXPECT_TRUE(noise2Texels(kLargestSize2 + 1).empty());
+    std::vector<std::uint8_t> texels(4 * 8 * 8 * 8, 9);
+    EXPECT_FALSE(writeNoise3(7, texels));
+    EXPECT_FALSE(writeNoise2(8, texels));
+    EXPECT_FALSE(writeNoise3(0, texels));
+    EXPECT_EQ(texels, std::vector<std::uint8_t>(texels.size(), 9));
 }
 
 }  // namespace
