@@ -32,7 +32,7 @@ void toggleProjection(Ui& ui) {
     ui.session.setView(std::move(view));
 }
 
-const std::array<Shortcut, 23> kShortcuts{{
+const std::array<Shortcut, 25> kShortcuts{{
     {GLFW_KEY_SPACE, false, "Space", "play or pause",
      [](Ui& ui) {
          Clock clock = ui.session.clock();
@@ -53,6 +53,7 @@ const std::array<Shortcut, 23> kShortcuts{{
     {GLFW_KEY_P, false, "P", "orthographic or perspective", toggleProjection},
     {GLFW_KEY_A, false, "A", "axes", [](Ui& ui) { ui.session.setAxes(!ui.session.axes()); }},
     {GLFW_KEY_W, false, "W", "wireframe", [](Ui& ui) { ui.session.setWireframe(!ui.session.wireframe()); }},
+    {GLFW_KEY_V, false, "V", "normals, facing, overdraw, depth ... instead of the picture", nextLens},
     {GLFW_KEY_L, false, "L", "values over the picture", [](Ui& ui) { ui.showLabels = !ui.showLabels; }},
     {GLFW_KEY_T, false, "T", "light or dark",
      [](Ui& ui) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
@@ -65,6 +66,7 @@ const std::array<Shortcut, 23> kShortcuts{{
     {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { ui.requests.openMenu = true; }},
     {GLFW_KEY_I, false, "I", "look into textures and targets",
      [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
+    {GLFW_KEY_N, false, "N", "the noise functions", [](Ui& ui) { ui.noise.isOpen = !ui.noise.isOpen; }},
     {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
 }};

@@ -56,8 +56,10 @@ void showAll(Ui& ui) {
     const float width = ui.showPanel ? panel(ui) : 0;
     ui.picture = {0, 0, std::max(1.F, window.x - width), std::max(1.F, window.y)};
     inspectorWindow(ui);
+    noiseWindow(ui);
     helpWindow(ui);
     pictureInput(ui);
+    lensUnderMouse(ui);
 }
 
 }  // namespace glibra::view

@@ -15,6 +15,7 @@
 #include "view/session.h"
 #include "view/texel_view.h"
 #include "view/window/display.h"
+#include "view/window/noise_window.h"
 #include "view/window/settings.h"
 
 namespace glibra::view {
@@ -78,6 +79,8 @@ struct Ui {
     int dragButton = -1;   ///< mouse button that drags the picture
     float dragLength = 0;  ///< pixels so far
     Inspector inspector;
+    NoiseWindow noise;
+    std::string lensWords;  ///< of the pixel under the mouse
     std::optional<FrameCost> cost;
     std::vector<Display::KeyPress> pressed;
     std::string notice;                        ///< what the last action did, for the status line
@@ -96,6 +99,12 @@ void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
 void costPanel(Ui& ui);
 void inspectorWindow(Ui& ui);
+void noiseWindow(Ui& ui);
+void noiseGraph(Ui& ui, float width, float height);
+/// The choice of a lens, a part of the view panel; the next one; what it says of the pixel under the mouse.
+void lensControls(Ui& ui);
+void nextLens(Ui& ui);
+void lensUnderMouse(Ui& ui);
 
 /// The mouse over the picture, and what is drawn over it.
 void pictureInput(Ui& ui);

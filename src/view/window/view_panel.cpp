@@ -79,6 +79,10 @@ void projection(Ui& ui) {
     ImGui::Checkbox("Textures", &ui.inspector.isOpen);
     mark(ui, "view/inspector");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
+    ImGui::SameLine();
+    ImGui::Checkbox("Noise", &ui.noise.isOpen);
+    mark(ui, "view/noise");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The noise functions as graphs (N)");
 
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
@@ -107,6 +111,7 @@ void viewPanel(Ui& ui) {
     modes(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
     numbers(ui);
+    lensControls(ui);
     ImGui::PopItemWidth();
     projection(ui);
 }

@@ -283,6 +283,11 @@ void Window::writeState() {
     state["hardcopyMessage"] = ui_.hardcopy.message;
     state["lightTheme"] = lightTheme_;
     state["inspected"] = ui_.inspector.hovered;
+    if (ui_.noise.isOpen)
+        state["noise"] = {{"command", noiseCommand(ui_.noise.noise, ui_.noise.file.data())},
+                          {"point", ui_.noise.chosen},
+                          {"message", ui_.noise.message}};
+    state["lensWords"] = ui_.lensWords;
     if (ui_.cost)
         state["cost"] = {{"frames", ui_.cost->frames}, {"milliseconds", ui_.cost->millisecondsAFrame}};
     state["waiting"] = framesWanted_ <= 0 && !session_.isMoving() && replayed_ >= replay_.size();
