@@ -1,5 +1,5 @@
-# cmake --install: the program, the library with its headers and CMake package, the module for picture formats, and the
-# shaders that glibra itself draws with (the program has them inside; these are for reading).
+# cmake --install: the program, the library with its headers and CMake package, the module for picture formats, the
+# example scenes, and the shaders that glibra itself draws with (the program has them inside; these are for reading).
 
 if(NOT glibra_objects)
     return()
@@ -19,7 +19,10 @@ set_target_properties(glibra_program PROPERTIES EXPORT_NAME program)
 install(TARGETS glibra_program EXPORT glibraTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS glibra EXPORT glibraTargets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/builtin DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/shaders)
+# The example scenes with all they read, as a library root.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/models DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/scenes)
 if(TARGET glibra_openimageio)
     install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)
 endif()

@@ -120,6 +120,16 @@ struct TranslatedProgram {
 /// Translates all stages of one program together. The user's mistakes are diagnostics, never exceptions.
 TranslatedProgram translate(const ProgramRequest& request);
 
+/// A line of a translated source.
+struct EmittedLine {
+    int number = 0;  ///< in TranslatedStage::source, from 1
+    std::string text;
+};
+
+/// The lines that a stage's translation made of the user's line at `place`, in order, blank ones and #line
+/// directives left out.
+std::vector<EmittedLine> emittedLines(const TranslatedStage& stage, const Place& place);
+
 /// The driver's compile log in the user's terms (language, 7.12): user's file and line, user's names, id
 /// glsl-E01. Understands the formats of Mesa, NVIDIA, AMD/ATI, Apple and glslang. Driver warnings become
 /// warnings without id.

@@ -15,6 +15,13 @@ std::vector<std::filesystem::path> ProgramLibrary::filesRead() const {
     return files;
 }
 
+std::vector<glsl::EmittedLine> ProgramLibrary::refusedLines(const Place& place) const {
+    for (const auto& [variant, built] : programs_)
+        for (const glsl::TranslatedStage& stage : built->refused)
+            if (auto lines = glsl::emittedLines(stage, place); !lines.empty()) return lines;
+    return {};
+}
+
 std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
                                   const glsl::TranslatedProgram& translated) const {
     std::string key;

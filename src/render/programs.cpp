@@ -181,7 +181,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
             built.reflected = std::move(earlier->reflected);
             built.remarks = std::move(earlier->remarks);
         } else {
-            compile(variant, translated, built, built.remarks);
+            if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
         }
         append(diagnostics, built.remarks);
     }

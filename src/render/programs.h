@@ -29,6 +29,7 @@ struct BuiltProgram {
     std::string key;          ///< its translated sources and its tags: equal keys, equal programs
     Diagnostics remarks;      ///< what the compiler said of those sources
     bool isLastGood = false;  ///< the sources as they are now fail; this is an earlier state of them
+    std::vector<glsl::TranslatedStage> refused;  ///< what the driver did not take; empty if it took them
 };
 
 class ProgramLibrary {
@@ -44,6 +45,9 @@ class ProgramLibrary {
     void forgetPrevious() { previous_ = nullptr; }
     /// Every file that was read for a program, includes among them.
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+    /// What became of that line of a source in the programs that the driver refused: of the first stage that
+    /// has the line. Nothing if no refused program has it.
+    [[nodiscard]] std::vector<glsl::EmittedLine> refusedLines(const Place& place) const;
     /// Translates, compiles and links at the first call for a variant.
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
     /// What interfaceOf has made; null for a variant never asked for.

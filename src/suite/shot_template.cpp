@@ -13,6 +13,7 @@
 #include "glib/suggest.h"
 #include "glib/text.h"
 #include "suite/shot_name.h"
+#include "suite/shot_view.h"
 
 namespace glibra::suite {
 namespace {
@@ -250,6 +251,14 @@ void readFlag(const Context& in, const toml::node& node) {
     if (const auto value = in.reader.truth(node, kWord)) in.to.shot.options.*field = *value;
 }
 
+template <Matrix ViewState::*field>
+void readTransform(const Context& in, const toml::node& node) {
+    constexpr std::string_view kWord = field == &ViewState::scene ? "scene-transform"
+                                       : field == &ViewState::eye ? "eye-transform"
+                                                                  : "texture-transform";
+    readMatrix(in.reader, node, kWord, in.to.shot.options.viewState.*field);
+}
+
 struct Key {
     std::string_view name;
     bool inDefaults;
@@ -257,7 +266,7 @@ struct Key {
 };
 
 /// Every key of [[shot]] and [defaults].
-constexpr std::array<Key, 23> kKeys{{
+constexpr std::array<Key, 29> kKeys{{
     {"script", false, readScript},
     {"except", false, readExceptions},
     {"name", false, readName<&ShotTemplate::name>},
@@ -270,6 +279,21 @@ constexpr std::array<Key, 23> kKeys{{
          if (const auto value = in.reader.whole(node, "samples", 1, 64)) in.to.shot.options.samples = *value;
      }},
     {"view", true, readView},
+    {"scene-transform", true, readTransform<&ViewState::scene>},
+    {"eye-transform", true, readTransform<&ViewState::eye>},
+    {"texture-transform", true, readTransform<&ViewState::texture>},
+    {"object-transform", true,
+     [](const Context& in, const toml::node& node) {
+         readObjectTransforms(in.reader, node, in.to.shot.options.viewState);
+     }},
+    {"projection", true,
+     [](const Context& in, const toml::node& node) {
+         readProjection(in.reader, node, in.to.shot.options.viewState);
+     }},
+    {"background", true,
+     [](const Context& in, const toml::node& node) {
+         readBackground(in.reader, node, in.to.shot.options.viewState);
+     }},
     {"axes", true, readFlag<&RenderOptions::axes>},
     {"alpha", true, readFlag<&RenderOptions::alpha>},
     {"float", true, readFlag<&RenderOptions::floatPixels>},

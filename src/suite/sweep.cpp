@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -19,8 +20,20 @@ namespace {
 constexpr std::size_t kMostLabelNumbers = 4;
 constexpr std::size_t kMostNumbers = 4096;  // as --set
 
-/// A name as GLSL has it, with parts and indices: "uKd", "light.color", "uWeights[2]".
+/// "Dots" or "12": a program's name or line, where letters and digits are enough for it.
+bool isProgram(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+}
+
+/// A name as GLSL has it, with parts and indices: "uKd", "light.color", "uWeights[2]"; a program may stand
+/// before it as for --set: "Dots:uKd".
 bool isUniformName(std::string_view name) {
+    if (const std::size_t colon = name.find(':'); colon != name.npos) {
+        if (!isProgram(name.substr(0, colon))) return false;
+        name.remove_prefix(colon + 1);
+    }
     if (name.empty() || (name.front() >= '0' && name.front() <= '9')) return false;
     for (const char c : name)
         if (!glib::isLetter(c) && !(c >= '0' && c <= '9') && std::string_view("_.[]").find(c) == name.npos)
@@ -36,11 +49,11 @@ std::string labelOf(const plan::Override& value, std::size_t index) {
     return label;
 }
 
-/// The name in the name of a shot, where brackets cannot stand: "uWeights.2".
+/// The name in the name of a shot, where brackets and colons cannot stand: "uWeights.2".
 std::string labelOf(std::string_view uniform) {
     std::string label;
     for (const char c : uniform)
-        if (c != ']') label += c == '[' ? '.' : c;
+        if (c != ']') label += c == '[' || c == ':' ? '.' : c;
     return label;
 }
 

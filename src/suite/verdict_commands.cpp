@@ -18,6 +18,24 @@ std::string shellWord(std::string_view text) {
     return quoted + "'";
 }
 
+std::string viewArguments(const ViewState& view) {
+    const auto numbers = [](const auto& values) {
+        std::string text;
+        for (const double each : values) text += fmt::format("{}{}", text.empty() ? "" : ",", each);
+        return text;
+    };
+    std::string text;
+    if (view.scene != kIdentity) text += " --scene-transform " + numbers(view.scene);
+    if (view.eye != kIdentity) text += " --eye-transform " + numbers(view.eye);
+    if (view.texture != kIdentity) text += " --texture-transform " + numbers(view.texture);
+    for (const ViewState::Object& each : view.objects)
+        text += fmt::format(" --object-transform {}:{}", each.line, numbers(each.matrix));
+    if (view.projection == ProjectionMode::orthographic) text += " --projection orthographic";
+    if (view.projection == ProjectionMode::perspective) text += " --projection perspective";
+    if (view.background) text += " --background " + numbers(*view.background);
+    return text;
+}
+
 std::string reproduceCommand(const Shot& shot) {
     const RenderOptions& options = shot.options;
     std::string command = "glibra render " + shellWord(shot.script.string());
@@ -31,6 +49,7 @@ std::string reproduceCommand(const Shot& shot) {
     if (options.alpha) command += " --alpha";
     if (options.strict) command += " --strict";
     if (!options.shim) command += " --no-shim";
+    command += viewArguments(options.viewState);
     if (options.tileSize > 0) command += fmt::format(" --tile {}", options.tileSize);
     if (!shot.expectedError) {
         std::string file = shot.name;

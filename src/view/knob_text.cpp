@@ -62,9 +62,9 @@ std::string programLine(const scene::Scene& scene, int program, std::span<const 
 }
 
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
-    const bool isShared = std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
-        return each.tag == knob.tag && each.program != knob.program;
-    });
+    const bool isShared = knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
+                              return each.tag == knob.tag && each.program != knob.program;
+                          });
     std::string name = knob.tag;
     if (isShared)
         name = fmt::format("{}:{}", scene.programs[static_cast<std::size_t>(knob.program)].place.line, name);

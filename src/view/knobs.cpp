@@ -104,6 +104,10 @@ void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, int index,
             }
 }
 
+bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
+    return !plan::UniformNames(*program.interface).find(tag).empty();
+}
+
 }  // namespace
 
 std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan) {
@@ -111,6 +115,12 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan
     for (std::size_t i = 0; i < plan.programs.size(); ++i)
         if (plan.programs[i].variant.program != scene::kNone && plan.programs[i].interface->usable)
             addKnobs(scene, plan, static_cast<int>(i), knobs);
+    for (Knob& knob : knobs)
+        knob.isShared =
+            std::any_of(plan.programs.begin(), plan.programs.end(), [&](const plan::PlannedProgram& each) {
+                return each.variant.program != scene::kNone && each.variant.program != knob.program &&
+                       hasUniform(each, knob.tag);
+            });
     std::stable_sort(knobs.begin(), knobs.end(),
                      [](const Knob& a, const Knob& b) { return a.program < b.program; });
     return knobs;

@@ -32,6 +32,7 @@ struct Knob {
     std::vector<double> initial;      ///< component by component, element by element
     std::vector<double> current;      ///< as long as `initial`
     Place place;                      ///< of the value in the scene
+    bool isShared = false;            ///< another program has a uniform of that name, set by the scene or not
     std::string placeOfUniform;       ///< what the interface calls it, for the tooltip: "vec3 uColor"
 
     struct Binding {
@@ -74,7 +75,8 @@ std::string valueText(const Knob& knob);
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program.
 std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs);
-/// "Dots:uKd=.25", or "uKd=.25" if no other program has the tag; the shortest text that gives the value back.
+/// "Dots:uKd=.25", or "uKd=.25" if no other program has the uniform; the shortest text that gives the value
+/// back.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);
 
 }  // namespace glibra::view

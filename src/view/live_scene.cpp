@@ -79,9 +79,10 @@ void LiveScene::State::placeEye(double aspect, Diagnostics& diagnostics) {
     eyeAspect = aspect;
     eyeDistance = 0;
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
-    const scene::ViewMove move = scene::autoView(
+    scene::ViewMove move = scene::autoView(
         scene, [&](int shape) { return device.mesh(shape, false, diagnostics); }, aspect);
     eyeDistance = move.distance;
+    append(diagnostics, std::move(move.diagnostics));
 }
 
 LiveScene::LiveScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -137,6 +138,10 @@ std::vector<std::filesystem::path> LiveScene::files() const {
     for (const scene::FileReference& each : state_->scene.files) add(each.path);
     for (const std::filesystem::path& each : state_->programs.filesRead()) add(each);
     return files;
+}
+
+std::vector<glsl::EmittedLine> LiveScene::translatedLines(const Place& place) const {
+    return state_->programs.refusedLines(place);
 }
 
 const render::Stats& LiveScene::loadStats() const {

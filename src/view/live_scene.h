@@ -44,6 +44,8 @@ class LiveScene {
     [[nodiscard]] bool showsEarlierProgram(int program) const;
     /// Every file it was made from, the scene first; those that were not found are left out.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
+    /// The core GLSL that a line of a shader has become, if the driver refused that shader; else nothing.
+    [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const;
     /// What translating, compiling, reading and the rest of loading took.
     [[nodiscard]] const render::Stats& loadStats() const;
 

@@ -40,6 +40,17 @@ std::vector<ViewState::Object> moved(const std::vector<ViewState::Object>& objec
     return result;
 }
 
+/// A note about the same place takes the place of the earlier one, whose numbers were those of another size.
+void addOnce(Diagnostics& diagnostics, Diagnostic added) {
+    for (Diagnostic& known : diagnostics) {
+        if (known.id != added.id || known.place != added.place) continue;
+        const bool isNote = known.severity == Severity::note && added.severity == Severity::note;
+        if (isNote) known.text = added.text;
+        if (known.text == added.text) return;
+    }
+    if (diagnostics.size() < kMostDiagnostics) diagnostics.push_back(std::move(added));
+}
+
 Matrix* matrixOfMode(ViewState& view, TransformMode mode, int pickedLine) {
     switch (mode) {
         case TransformMode::scene:
@@ -113,6 +124,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         if (knobs_[i].isChanged()) applyValue(i);
     live_->drawer().setWireframe(wireframe_);
     isStale_ = true;
+    ++timesLoaded_;
 }
 
 const Knob* Session::knob(std::string_view program, std::string_view tag) const {
@@ -302,13 +314,7 @@ bool Session::drawIfNeeded() {
         }
         target_ = std::move(made.value);
     }
-    for (Diagnostic& each : drawShown()) {
-        const bool isKnown =
-            std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& known) {
-                return known.id == each.id && known.text == each.text && known.place == each.place;
-            });
-        if (!isKnown && diagnostics_.size() < kMostDiagnostics) diagnostics_.push_back(std::move(each));
-    }
+    for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
     isStale_ = false;
     ++framesDrawn_;
     return true;

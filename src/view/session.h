@@ -34,6 +34,8 @@ class Session {
     bool reload();
     [[nodiscard]] bool hasScene() const { return live_ != nullptr; }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// How often a scene was read; what was made of live() before the last time is out of date.
+    [[nodiscard]] std::uint64_t timesLoaded() const { return timesLoaded_; }
     [[nodiscard]] const LiveScene& live() const { return *live_; }
     LiveScene& live() { return *live_; }
     /// Of the last loading, and of the frames drawn since.
@@ -125,7 +127,7 @@ class Session {
     int width_ = 600, height_ = 600;
     std::optional<gpu::Target> target_;
     bool isStale_ = true;
-    std::uint64_t framesDrawn_ = 0;
+    std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
     std::optional<Picked> picked_;
 };
 

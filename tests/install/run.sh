@@ -34,6 +34,8 @@ cd "$place"
 "$place/prefix/bin/glibra" render "$source/glib/start/teapot.glib" --size 64x48 -o teapot.jpg
 test -s teapot.jpg
 test -f "$place/prefix/share/glibra/shaders/builtin/flat.vert"
+# The examples are whole where they are installed.
+"$place/prefix/bin/glibra" check "$place/prefix"/share/glibra/glib/*/*.glib >>"$place/log" 2>&1 || fail "an example lacks a file"
 
 # Golden tests: red without goldens, green with them, red again for one changed shader, in both tests.
 golden_tests() { ctest --test-dir "$place/consumer" -L glibra >>"$place/log" 2>&1; }

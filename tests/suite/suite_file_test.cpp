@@ -18,6 +18,36 @@ namespace {
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
+constexpr const char* kShift = "[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1]";
+
+TEST(SuiteFile, ReadsTheViewOfAWindow) {
+    const SceneFolder folder{"a.glib"};
+    const std::string shift = kShift;
+    const auto suite =
+        folder.read("[[shot]]\nscript = 'a.glib'\nscene-transform = " + shift + "\neye-transform = " + shift +
+                    "\ntexture-transform = " + shift + "\nobject-transform = { 12 = " + shift +
+                    " }\nprojection = 'orthographic'\nbackground = [0, 0.5, 1]\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    Matrix shifted = kIdentity;
+    shifted[12] = .5;
+    ViewState wanted;
+    wanted.scene = wanted.eye = wanted.texture = shifted;
+    wanted.objects = {{12, shifted}};
+    wanted.projection = ProjectionMode::orthographic;
+    wanted.background = {0, .5, 1, 1};
+    EXPECT_EQ(suite->shots.at(0).options.viewState, wanted);
+}
+
+TEST(SuiteFile, ATagCanBelongToOneProgram) {
+    const SceneFolder folder{"a.glib"};
+    const auto suite = folder.read(
+        "[[shot]]\nscript = 'a.glib'\nset = { 'Dots:uKd' = 0.5, '12:uKd' = 1 }\n"
+        "sweep = { 'Dots:uAd' = [1, 2] }\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    EXPECT_EQ(suite->shots.at(0).options.set, (Strings{"Dots:uKd=0.5", "12:uKd=1", "Dots:uAd=1"}));
+    EXPECT_EQ(suite->shots.at(1).name, "a@Dots.uAd=2");
+}
+
 TEST(SuiteFile, ReadsEveryKeyOfAShot) {
     const SceneFolder folder{"a.glib", "lib/x.glib"};
     const auto suite = folder.read(R"(

@@ -53,6 +53,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "digit "
                 "before its "
                 "point, as 0.5\n"},
+        Mistake{
+            "WrongView",
+            shot("eye-transform = [1, 2]\nprojection = 'flat'\nbackground = [1, 'a', 0]\n"
+                 "object-transform = { teapot = [1] }"),
+            "3:17 suite-E03 eye-transform: a list of 16 numbers, column by column, is wanted, not a list\n"
+            "4:14 suite-E03 projection: \"scene\", \"perspective\" or \"orthographic\" is wanted, not the "
+            "text 'flat'\n"
+            "5:18 suite-E03 background: a number is wanted, not the text 'a'\n"
+            "6:22 suite-E04 object-transform: 'teapot' is not the number of a line of the scene\n"},
         Mistake{"KeyTwice", shot("time = 1\ntime = 2"),
                 "4:8 suite-E01 not TOML: key-value pair: cannot redefine existing integer 'time'\n"},
         Mistake{"UnknownKey", shot("sise = [8, 8]"),

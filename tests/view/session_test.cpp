@@ -42,6 +42,27 @@ TEST(Session, DrawsNoFrameWhenNothingChanged) {
     EXPECT_EQ(session.framesDrawn(), 1U);
 }
 
+TEST(Session, SaysOnceHowFarTheEyeWasMovedAtThePresentSize) {
+    const SceneFolder folder("WindowSize 64 32\nPerspective 50\nSphere 2\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    const auto notes = [&] {
+        session.drawIfNeeded();
+        std::vector<std::string> all;
+        for (const Diagnostic& each : session.diagnostics())
+            if (each.id == "draw-N01") all.push_back(each.text);
+        return all;
+    };
+    const std::vector<std::string> wide = notes();
+    ASSERT_EQ(wide.size(), 1U) << text(session.diagnostics());
+    session.resize(32, 64);
+    const std::vector<std::string> high = notes();
+    ASSERT_EQ(high.size(), 1U);
+    EXPECT_NE(high, wide) << "a narrow picture needs a larger distance";
+    session.resize(64, 32);
+    EXPECT_EQ(notes(), wide);
+}
+
 TEST(Session, EveryKindOfValueReachesThePicture) {
     const SceneFolder folder(kFlatScene, kFlatFiles);
     Session session(context(), {});

@@ -21,7 +21,7 @@ void bars(Ui& ui, const FrameCost& cost) {
         const PassCost& each = cost.passes[pass];
         const std::string line = each.line > 0 ? fmt::format(" ({})", each.line) : "";
         bar(each.milliseconds, fmt::format("pass {} into {}{}", pass + 1, each.target, line));
-        mark(ui, fmt::format("cost/pass/{}", pass));
+        mark(ui, "cost/pass/{}", pass);
         ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
         ImGui::Indent();
         for (const DrawCost& draw : cost.draws)

@@ -116,6 +116,9 @@ bool Display::isOpen() const {
 void Display::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
+void Display::keepOpen() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+}
 void Display::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }

@@ -27,6 +27,8 @@ class Display {
 
     [[nodiscard]] bool isOpen() const;
     void close();
+    /// Somebody asked to close it, and it is not to be.
+    void keepOpen();
     void setTitle(const std::string& title);
     void setSize(int width, int height);
     /// Screen coordinates.

@@ -7,7 +7,9 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "view/window/thumbnail_maker.h"
 #include "view/window/window.h"
 
 namespace {
@@ -53,9 +55,12 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
 int start(int argc, char** argv) {
     CLI::App app{"glibra view: a scene in a window, with a slider for every range"};
     glibra::view::WindowArguments arguments;
-    std::string scene;
+    std::vector<std::string> scenes;
     std::string size;
-    app.add_option("SCENE", scene, "scene file (.glib)");
+    std::string thumbnails;
+    app.add_option("SCENE", scenes, "scene files (.glib), a tab each");
+    // How the window has pictures made by a process without one; see thumbnail_maker.h.
+    app.add_option("--thumbnails", thumbnails)->group("");
     app.add_option("--set", arguments.set, "NAME=VALUE of a uniform; PROGRAM:NAME=VALUE for one program")
         ->allow_extra_args(false);
     app.add_option("--size", size, "WxH of the picture in pixels");
@@ -73,7 +78,9 @@ int start(int argc, char** argv) {
         ->check(CLI::ExistingFile);
     try {
         app.parse(argc, argv);
-        arguments.scene = scene;
+        arguments.scenes.assign(scenes.begin(), scenes.end());
+        if (!thumbnails.empty())
+            return glibra::view::makeThumbnails(thumbnails, arguments.scenes, libraryRoots());
         return run(arguments, size);
     } catch (const CLI::ParseError& wrong) {
         return app.exit(wrong) == 0 ? 0 : kWrongUsage;

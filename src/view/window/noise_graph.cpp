@@ -116,7 +116,7 @@ void draw(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
 }  // namespace
 
 void noiseGraph(Ui& ui, float width, float height) {
-    NoiseWindow& window = ui.noise;
+    NoiseWindow& window = ui.shared.noise;
     ImGui::InvisibleButton("graph", {width, height});
     mark(ui, "noise/graph");
     const Frame frame{window.noise.options,

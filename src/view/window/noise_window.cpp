@@ -20,20 +20,20 @@ constexpr float kPanelWidth = 300;
 template <std::size_t N, class Enumerator>
 void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
     if (!ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)))) {
-        mark(ui, std::string("noise/") + label);
+        mark(ui, "noise/{}", label);
         return;
     }
-    mark(ui, std::string("noise/") + label);
+    mark(ui, "noise/{}", label);
     for (std::size_t i = 0; i < N; ++i) {
         if (ImGui::Selectable(words.at(i), static_cast<std::size_t>(value) == i))
             value = static_cast<Enumerator>(i);
-        mark(ui, fmt::format("noise/{}/{}", label, words.at(i)));
+        mark(ui, "noise/{}/{}", label, words.at(i));
     }
     ImGui::EndCombo();
 }
 
 void functionControls(Ui& ui) {
-    noise::GraphOptions& options = ui.noise.noise.options;
+    noise::GraphOptions& options = ui.shared.noise.noise.options;
     choice(ui, "Lattice", kLatticeWords, options.lattice);
     choice(ui, "Smoothness", kSmoothnessWords, options.smoothness);
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
@@ -48,7 +48,7 @@ void functionControls(Ui& ui) {
         std::erase_if(options.heights, isGone);
         std::erase_if(options.gradients, isGone);
         std::erase_if(options.curvatures, isGone);
-        ui.noise.chosen = std::min(ui.noise.chosen, options.cells - 1);
+        ui.shared.noise.chosen = std::min(ui.shared.noise.chosen, options.cells - 1);
     }
     mark(ui, "noise/Points");
     ImGui::Checkbox("Turbulence", &options.turbulence);
@@ -61,12 +61,12 @@ void functionControls(Ui& ui) {
 void pointSlider(Ui& ui, const char* label, double value, double limit, std::map<int, double>& values) {
     auto shown = static_cast<float>(value);
     const auto most = static_cast<float>(limit);
-    if (ImGui::SliderFloat(label, &shown, -most, most, "%.3f")) values[ui.noise.chosen] = shown;
-    mark(ui, std::string("noise/") + label);
+    if (ImGui::SliderFloat(label, &shown, -most, most, "%.3f")) values[ui.shared.noise.chosen] = shown;
+    mark(ui, "noise/{}", label);
 }
 
 void pointControls(Ui& ui) {
-    NoiseWindow& window = ui.noise;
+    NoiseWindow& window = ui.shared.noise;
     noise::GraphOptions& options = window.noise.options;
     const noise::GraphPoint point = noise::graphPoint(options, window.chosen);
     ImGui::Text("Point %d", window.chosen);
@@ -112,7 +112,7 @@ void write(NoiseWindow& window, int dimensions) {
 }
 
 void fileControls(Ui& ui) {
-    NoiseWindow& window = ui.noise;
+    NoiseWindow& window = ui.shared.noise;
     ImGui::InputText("File", window.file.data(), window.file.size());
     mark(ui, "noise/File");
     std::array<int, 2> size{window.noise.width, window.noise.height};
@@ -141,7 +141,7 @@ void fileControls(Ui& ui) {
 
 /// The coloured noise, drawn again only when something changed.
 void picture(Ui& ui, float side) {
-    NoiseWindow& window = ui.noise;
+    NoiseWindow& window = ui.shared.noise;
     noise::GraphOptions plane = window.noise.options;
     plane.dimensions = 2;
     if (!window.picture || window.drawn != plane || window.drawnColors != window.noise.colors) {
@@ -168,10 +168,10 @@ void picture(Ui& ui, float side) {
 }  // namespace
 
 void noiseWindow(Ui& ui) {
-    if (!ui.noise.isOpen) return;
+    if (!ui.shared.noise.isOpen) return;
     ImGui::SetNextWindowSize({820 * ui.scale, 560 * ui.scale}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowPos({40 * ui.scale, 30 * ui.scale}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Noise", &ui.noise.isOpen, ImGuiWindowFlags_NoCollapse)) {
+    if (ImGui::Begin("Noise", &ui.shared.noise.isOpen, ImGuiWindowFlags_NoCollapse)) {
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const float panel = std::min(kPanelWidth * ui.scale, room.x / 2);
         ImGui::BeginChild("noise graphs", {room.x - panel - 8, 0});
@@ -186,7 +186,7 @@ void noiseWindow(Ui& ui) {
         ImGui::Separator();
         pointControls(ui);
         ImGui::Separator();
-        choice(ui, "Colours", kColorWords, ui.noise.noise.colors);
+        choice(ui, "Colours", kColorWords, ui.shared.noise.noise.colors);
         fileControls(ui);
         ImGui::PopItemWidth();
         ImGui::EndChild();

@@ -145,7 +145,7 @@ void pictureOverlay(Ui& ui) {
         if (ui.showLabels) labels(ui, list);
         if (ui.session.picked() && ui.session.picture()) cursor(ui, list);
     } else {
-        const char* text = "Drop a .glib file here, or open one with Ctrl+O";
+        const char* text = "Drop a .glib file here, open one with Ctrl+O, or look at the examples with X";
         const ImVec2 size = ImGui::CalcTextSize(text);
         list.AddText({ui.picture[0] + (ui.picture[2] - size.x) / 2, ui.picture[1] + ui.picture[3] / 2},
                      IM_COL32(200, 200, 200, 255), text);

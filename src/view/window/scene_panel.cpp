@@ -19,28 +19,12 @@ namespace {
 const ImVec4 kErrorColor{.95F, .35F, .30F, 1};
 const ImVec4 kWarningColor{.90F, .65F, .15F, 1};
 
-void recentMenu(Ui& ui) {
-    if (ImGui::Button("Open...") || std::exchange(ui.requests.openMenu, false)) ImGui::OpenPopup("open");
-    mark(ui, "scene/open");
-    if (!ImGui::BeginPopup("open")) return;
-    ImGui::SetNextItemWidth(320 * ui.scale);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint("##path", "path of a .glib file", ui.openEntry.data(),
-                                                  ui.openEntry.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-    mark(ui, "scene/path");
-    if (entered && ui.openEntry[0] != 0) {
-        ui.requests.open = ui.openEntry.data();
-        ImGui::CloseCurrentPopup();
-    }
-    const auto list = [&](const char* heading, const std::vector<std::string>& files) {
-        if (files.empty()) return;
-        ImGui::TextDisabled("%s", heading);
-        for (const std::string& each : files)
-            if (ImGui::Selectable(each.c_str())) ui.requests.open = each;
-    };
-    list("recent", ui.settings.recent);
-    list("in this folder", ui.neighbours);
-    ImGui::EndPopup();
+/// The next button goes into the same row if it has room there.
+void flow(const char* next) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(next).x + 2 * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
 void message(Ui& ui, const Diagnostic& each, int index) {
@@ -50,14 +34,20 @@ void message(Ui& ui, const Diagnostic& each, int index) {
         ImGui::PushStyleColor(ImGuiCol_Text, isError ? kErrorColor : kWarningColor);
     ImGui::TextWrapped("%s", toString(each).c_str());
     if (each.severity != Severity::note) ImGui::PopStyleColor();
-    mark(ui, fmt::format("message/{}", index));
+    mark(ui, "message/{}", index);
     if (!each.place.file.empty()) {
         const std::string line = sourceLine(each.place);
         if (!line.empty()) {
             ImGui::TextDisabled("%5d | %s", each.place.line, line.c_str());
             ImGui::TextDisabled("      | %s", caretLine(line, each.place.column).c_str());
         }
+        if (isError && ui.session.hasScene()) translatedLines(ui, each.place);
         if (isError || each.severity == Severity::warning) {
+            if (ui.session.hasScene()) {
+                if (ImGui::SmallButton("Show")) showSource(ui, each.place);
+                mark(ui, "message/{}/show", index);
+                ImGui::SameLine();
+            }
             if (ImGui::SmallButton("Edit")) ui.notice = openInEditor(each.place);
             ImGui::SameLine();
         }
@@ -69,11 +59,24 @@ void message(Ui& ui, const Diagnostic& each, int index) {
 }  // namespace
 
 void scenePanel(Ui& ui) {
-    recentMenu(ui);
-    ImGui::SameLine();
+    if (ImGui::Button("Open...")) {
+        ui.shared.dialog.isWanted = true;
+        ui.shared.dialog.inNewTab = false;
+    }
+    mark(ui, "scene/open");
+    flow("Examples");
+    if (ImGui::Button("Examples")) ui.shared.examples.isOpen = !ui.shared.examples.isOpen;
+    mark(ui, "scene/examples");
+    flow("Source");
+    ImGui::BeginDisabled(!ui.session.hasScene());
+    if (ImGui::Button("Source")) ui.settings.showSource = !ui.settings.showSource;
+    ImGui::EndDisabled();
+    mark(ui, "scene/source");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The scene and its shaders as text, to be edited (E)");
+    flow("Reload");
     if (ImGui::Button("Reload")) ui.requests.reload = true;
     mark(ui, "scene/reload");
-    ImGui::SameLine();
+    flow("Save values");
     ImGui::BeginDisabled(!ui.session.hasScene());
     if (ImGui::Button("Save values")) {
         const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
@@ -84,7 +87,7 @@ void scenePanel(Ui& ui) {
     mark(ui, "scene/save");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Puts the present values into the Program lines of the .glib file");
-    ImGui::SameLine();
+    flow("?");
     if (ImGui::Button("?")) ui.showHelp = !ui.showHelp;
     mark(ui, "help");
 }
@@ -98,9 +101,14 @@ void messagesPanel(Ui& ui) {
     const auto errors = count(Severity::error);
     const auto warnings = count(Severity::warning);
     if (all.empty()) return;
+    const auto counted = [](auto number, const char* word) {
+        return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+    };
     const std::string title =
-        fmt::format("Messages ({} {}, {} {})###messages", errors, errors == 1 ? "error" : "errors", warnings,
-                    warnings == 1 ? "warning" : "warnings");
+        errors + warnings == 0
+            ? fmt::format("Messages ({})###messages", counted(count(Severity::note), "note"))
+            : fmt::format("Messages ({}, {})###messages", counted(errors, "error"),
+                          counted(warnings, "warning"));
     if (errors > 0 && ui.lastErrors == 0) ImGui::SetNextItemOpen(true);
     ui.lastErrors = static_cast<int>(errors);
     const bool isOpen = ImGui::CollapsingHeader(title.c_str());

@@ -47,8 +47,14 @@ Settings readSettings(const fs::path& file) {
     settings.windowWidth = static_cast<int>(number("windowWidth", kLargestWindow));
     settings.windowHeight = static_cast<int>(number("windowHeight", kLargestWindow));
     settings.panelWidth = static_cast<float>(number("panelWidth", kLargestWindow));
-    if (const auto found = json.find("lightTheme"); found != json.end() && found->is_boolean())
-        settings.lightTheme = found->get<bool>();
+    settings.sourceWidth = static_cast<float>(number("sourceWidth", kLargestWindow));
+    settings.sourceHeight = static_cast<float>(number("sourceHeight", kLargestWindow));
+    const auto truth = [&](const char* key) {
+        const auto found = json.find(key);
+        return found != json.end() && found->is_boolean() && found->get<bool>();
+    };
+    settings.lightTheme = truth("lightTheme");
+    settings.showSource = truth("showSource");
     if (const auto found = json.find("recent"); found != json.end() && found->is_array())
         for (const auto& each : *found)
             if (each.is_string() && settings.recent.size() < kMostRecent)
@@ -58,11 +64,11 @@ Settings readSettings(const fs::path& file) {
 
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
-    const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
-                                      {"windowHeight", settings.windowHeight},
-                                      {"panelWidth", settings.panelWidth},
-                                      {"lightTheme", settings.lightTheme},
-                                      {"recent", settings.recent}};
+    const nlohmann::ordered_json json{
+        {"windowWidth", settings.windowWidth},   {"windowHeight", settings.windowHeight},
+        {"panelWidth", settings.panelWidth},     {"sourceWidth", settings.sourceWidth},
+        {"sourceHeight", settings.sourceHeight}, {"showSource", settings.showSource},
+        {"lightTheme", settings.lightTheme},     {"recent", settings.recent}};
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);
     const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

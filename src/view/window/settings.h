@@ -8,8 +8,10 @@
 namespace glibra::view {
 
 struct Settings {
-    int windowWidth = 0, windowHeight = 0;  ///< screen coordinates; 0: as the scene wants
-    float panelWidth = 0;                   ///< screen coordinates; 0: the usual
+    int windowWidth = 0, windowHeight = 0;    ///< screen coordinates; 0: as the scene wants
+    float panelWidth = 0;                     ///< screen coordinates; 0: the usual
+    float sourceWidth = 0, sourceHeight = 0;  ///< of the source panel beside and below the picture
+    bool showSource = false;
     bool lightTheme = false;
     std::vector<std::string> recent;  ///< scenes, the last opened first
 

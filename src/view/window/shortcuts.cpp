@@ -17,12 +17,25 @@ struct Shortcut {
     const char* keys;
     const char* what;
     void (*act)(Ui&);
+    bool whileTyping = false;  ///< also where text is entered
 };
 
 void step(Ui& ui, int frames) {
     Clock clock = ui.session.clock();
     clock.step(frames);
     ui.session.setClock(clock);
+}
+
+void openDialog(Ui& ui, bool inNewTab) {
+    ui.shared.dialog.isWanted = true;
+    ui.shared.dialog.inNewTab = inNewTab;
+}
+
+void goToTab(Ui& ui, int step) {
+    const auto count = static_cast<int>(ui.shared.tabs.size());
+    if (count > 1)
+        ui.requests.showTab =
+            static_cast<std::size_t>((static_cast<int>(ui.shared.shownTab) + step + count) % count);
 }
 
 void toggleProjection(Ui& ui) {
@@ -32,7 +45,7 @@ void toggleProjection(Ui& ui) {
     ui.session.setView(std::move(view));
 }
 
-const std::array<Shortcut, 25> kShortcuts{{
+const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_SPACE, false, "Space", "play or pause",
      [](Ui& ui) {
          Clock clock = ui.session.clock();
@@ -59,26 +72,41 @@ const std::array<Shortcut, 25> kShortcuts{{
      [](Ui& ui) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
     {GLFW_KEY_TAB, false, "Tab", "panel", [](Ui& ui) { ui.showPanel = !ui.showPanel; }},
     {GLFW_KEY_ESCAPE, false, "Esc", "forget the picked object", [](Ui& ui) { ui.session.clearPick(); }},
-    {GLFW_KEY_F5, false, "F5", "read the scene again", [](Ui& ui) { ui.requests.reload = true; }},
+    {GLFW_KEY_F5, false, "F5", "read the scene again", [](Ui& ui) { ui.requests.reload = true; }, true},
+    {GLFW_KEY_E, false, "E", "the scene and its shaders as text",
+     [](Ui& ui) { ui.settings.showSource = !ui.settings.showSource; }},
+    {GLFW_KEY_E, true, "Ctrl+E", "the same, also while text is edited",
+     [](Ui& ui) { ui.settings.showSource = !ui.settings.showSource; }, true},
+    {GLFW_KEY_S, true, "Ctrl+S", "save the text that is shown", saveSource, true},
+    {GLFW_KEY_X, false, "X", "example scenes",
+     [](Ui& ui) { ui.shared.examples.isOpen = !ui.shared.examples.isOpen; }},
     {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view",
      [](Ui& ui) { ui.history.undo(ui.session); }},
     {GLFW_KEY_Y, true, "Ctrl+Y", "redo it", [](Ui& ui) { ui.history.redo(ui.session); }},
-    {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { ui.requests.openMenu = true; }},
+    {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { openDialog(ui, false); }, true},
+    {GLFW_KEY_T, true, "Ctrl+T", "open a scene in a new tab", [](Ui& ui) { openDialog(ui, true); }, true},
+    {GLFW_KEY_W, true, "Ctrl+W", "close the tab", [](Ui& ui) { ui.requests.closeTab = ui.shared.shownTab; },
+     true},
+    {GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", [](Ui& ui) { goToTab(ui, 1); }, true},
+    {GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "tab before", [](Ui& ui) { goToTab(ui, -1); }, true},
     {GLFW_KEY_I, false, "I", "look into textures and targets",
      [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
-    {GLFW_KEY_N, false, "N", "the noise functions", [](Ui& ui) { ui.noise.isOpen = !ui.noise.isOpen; }},
-    {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }},
+    {GLFW_KEY_N, false, "N", "the noise functions",
+     [](Ui& ui) { ui.shared.noise.isOpen = !ui.shared.noise.isOpen; }},
+    {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }, true},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
-}};
+});
 
 }  // namespace
 
 void shortcuts(Ui& ui) {
     const std::vector<Display::KeyPress> pressed = std::exchange(ui.pressed, {});
-    if (ImGui::GetIO().WantTextInput) return;
+    if (ui.shared.question) return;
+    const bool isTyping = ImGui::GetIO().WantTextInput;
     for (const Display::KeyPress& press : pressed)
         for (const Shortcut& each : kShortcuts)
-            if (each.control == press.control && each.key == press.key) each.act(ui);
+            if (each.control == press.control && each.key == press.key && (each.whileTyping || !isTyping))
+                each.act(ui);
 }
 
 void helpWindow(Ui& ui) {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -13,14 +14,15 @@ namespace glibra::view {
 namespace {
 
 constexpr float kFontPixels = 15;
+constexpr float kCodePixels = 14;
 
-/// DejaVu Sans in the folders where a desktop keeps its data; empty if it is not installed.
-std::string fontFile() {
+/// A font of the family DejaVu in the folders where a desktop keeps its data; empty if it is not installed.
+std::string fontFile(const char* name) {
     const char* variable = std::getenv("XDG_DATA_DIRS");
     std::string_view rest = variable && *variable ? variable : "/usr/local/share:/usr/share";
     while (!rest.empty()) {
         const std::string_view folder = rest.substr(0, rest.find(':'));
-        const auto file = std::filesystem::path(folder) / "fonts/truetype/dejavu/DejaVuSans.ttf";
+        const auto file = std::filesystem::path(folder) / "fonts/truetype/dejavu" / name;
         std::error_code failure;
         if (std::filesystem::is_regular_file(file, failure)) return file.string();
         rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
@@ -28,17 +30,24 @@ std::string fontFile() {
     return {};
 }
 
-}  // namespace
-
-void loadFont(float scale) {
+void addFont(const char* name, float pixels) {
     ImGuiIO& io = ImGui::GetIO();
-    const float pixels = std::round(kFontPixels * scale);
-    if (const std::string file = fontFile();
-        !file.empty() && io.Fonts->AddFontFromFileTTF(file.c_str(), pixels))
-        return;
+    const std::string file = fontFile(name);
+    if (!file.empty() && io.Fonts->AddFontFromFileTTF(file.c_str(), pixels)) return;
     ImFontConfig config;
     config.SizePixels = pixels;
     io.Fonts->AddFontDefault(&config);
+}
+
+}  // namespace
+
+void loadFonts(float scale) {
+    addFont("DejaVuSans.ttf", std::round(kFontPixels * scale));
+    addFont("DejaVuSansMono.ttf", std::round(kCodePixels * scale));
+}
+
+ImFont* codeFont() {
+    return ImGui::GetIO().Fonts->Fonts.back();
 }
 
 void applyTheme(bool light, float scale) {
@@ -47,6 +56,7 @@ void applyTheme(bool light, float scale) {
         ImGui::StyleColorsLight(&style);
     else
         ImGui::StyleColorsDark(&style);
+    for (const int each : {ImGuiCol_WindowBg, ImGuiCol_PopupBg}) style.Colors[each].w = 1;
     style.WindowRounding = 0;
     style.FrameRounding = 3;
     style.GrabRounding = 3;

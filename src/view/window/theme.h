@@ -1,9 +1,14 @@
 #pragma once
+// How the window looks.
+
+struct ImFont;
 
 namespace glibra::view {
 
-/// Font and spacing for that scale, once, before the first frame.
-void loadFont(float scale);
+/// The fonts of panels and of programs for that scale, once, before the first frame.
+void loadFonts(float scale);
+/// The one for the text of programs: all its characters are equally wide.
+ImFont* codeFont();
 /// Colours and spacing.
 void applyTheme(bool light, float scale);
 

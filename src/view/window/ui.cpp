@@ -6,11 +6,11 @@
 
 namespace glibra::view {
 
-void mark(Ui& ui, const std::string& name) {
-    if (!ImGui::IsItemVisible()) return;
+void mark(Ui& ui, std::string_view name) {
+    if (!ui.shared.marksWidgets || !ImGui::IsItemVisible()) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
-    ui.widgets[name] = {low.x, low.y, size.x, size.y};
+    ui.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
 }
 
 namespace {
@@ -37,6 +37,7 @@ float panel(Ui& ui) {
             viewPanel(ui);
             timePanel(ui);
             hardcopyPanel(ui);
+            suitePanel(ui);
             costPanel(ui);
         }
         if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
@@ -51,12 +52,20 @@ float panel(Ui& ui) {
 
 void showAll(Ui& ui) {
     ui.widgets.clear();
+    ui.shownTranslation.clear();
     shortcuts(ui);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = ui.showPanel ? panel(ui) : 0;
     ui.picture = {0, 0, std::max(1.F, window.x - width), std::max(1.F, window.y)};
+    tabBar(ui, ui.picture);
+    sourcePanel(ui, ui.picture);
+    ui.picture[2] = std::max(1.F, ui.picture[2]);
+    ui.picture[3] = std::max(1.F, ui.picture[3]);
     inspectorWindow(ui);
     noiseWindow(ui);
+    exampleWindow(ui);
+    fileDialog(ui);
+    questionDialog(ui);
     helpWindow(ui);
     pictureInput(ui);
     lensUnderMouse(ui);

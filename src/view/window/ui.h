@@ -1,12 +1,16 @@
 #pragma once
 // What the panels share: the session, what is being done to it, and where each widget stands.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/context.h"
@@ -15,8 +19,9 @@
 #include "view/session.h"
 #include "view/texel_view.h"
 #include "view/window/display.h"
-#include "view/window/noise_window.h"
 #include "view/window/settings.h"
+#include "view/window/shared.h"
+#include "view/window/source_panel.h"
 
 namespace glibra::view {
 
@@ -26,9 +31,27 @@ using Rectangle = std::array<float, 4>;
 /// What the panels ask of the loop.
 struct Requests {
     std::optional<std::filesystem::path> open;
+    bool inNewTab = false;  ///< for `open`
     bool reload = false;
-    bool openMenu = false;
-    bool close = false;
+    bool close = false;  ///< the window
+    std::optional<std::size_t> showTab, closeTab;
+    std::optional<std::filesystem::path> saved;  ///< a source that the source panel has written
+};
+
+/// The entries of the section that adds a shot to a suite.
+struct SuiteEntries {
+    std::filesystem::path scene;  ///< that they were proposed for
+    std::array<char, 1024> file{};
+    std::array<char, 256> name{};
+    std::string message;  ///< how the last one went
+    bool failed = false;
+};
+
+/// What the source panel shows, for tests and scripts.
+struct SourceState {
+    std::string file;
+    int line = 0, column = 0;
+    bool isActive = false, isChanged = false, hasConflict = false;
 };
 
 /// The hardcopy section's entries.
@@ -57,18 +80,22 @@ struct Inspector {
 };
 
 struct Ui {
-    Ui(gpu::Context& usedContext, Session& usedSession) : context(usedContext), session(usedSession) {}
+    Ui(gpu::Context& usedContext, Session& usedSession, Shared& usedShared)
+        : context(usedContext), session(usedSession), shared(usedShared), settings(usedShared.settings) {}
 
     gpu::Context& context;
     Session& session;
+    Shared& shared;
+    Settings& settings;
     History history;
-    Settings settings;
+    SourcePanel source;
+    SourceState sourceState;
+    std::string shownTranslation;  ///< the first line of core GLSL under an error
+    SuiteEntries suite;
     Requests requests;
     HardcopyEntries hardcopy;
     TransformMode mode = TransformMode::eye;
     float scale = 1;
-    std::array<char, 1024> openEntry{};
-    std::vector<std::string> neighbours;  ///< scenes in the folder of the one that is shown
     int lastErrors = 0;
     bool showPanel = true, showHelp = false, showLabels = false;
     Rectangle picture{};        ///< where the picture stands
@@ -79,7 +106,6 @@ struct Ui {
     int dragButton = -1;   ///< mouse button that drags the picture
     float dragLength = 0;  ///< pixels so far
     Inspector inspector;
-    NoiseWindow noise;
     std::string lensWords;  ///< of the pixel under the mouse
     std::optional<FrameCost> cost;
     std::vector<Display::KeyPress> pressed;
@@ -87,8 +113,14 @@ struct Ui {
     std::map<std::string, Rectangle> widgets;  ///< of this frame, by name
 };
 
-/// Remembers where the widget made last stands, under a name for tests and scripts.
-void mark(Ui& ui, const std::string& name);
+/// Remembers where the widget made last stands, under a name for tests and scripts, if somebody asks for it.
+void mark(Ui& ui, std::string_view name);
+/// The same; the name is only put together when it is wanted.
+template <class... Arguments>
+requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Arguments...> format,
+                                             Arguments&&... arguments) {
+    if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
+}
 
 // The panels, each drawn into the current ImGui window.
 void scenePanel(Ui& ui);
@@ -98,6 +130,7 @@ void viewPanel(Ui& ui);
 void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
 void costPanel(Ui& ui);
+void suitePanel(Ui& ui);
 void inspectorWindow(Ui& ui);
 void noiseWindow(Ui& ui);
 void noiseGraph(Ui& ui, float width, float height);
@@ -105,6 +138,21 @@ void noiseGraph(Ui& ui, float width, float height);
 void lensControls(Ui& ui);
 void nextLens(Ui& ui);
 void lensUnderMouse(Ui& ui);
+void exampleWindow(Ui& ui);
+void fileDialog(Ui& ui);
+/// Asks before text that is not saved would be lost.
+void questionDialog(Ui& ui);
+
+// These take their part of what is left of the window.
+void tabBar(Ui& ui, Rectangle& free);
+void sourcePanel(Ui& ui, Rectangle& free);
+
+/// Writes the file that the source panel shows.
+void saveSource(Ui& ui);
+/// Opens the source panel there.
+void showSource(Ui& ui, const Place& place);
+/// What became of that line in a shader that the driver refused, drawn below a message.
+void translatedLines(Ui& ui, const Place& place);
 
 /// The mouse over the picture, and what is drawn over it.
 void pictureInput(Ui& ui);

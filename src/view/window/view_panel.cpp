@@ -26,7 +26,7 @@ void modes(Ui& ui) {
     for (const ModeRow& each : kModes) {
         if (each.mode != TransformMode::scene) ImGui::SameLine();
         if (ImGui::RadioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
-        mark(ui, std::string("mode/") + each.label);
+        mark(ui, "mode/{}", each.label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
     }
 }
@@ -34,7 +34,7 @@ void modes(Ui& ui) {
 bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
     const bool changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
-    mark(ui, std::string("transform/") + label);
+    mark(ui, "transform/{}", label);
     return changed;
 }
 
@@ -80,7 +80,7 @@ void projection(Ui& ui) {
     mark(ui, "view/inspector");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
     ImGui::SameLine();
-    ImGui::Checkbox("Noise", &ui.noise.isOpen);
+    ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
     mark(ui, "view/noise");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The noise functions as graphs (N)");
 

@@ -2,16 +2,14 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <optional>
-#include <set>
-#include <system_error>
 #include <thread>
 
 #include "gpu/context.h"
@@ -20,6 +18,8 @@
 #include "view/state_json.h"
 #include "view/window/display.h"
 #include "view/window/input_script.h"
+#include "view/window/panels_json.h"
+#include "view/window/tabs.h"
 #include "view/window/theme.h"
 #include "view/window/ui.h"
 
@@ -45,7 +45,7 @@ class Gui {
         ImGui::GetIO().IniFilename = nullptr;
         // A blinking cursor would be a reason to draw.
         ImGui::GetIO().ConfigInputTextCursorBlink = false;
-        loadFont(scale);
+        loadFonts(scale);
         applyTheme(light, scale);
         ImGui_ImplGlfw_InitForOpenGL(display.handle(), true);
         ImGui_ImplOpenGL3_Init("#version 410 core");
@@ -65,10 +65,19 @@ class Window {
     Diagnostics run();
 
   private:
-    void openScene(const std::filesystem::path& path);
-    void watchFiles();
+    Ui& ui() { return tabs_.shown().ui; }
+    Session& session() { return tabs_.shown().session; }
+    void openFirst();
+    void setSize();
+    void openScene(const std::filesystem::path& path, bool inNewTab);
+    void showScene(const std::filesystem::path& path);
+    void closeTab(std::size_t tab);
+    void followTab();
     void takeChanges();
+    void takeDropped();
     void takeRequests();
+    void takeAnswer();
+    void quit();
     void waitForWork();
     bool nextInput();
     void drawFrame();
@@ -79,8 +88,8 @@ class Window {
     const WindowArguments& arguments_;
     Display& display_;
     gpu::Context& context_;
-    Session session_;
-    Ui ui_;
+    Shared shared_;
+    Tabs tabs_;
     std::optional<Gui> gui_;
     FileWatch watch_;
     std::optional<InputRecorder> recorder_;
@@ -102,82 +111,123 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     : arguments_(arguments),
       display_(display),
       context_(context),
-      session_(context, arguments.options),
-      ui_(context, session_),
+      tabs_(context, arguments.options, shared_, display.contentScale()),
       watch_([] { Display::wake(); }) {
-    ui_.settings = readSettings(settingsFile());
-    ui_.scale = display.contentScale();
-    lightTheme_ = ui_.settings.lightTheme;
-    gui_.emplace(display, ui_.scale, lightTheme_);
+    shared_.settings = readSettings(settingsFile());
+    lightTheme_ = shared_.settings.lightTheme;
+    gui_.emplace(display, display.contentScale(), lightTheme_);
+    shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
 }
 
-void Window::openScene(const std::filesystem::path& path) {
-    const bool isFirst = !session_.hasScene();
-    if (!session_.open(path)) return;
-    ui_.settings.addRecent(path);
-    ui_.history.clear();
-    display_.setTitle(path.filename().string() + " - glibra");
-    ui_.neighbours.clear();
-    std::error_code failure;
-    for (std::filesystem::directory_iterator
-             each(path.parent_path().empty() ? "." : path.parent_path(), failure),
-         end;
-         !failure && each != end; each.increment(failure))
-        if (each->path().extension() == ".glib")
-            ui_.neighbours.push_back(each->path().lexically_normal().string());
-    std::sort(ui_.neighbours.begin(), ui_.neighbours.end());
-    if (isFirst) {
-        for (const std::string& each : arguments_.set) append(setProblems_, session_.setByText(each));
-        Clock clock = session_.clock();
-        clock.setTime(arguments_.options.time);
-        clock.play(!arguments_.paused);
-        session_.setClock(clock);
-        session_.setAxes(arguments_.options.axes);
-        session_.setView(arguments_.options.viewState);
-    }
-    ui_.history.record(session_);
-    watchFiles();
+/// The title, and the files that are watched, belong to what is shown.
+void Window::followTab() {
+    const std::string name = session().hasScene() ? session().path().filename().string() : "";
+    display_.setTitle(name.empty() ? "glibra" : name + " - glibra");
+    tabs_.watch(watch_);
+    framesWanted_ = kFramesAfterEvent;
 }
 
-void Window::watchFiles() {
-    if (!session_.hasScene()) return;
-    std::set<std::string> missing;
-    for (const scene::FileReference& each : session_.live().scene().files)
-        if (each.path.empty()) missing.insert(std::filesystem::path(each.name).filename().string());
-    watch_.watch(session_.live().files(), missing);
+void Window::showScene(const std::filesystem::path& path) {
+    if (session().open(path)) {
+        shared_.settings.addRecent(path);
+        ui().history.clear();
+        ui().history.record(session());
+    }
+    followTab();
+}
+
+void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
+    if (const std::size_t known = tabs_.find(path); known < tabs_.count() && known != tabs_.number()) {
+        tabs_.show(known);
+        return followTab();
+    }
+    if (inNewTab && session().hasScene()) {
+        tabs_.add();
+    } else if (std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.number()); !files.empty()) {
+        shared_.question = Question{Question::About::openScene, path, 0, std::move(files), {}};
+        framesWanted_ = kFramesAfterEvent;
+        return;
+    }
+    showScene(path);
+}
+
+void Window::closeTab(std::size_t tab) {
+    if (std::vector<std::filesystem::path> files = tabs_.unsaved(tab); !files.empty()) {
+        shared_.question = Question{Question::About::closeTab, {}, tab, std::move(files), {}};
+        framesWanted_ = kFramesAfterEvent;
+        return;
+    }
+    tabs_.close(tab);
+    followTab();
+}
+
+void Window::quit() {
+    std::vector<std::filesystem::path> files = tabs_.unsaved();
+    if (files.empty()) return display_.close();
+    display_.keepOpen();
+    shared_.question = Question{Question::About::quit, {}, 0, std::move(files), {}};
+    framesWanted_ = kFramesAfterEvent;
+}
+
+void Window::takeAnswer() {
+    const auto answer = std::exchange(shared_.answer, std::nullopt);
+    if (!answer || !answer->goesOn) return;
+    switch (answer->question.about) {
+        case Question::About::openScene:
+            return showScene(answer->question.scene);
+        case Question::About::closeTab:
+            tabs_.close(answer->question.tab);
+            return followTab();
+        case Question::About::quit:
+            return display_.close();
+    }
 }
 
 void Window::takeChanges() {
     const FileWatch::Change change = watch_.takeChanged();
-    if (change.files.empty() && !ui_.requests.reload) return;
-    ui_.requests.reload = false;
+    if (!change.files.empty()) tabs_.noteChanged(change.files);
+    Tab& tab = tabs_.shown();
+    if (!tab.isOutdated && !tab.ui.requests.reload) return;
+    const bool isEdit = !change.files.empty();
+    tab.isOutdated = tab.ui.requests.reload = false;
     const RealClock::time_point start = RealClock::now();
-    session_.reload();
+    tab.session.reload();
     loadMilliseconds_ = secondsSince(start) * 1000;
     ++reloads_;
-    if (!change.files.empty()) changeSaved_ = change.saved;
-    watchFiles();
+    if (isEdit) changeSaved_ = change.saved;
+    tabs_.watch(watch_);
     framesWanted_ = kFramesAfterEvent;
 }
 
+void Window::takeDropped() {
+    for (const std::filesystem::path& each : display_.takeDropped()) openScene(each, true);
+}
+
 void Window::takeRequests() {
-    for (const std::filesystem::path& each : display_.takeDropped()) ui_.requests.open = each;
-    if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) {
-        openScene(*path);
-        framesWanted_ = kFramesAfterEvent;
+    takeDropped();
+    takeAnswer();
+    Requests requests = std::exchange(ui().requests, {});
+    // takeChanges() looks at it.
+    ui().requests.reload = requests.reload || (requests.saved && !watch_.isWorking());
+    if (requests.showTab && *requests.showTab != tabs_.number()) {
+        tabs_.show(*requests.showTab);
+        followTab();
     }
-    if (ui_.requests.close) display_.close();
-    if (ui_.settings.lightTheme != lightTheme_) {
-        lightTheme_ = ui_.settings.lightTheme;
-        applyTheme(lightTheme_, ui_.scale);
+    if (requests.open) openScene(*requests.open, requests.inNewTab);
+    if (requests.closeTab) closeTab(*requests.closeTab);
+    if (requests.close || !display_.isOpen()) quit();
+    if (shared_.examples.maker && shared_.examples.maker->hasFinished()) framesWanted_ = kFramesAfterEvent;
+    if (shared_.settings.lightTheme != lightTheme_) {
+        lightTheme_ = shared_.settings.lightTheme;
+        applyTheme(lightTheme_, ui().scale);
         framesWanted_ = kFramesAfterEvent;
     }
 }
 
 void Window::waitForWork() {
-    const bool isBusy = framesWanted_ > 0 || session_.isMoving() || replayed_ < replay_.size();
+    const bool isBusy = framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size();
     if (!isBusy) {
         display_.takeEvents(-1);
         lastFrame_ = RealClock::now();
@@ -187,7 +237,7 @@ void Window::waitForWork() {
         // Where presenting does not wait for the screen, this does.
         const double rest = 1 / display_.refreshRate() - secondsSince(lastFrame_);
         display_.takeEvents(std::max(0.0, rest));
-        while (session_.isMoving() && secondsSince(lastFrame_) < .95 / display_.refreshRate())
+        while (session().isMoving() && secondsSince(lastFrame_) < .95 / display_.refreshRate())
             std::this_thread::sleep_for(std::chrono::duration<double>(
                 std::max(1e-4, 1 / display_.refreshRate() - secondsSince(lastFrame_))));
     }
@@ -199,11 +249,11 @@ bool Window::nextInput() {
     const FrameInput& frame = replay_[replayed_++];
     imposeInput(frame);
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
-    if (frame.open) ui_.requests.open = *frame.open;
+    if (frame.open) ui().requests.open = *frame.open;
     const bool control = ImGui::GetIO().KeyCtrl;
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui_.pressed.push_back({key, control});
+            ui().pressed.push_back({key, control});
     replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
@@ -214,13 +264,16 @@ void Window::drawFrame() {
     lastFrame_ = RealClock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    ui_.pressed = display_.takePressedKeys();
+    ui().pressed = display_.takePressedKeys();
     const bool isReplayed = nextInput();
     if (recorder_) recorder_->add(presentInput());
-    session_.advance(isReplayed ? 1.0 / 60 : passed);
+    Ui& ui = tabs_.shown().ui;
+    ui.session.advance(isReplayed ? 1.0 / 60 : passed);
+    tabs_.writeTitles();
     ImGui::NewFrame();
-    showAll(ui_);
-    if (!ImGui::IsAnyItemActive() && ui_.dragButton < 0 && session_.hasScene()) ui_.history.record(session_);
+    showAll(ui);
+    if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
+        ui.history.record(ui.session);
 
     const auto [windowWidth, windowHeight] = display_.size();
     const auto [width, height] = display_.framebufferSize();
@@ -229,15 +282,15 @@ void Window::drawFrame() {
         return;
     }
     const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
-    session_.resize(static_cast<int>(ui_.picture[2] * perUnit), static_cast<int>(ui_.picture[3] * perUnit));
+    ui.session.resize(static_cast<int>(ui.picture[2] * perUnit), static_cast<int>(ui.picture[3] * perUnit));
     const RealClock::time_point start = RealClock::now();
-    session_.drawIfNeeded();
+    ui.session.drawIfNeeded();
     if (changeSaved_) {
         // Drivers compile when a program is first drawn with; that is no time of ours.
         glFinish();
         firstDrawMilliseconds_ = secondsSince(start) * 1000;
     }
-    pictureOverlay(ui_);
+    pictureOverlay(ui);
     present();
     --framesWanted_;
 }
@@ -248,10 +301,13 @@ void Window::present() {
     glDisable(GL_SCISSOR_TEST);
     glClearColor(.1F, .1F, .1F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (const gpu::Target* picture = session_.picture()) {
+    const float perUnit = static_cast<float>(width) / static_cast<float>(std::max(1, display_.size().first));
+    if (const gpu::Target* picture = session().picture()) {
+        const int left = static_cast<int>(std::lround(ui().picture[0] * perUnit));
+        const int top = height - static_cast<int>(std::lround(ui().picture[1] * perUnit));
         picture->readable().bindForReading();
-        glBlitFramebuffer(0, 0, picture->width(), picture->height(), 0, height - picture->height(),
-                          picture->width(), height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitFramebuffer(0, 0, picture->width(), picture->height(), left, top - picture->height(),
+                          left + picture->width(), top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
     glViewport(0, 0, width, height);
     // ImGui puts back the program it finds, which is gone by then if a reload has deleted it.
@@ -268,33 +324,28 @@ void Window::present() {
 
 void Window::writeState() {
     if (arguments_.stateFile.empty()) return;
-    nlohmann::ordered_json state = stateOf(session_);
+    const Ui& ui = tabs_.shown().ui;
+    nlohmann::ordered_json state = stateOf(ui.session);
     const auto [width, height] = display_.size();
     state["window"] = {width, height};
-    state["picture"] = ui_.picture;
+    state["picture"] = ui.picture;
     state["framesPresented"] = framesPresented_;
     state["reloads"] = reloads_;
     state["loadMilliseconds"] = loadMilliseconds_;
     state["firstDrawMilliseconds"] = firstDrawMilliseconds_;
     state["editToPictureMilliseconds"] = editToPicture_;
-    state["mode"] = static_cast<int>(ui_.mode);
-    state["typing"] = ui_.typing;
-    state["notice"] = ui_.notice;
-    state["hardcopyMessage"] = ui_.hardcopy.message;
+    state["mode"] = static_cast<int>(ui.mode);
+    state["typing"] = ui.typing;
+    state["notice"] = ui.notice;
+    state["hardcopyMessage"] = ui.hardcopy.message;
     state["lightTheme"] = lightTheme_;
-    state["inspected"] = ui_.inspector.hovered;
-    if (ui_.noise.isOpen)
-        state["noise"] = {{"command", noiseCommand(ui_.noise.noise, ui_.noise.file.data())},
-                          {"point", ui_.noise.chosen},
-                          {"message", ui_.noise.message}};
-    state["lensWords"] = ui_.lensWords;
-    if (ui_.cost)
-        state["cost"] = {{"frames", ui_.cost->frames}, {"milliseconds", ui_.cost->millisecondsAFrame}};
-    state["waiting"] = framesWanted_ <= 0 && !session_.isMoving() && replayed_ >= replay_.size();
+    state["inspected"] = ui.inspector.hovered;
+    state["waiting"] = framesWanted_ <= 0 && !session().isMoving() && replayed_ >= replay_.size();
     timespec cpu{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
     state["cpuSeconds"] = static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * 1e-9;
-    state["widgets"] = ui_.widgets;
+    addPanels(state, ui);
+    state["widgets"] = ui.widgets;
     const std::string text = state.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (text != writtenState_)
         image::writeFileAtomically(arguments_.stateFile, std::as_bytes(std::span(text)));
@@ -302,29 +353,49 @@ void Window::writeState() {
 }
 
 void Window::remember() {
-    std::tie(ui_.settings.windowWidth, ui_.settings.windowHeight) = display_.size();
-    writeSettings(ui_.settings, settingsFile());
+    std::tie(shared_.settings.windowWidth, shared_.settings.windowHeight) = display_.size();
+    writeSettings(shared_.settings, settingsFile());
+}
+
+void Window::openFirst() {
+    for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
+    tabs_.show(0);
+    followTab();
+    shared_.examples.isOpen = arguments_.scenes.empty() && replay_.empty();
+    if (!session().hasScene()) return;
+    for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
+    Clock clock = session().clock();
+    clock.setTime(arguments_.options.time);
+    clock.play(!arguments_.paused);
+    session().setClock(clock);
+    session().setAxes(arguments_.options.axes);
+    session().setView(arguments_.options.viewState);
+    ui().history.clear();
+    ui().history.record(session());
+}
+
+void Window::setSize() {
+    const Settings& settings = shared_.settings;
+    if (!session().hasScene()) return;
+    if (arguments_.options.width == 0 && settings.windowWidth > 0)
+        return display_.setSize(settings.windowWidth, settings.windowHeight);
+    const scene::Scene& scene = session().live().scene();
+    const int width = arguments_.options.width > 0 ? arguments_.options.width : scene.width;
+    const int height = arguments_.options.height > 0 ? arguments_.options.height : scene.height;
+    const float panel = settings.panelWidth > 0 ? settings.panelWidth : 380 * ui().scale;
+    display_.setSize(width + static_cast<int>(panel), height);
 }
 
 Diagnostics Window::run() {
-    if (!arguments_.scene.empty()) openScene(arguments_.scene);
-    if (session_.hasScene() && arguments_.options.width == 0 && ui_.settings.windowWidth > 0) {
-        display_.setSize(ui_.settings.windowWidth, ui_.settings.windowHeight);
-    } else if (session_.hasScene()) {
-        const int width =
-            arguments_.options.width > 0 ? arguments_.options.width : session_.live().scene().width;
-        const int height =
-            arguments_.options.height > 0 ? arguments_.options.height : session_.live().scene().height;
-        const float panel = ui_.settings.panelWidth > 0 ? ui_.settings.panelWidth : 380 * ui_.scale;
-        display_.setSize(width + static_cast<int>(panel), height);
-    }
+    openFirst();
+    setSize();
     while (display_.isOpen()) {
         waitForWork();
-        takeChanges();
         takeRequests();
-        if (framesWanted_ > 0 || session_.isMoving() || replayed_ < replay_.size()) drawFrame();
+        takeChanges();
+        if (framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size()) drawFrame();
         writeState();
-        if (!replay_.empty() && replayed_ >= replay_.size()) display_.close();
+        if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }
     remember();
     return std::move(setProblems_);

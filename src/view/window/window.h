@@ -1,5 +1,5 @@
 #pragma once
-// The window program: one session, its panels, and the loop that draws only what changed.
+// The window program: a session a tab, their panels, and the loop that draws only what changed.
 
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
@@ -11,9 +11,9 @@
 namespace glibra::view {
 
 struct WindowArguments {
-    std::filesystem::path scene;   ///< may be empty
-    std::vector<std::string> set;  ///< "NAME=VALUE"
-    RenderOptions options;         ///< width and height: of the picture
+    std::vector<std::filesystem::path> scenes;  ///< a tab each
+    std::vector<std::string> set;               ///< "NAME=VALUE", for the first
+    RenderOptions options;                      ///< width and height: of the picture
     bool paused = false;
     std::filesystem::path stateFile;  ///< JSON, written after every frame that changed it
     std::filesystem::path recordFile, replayFile;

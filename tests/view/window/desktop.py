@@ -34,15 +34,17 @@ class Desktop:
 
 
 class Window:
-    """`glibra view SCENE ARGUMENTS...`, with a folder of its own for settings and state."""
+    """`glibra view SCENE ARGUMENTS...`, with a folder of its own for settings, pictures and state; without a scene if
+    that is None."""
 
-    def __init__(self, desktop, program, scene, *arguments, settings=None):
+    def __init__(self, desktop, program, scene, *arguments, settings=None, variables=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="glibra-window-"))
         self.state_file = self.folder / "state.json"
         self.settings = settings or self.folder
-        self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings))
+        self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings),
+                                XDG_CACHE_HOME=str(self.folder / "cache"), **(variables or {}))
         self.process = subprocess.Popen(
-            [program, "view", str(scene), "--state", str(self.state_file), *arguments],
+            [program, "view", *([str(scene)] if scene else []), "--state", str(self.state_file), *arguments],
             env=self.environment, stderr=subprocess.PIPE, text=True)
         self.wait(lambda s: s["framesPresented"] >= 3 or s["moving"])
         self.id = self.xdotool("search", "--sync", "--onlyvisible", "--pid", str(self.process.pid)).split()[-1]

@@ -1,0 +1,54 @@
+// The open scenes, a tab each, above the picture.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+#include "view/window/ui.h"
+
+namespace glibra::view {
+
+void tabBar(Ui& ui, Rectangle& free) {
+    if (ui.shared.tabs.size() < 2) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4 * ui.scale, 3 * ui.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    const float height = ImGui::GetFrameHeight() + 6 * ui.scale;
+    ImGui::SetNextWindowPos({free[0], free[1]});
+    ImGui::SetNextWindowSize({free[2], height});
+    const bool isOpen =
+        ImGui::Begin("Scenes", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    if (isOpen && ImGui::BeginTabBar("scenes", ImGuiTabBarFlags_FittingPolicyScroll)) {
+        for (std::size_t i = 0; i < ui.shared.tabs.size(); ++i) {
+            const TabTitle& each = ui.shared.tabs[i];
+            ImGuiTabItemFlags flags = each.isUnsaved ? ImGuiTabItemFlags_UnsavedDocument : 0;
+            const bool isShown = i == ui.shared.shownTab;
+            if (ui.shared.tabChanged && isShown) flags |= ImGuiTabItemFlags_SetSelected;
+            bool stays = true;
+            if (each.hasError) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(.95F, .35F, .30F, 1));
+            const bool isChosen =
+                ImGui::BeginTabItem(fmt::format("{}###{}", each.label, each.id).c_str(), &stays, flags);
+            if (each.hasError) ImGui::PopStyleColor();
+            mark(ui, "tab/{}", i);
+            if (ImGui::IsItemHovered() && !each.path.empty()) ImGui::SetTooltip("%s", each.path.c_str());
+            if (isChosen) ImGui::EndTabItem();
+            if (isChosen && !isShown && !ui.shared.tabChanged) ui.requests.showTab = i;
+            if (!stays) ui.requests.closeTab = i;
+        }
+        if (ImGui::TabItemButton("+", ImGuiTabItemFlags_Trailing)) {
+            ui.shared.dialog.isWanted = true;
+            ui.shared.dialog.inNewTab = true;
+        }
+        mark(ui, "tab/new");
+        ui.shared.tabChanged = false;
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+    free[1] += height;
+    free[3] -= height;
+}
+
+}  // namespace glibra::view

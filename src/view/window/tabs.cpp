@@ -1,0 +1,141 @@
+#include "view/window/tabs.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path whole(const fs::path& file) {
+    std::error_code failure;
+    return fs::absolute(file, failure).lexically_normal();
+}
+
+std::set<std::string> missingNames(const LiveScene& live) {
+    std::set<std::string> names;
+    for (const scene::FileReference& each : live.scene().files)
+        if (each.path.empty()) names.insert(fs::path(each.name).filename().string());
+    return names;
+}
+
+}  // namespace
+
+Tabs::Tabs(gpu::Context& context, RenderOptions options, Shared& shared, float scale)
+    : context_(context), options_(std::move(options)), shared_(shared), scale_(scale) {
+    add();
+}
+
+std::size_t Tabs::find(const fs::path& scene) const {
+    const auto found = std::find_if(tabs_.begin(), tabs_.end(), [&](const std::unique_ptr<Tab>& each) {
+        return each->session.hasScene() && whole(each->session.path()) == whole(scene);
+    });
+    return static_cast<std::size_t>(found - tabs_.begin());
+}
+
+void Tabs::add() {
+    tabs_.push_back(std::make_unique<Tab>(context_, options_, shared_, nextId_++));
+    tabs_.back()->ui.scale = scale_;
+    show(tabs_.size() - 1);
+}
+
+void Tabs::show(std::size_t tab) {
+    if (tab >= tabs_.size()) return;
+    Ui& from = tabs_[std::min(shown_, tabs_.size() - 1)]->ui;
+    Ui& to = tabs_[tab]->ui;
+    to.showPanel = from.showPanel;
+    to.showHelp = from.showHelp;
+    to.showLabels = from.showLabels;
+    shown_ = tab;
+    shared_.tabChanged = true;
+}
+
+void Tabs::close(std::size_t tab) {
+    if (tab >= tabs_.size()) return;
+    std::vector<fs::path> gone;
+    for (const SourceFile& each : tabs_[tab]->ui.source.files) gone.push_back(each.path);
+    if (tabs_.size() == 1) add();
+    if (shown_ == tab) show(tab + 1 < tabs_.size() ? tab + 1 : tab - 1);
+    tabs_.erase(tabs_.begin() + static_cast<std::ptrdiff_t>(tab));
+    if (shown_ > tab) --shown_;
+    for (const fs::path& file : gone)
+        if (std::none_of(tabs_.begin(), tabs_.end(),
+                         [&](const std::unique_ptr<Tab>& each) { return uses(*each, file); }))
+            shared_.sources.erase(file);
+}
+
+bool Tabs::uses(const Tab& tab, const fs::path& file) const {
+    const std::vector<SourceFile>& files = tab.ui.source.files;
+    return std::any_of(files.begin(), files.end(), [&](const SourceFile& each) { return each.path == file; });
+}
+
+std::vector<fs::path> Tabs::unsaved(std::size_t tab) const {
+    std::vector<fs::path> files;
+    for (const auto& [path, source] : shared_.sources) {
+        if (!source.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
+        const auto users = std::count_if(tabs_.begin(), tabs_.end(),
+                                         [&](const std::unique_ptr<Tab>& each) { return uses(*each, path); });
+        if (users == 1) files.push_back(path);
+    }
+    return files;
+}
+
+std::vector<fs::path> Tabs::unsaved() const {
+    std::vector<fs::path> files;
+    for (const auto& [path, source] : shared_.sources)
+        if (source.isChanged()) files.push_back(path);
+    return files;
+}
+
+void Tabs::watch(FileWatch& watch) const {
+    std::vector<fs::path> files;
+    std::set<std::string> missing;
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        if (!each->session.hasScene()) continue;
+        const std::vector<fs::path> more = each->session.live().files();
+        files.insert(files.end(), more.begin(), more.end());
+        missing.merge(missingNames(each->session.live()));
+    }
+    watch.watch(files, missing);
+}
+
+bool Tabs::noteChanged(const std::vector<fs::path>& files) {
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        if (!each->session.hasScene()) continue;
+        const std::set<std::string> missing = missingNames(each->session.live());
+        std::set<fs::path> own;
+        for (const fs::path& file : each->session.live().files()) {
+            std::error_code failure;
+            own.insert(whole(file));
+            own.insert(fs::canonical(file, failure));
+        }
+        each->isOutdated =
+            each->isOutdated || std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+                return own.contains(file) || missing.contains(file.filename().string());
+            });
+    }
+    return shown().isOutdated;
+}
+
+void Tabs::writeTitles() {
+    shared_.tabs.resize(tabs_.size());
+    shared_.shownTab = shown_;
+    for (std::size_t i = 0; i < tabs_.size(); ++i) {
+        const Session& session = tabs_[i]->session;
+        TabTitle& title = shared_.tabs[i];
+        title.id = tabs_[i]->id;
+        // This is done at every frame; a path that stays is not copied.
+        if (title.label.empty() || title.path != session.path().native()) {
+            title.label = session.hasScene() ? session.path().stem().string() : "empty";
+            title.path = session.path().string();
+        }
+        title.hasError = hasError(session.diagnostics());
+        title.isUnsaved = std::any_of(shared_.sources.begin(), shared_.sources.end(), [&](const auto& each) {
+            return each.second.isChanged() && uses(*tabs_[i], each.first);
+        });
+    }
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,108 @@
+#include "view/edited_file.h"
+
+#include "scene_folder.h"
+
+namespace glibra::test {
+namespace {
+
+using view::EditedFile;
+
+/// Opens the file, appends to its text, saves it; what the file has then.
+std::string edited(const SceneFolder& folder, const std::string& before, const std::string& added) {
+    folder.write("a.frag", before);
+    EditedFile file(folder / "a.frag");
+    EXPECT_EQ(file.whyReadOnly(), "");
+    EXPECT_FALSE(file.isChanged());
+    file.text() += added;
+    EXPECT_TRUE(file.isChanged());
+    EXPECT_TRUE(file.save().empty());
+    EXPECT_FALSE(file.isChanged());
+    return folder.read("a.frag");
+}
+
+TEST(EditedFile, KeepsEveryByteThatWasNotEdited) {
+    const SceneFolder folder("");
+    EXPECT_EQ(edited(folder, "a\nb\n", "c"), "a\nb\nc");
+    EXPECT_EQ(edited(folder, "a\r\nb\r\n", "c\n"), "a\r\nb\r\nc\r\n");
+    EXPECT_EQ(edited(folder, "\xEF\xBB\xBF#version 330\n", "x"), "\xEF\xBB\xBF#version 330\nx");
+    EXPECT_EQ(edited(folder, "// gr\xC3\xB6\xC3\x9F er\n", "\xC3\xA4"), "// gr\xC3\xB6\xC3\x9F er\n\xC3\xA4");
+    EXPECT_EQ(edited(folder, "// gr\xF6\xDF er\n", "\xC3\xA4"), "// gr\xF6\xDF er\n\xE4")
+        << "Latin-1 stays it";
+    EXPECT_EQ(edited(folder, "// \xF6\n", "\xE2\x82\xAC"), "// \xC3\xB6\n\xE2\x82\xAC")
+        << "what Latin-1 does not have makes it UTF-8";
+    EXPECT_EQ(edited(folder, "", "void"), "void");
+}
+
+TEST(EditedFile, WhatItWouldDamageIsReadOnly) {
+    const SceneFolder folder("");
+    for (const std::string& each :
+         {std::string("a\0b", 3), std::string("a\r\nb\nc\r"), std::string("\xF0\x9F\x98\x80")}) {
+        folder.write("a.frag", each);
+        EditedFile file(folder / "a.frag");
+        EXPECT_NE(file.whyReadOnly(), "");
+        file.text() += "x";
+        EXPECT_FALSE(file.isChanged());
+        EXPECT_TRUE(file.save().empty());
+        EXPECT_EQ(folder.read("a.frag"), each);
+    }
+    EXPECT_NE(EditedFile(folder / "none.frag").whyReadOnly(), "");
+}
+
+TEST(EditedFile, TakesWhatOthersSaveWhileNothingIsTyped) {
+    const SceneFolder folder("", {{"a.frag", "one"}});
+    EditedFile file(folder / "a.frag");
+    EXPECT_FALSE(file.lookAtDisk());
+    folder.write("a.frag", "two");
+    EXPECT_TRUE(file.lookAtDisk());
+    EXPECT_EQ(file.text(), "two");
+    EXPECT_FALSE(file.hasConflict());
+    EXPECT_FALSE(file.isChanged());
+}
+
+TEST(EditedFile, AsksWhenBothHaveChanged) {
+    const SceneFolder folder("", {{"a.frag", "one"}});
+    EditedFile mine(folder / "a.frag");
+    EditedFile theirs(folder / "a.frag");
+    mine.text() = theirs.text() = "typed";
+    folder.write("a.frag", "another's");
+    EXPECT_TRUE(mine.save().empty());
+    EXPECT_TRUE(mine.hasConflict()) << "seen at the latest when it is saved";
+    EXPECT_EQ(folder.read("a.frag"), "another's");
+    EXPECT_TRUE(theirs.lookAtDisk());
+    EXPECT_TRUE(theirs.hasConflict());
+    EXPECT_EQ(theirs.text(), "typed");
+
+    theirs.takeDisk();
+    EXPECT_EQ(theirs.text(), "another's");
+    EXPECT_FALSE(theirs.hasConflict() || theirs.isChanged());
+
+    mine.keepMine();
+    EXPECT_FALSE(mine.hasConflict());
+    EXPECT_TRUE(mine.isChanged());
+    EXPECT_TRUE(mine.save().empty());
+    EXPECT_EQ(folder.read("a.frag"), "typed");
+}
+
+TEST(EditedFile, WhatSomebodyElseSavedInTheSameWordsIsNoConflict) {
+    const SceneFolder folder("", {{"a.frag", "one"}});
+    EditedFile file(folder / "a.frag");
+    file.text() = "two";
+    folder.write("a.frag", "two");
+    file.lookAtDisk();
+    EXPECT_FALSE(file.hasConflict());
+    EXPECT_FALSE(file.isChanged());
+}
+
+TEST(EditedFile, ADeletedFileIsWrittenAgain) {
+    const SceneFolder folder("", {{"a.frag", "one"}});
+    EditedFile file(folder / "a.frag");
+    std::filesystem::remove(folder / "a.frag");
+    EXPECT_FALSE(file.lookAtDisk());
+    EXPECT_EQ(file.text(), "one");
+    file.text() = "two";
+    EXPECT_TRUE(file.save().empty());
+    EXPECT_EQ(folder.read("a.frag"), "two");
+}
+
+}  // namespace
+}  // namespace glibra::test

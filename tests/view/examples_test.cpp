@@ -1,0 +1,119 @@
+// The list of examples with their pictures, and what a file dialog lists.
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
+#include "image/read.h"
+#include "scene_folder.h"
+#include "view/example_scenes.h"
+#include "view/folder_list.h"
+#include "view/thumbnails.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+using view::Thumbnail;
+
+TEST(ExampleScenes, AreAllThatShipWithTheirTopicsAndSummaries) {
+    const auto scenes = view::exampleScenes(GLIBRA_SOURCE_DIR);
+    ASSERT_GT(scenes.size(), 60U);
+    EXPECT_EQ(scenes.front().topic, "start") << "what to begin with";
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [](const view::ExampleScene& each) { return each.name == "ovalnoise"; });
+    ASSERT_NE(found, scenes.end());
+    EXPECT_EQ(found->topic, "patterns");
+    EXPECT_EQ(found->summary,
+              "OvalNoise: a teapot with elliptical spots whose outlines are shaken by noise.");
+    for (const view::ExampleScene& each : scenes) EXPECT_NE(each.summary, "") << each.file;
+}
+
+TEST(ExampleScenes, AreFoundFromTheProgramTheSceneOrTheRootsGiven) {
+    const SceneFolder folder("");
+    for (const char* each : {"mine/glib/a", "mine/shaders", "prefix/share/glibra/glib",
+                             "prefix/share/glibra/shaders", "prefix/lib/glibra"})
+        fs::create_directories(folder / each);
+    const fs::path mine = folder / "mine";
+    const fs::path scene = mine / "glib/a/x.glib";
+    const fs::path program = folder / "prefix/lib/glibra/glibra-view";
+    EXPECT_EQ(view::exampleRoot({mine}, {}, program), mine);
+    EXPECT_EQ(view::exampleRoot({mine / "glib"}, scene, program), folder / "prefix/share/glibra");
+    EXPECT_EQ(view::exampleRoot({}, scene, "/nowhere/program"), mine);
+    EXPECT_EQ(view::exampleRoot({}, {}, "/nowhere/program"), fs::path());
+}
+
+constexpr const char* kScene =
+    "WindowSize 64 64\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 .5\n";
+std::string fragment(const char* color) {
+    return std::string("#version 330\n#include \"color.glsl\"\nout vec4 c;\nvoid main() { c = vec4(") +
+           color + ", 1.); }\n";
+}
+
+TEST(Thumbnails, ShowTheSceneAndAreKept) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex},
+                                      {"a.frag", fragment("color()")},
+                                      {"color.glsl", "vec3 color() { return vec3(1., .5, 0.); }\n"}});
+    const fs::path cache = folder / "cache";
+    EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing);
+    const Thumbnail made = view::makeThumbnail(context(), cache, folder.scene(), {});
+    ASSERT_EQ(made.state, Thumbnail::State::ready) << made.problem;
+    const auto picture = image::readImage(made.picture);
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->width, view::kThumbnailWidth);
+    EXPECT_EQ(picture->height, view::kThumbnailHeight);
+    const std::byte* middle = picture->row(picture->height / 2).data() + 4 * (picture->width / 2);
+    EXPECT_EQ(std::to_integer<int>(middle[0]), 255);
+    EXPECT_EQ(std::to_integer<int>(middle[1]), 128);
+
+    EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::ready);
+    fs::last_write_time(folder / "a.vert", fs::file_time_type::clock::now() + std::chrono::hours(1));
+    EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::ready)
+        << "the content counts, not the time";
+    folder.write("color.glsl", "vec3 color() { return vec3(0., .5, 0.); }\n");
+    fs::last_write_time(folder / "color.glsl", fs::file_time_type::clock::now() + std::chrono::hours(1));
+    EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing)
+        << "an included file has changed";
+}
+
+TEST(Thumbnails, OfAWrongSceneAreNotTriedAgainUntilItChanges) {
+    const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", "void main() { oops }\n"}});
+    const fs::path cache = folder / "cache";
+    EXPECT_EQ(view::makeThumbnail(context(), cache, folder.scene(), {}).state, Thumbnail::State::failed);
+    const Thumbnail known = view::findThumbnail(cache, folder.scene());
+    EXPECT_EQ(known.state, Thumbnail::State::failed);
+    EXPECT_NE(known.problem.find("a.frag"), std::string::npos) << known.problem;
+    folder.write("a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n");
+    EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing);
+    EXPECT_EQ(view::makeThumbnail(context(), cache, folder.scene(), {}).state, Thumbnail::State::ready);
+}
+
+TEST(Thumbnails, ADamagedCacheIsMadeAnew) {
+    const SceneFolder folder(
+        kScene,
+        {{"a.vert", kPlainVertex}, {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
+    const fs::path cache = folder / "cache";
+    ASSERT_EQ(view::makeThumbnail(context(), cache, folder.scene(), {}).state, Thumbnail::State::ready);
+    for (const char* text :
+         {"", "{", "[1]", R"({"version": 1, "files": 3})", R"({"version": 1, "files": [{"file": 5}]})"}) {
+        for (const auto& each : fs::directory_iterator(cache))
+            if (each.path().extension() == ".json") std::ofstream(each.path()) << text;
+        EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing) << text;
+    }
+}
+
+TEST(FolderList, HasFoldersFirstAndOnlyScenes) {
+    const SceneFolder folder("");
+    for (const char* each : {"b.glib", "A.GLIB", "c.frag", ".hidden.glib"}) folder.write(each, "x");
+    for (const char* each : {"Zoo", "apple", ".git"}) fs::create_directory(folder / each);
+    const view::FolderList list = view::listFolder(folder / "apple" / "..", ".glib");
+    EXPECT_EQ(list.problem, "");
+    std::string names;
+    for (const view::FolderEntry& each : list.entries) names += each.name + (each.isFolder ? "/ " : " ");
+    EXPECT_EQ(names, "apple/ Zoo/ A.GLIB b.glib scene.glib ");
+    EXPECT_EQ(list.folder, (folder / "x").parent_path());
+    EXPECT_NE(view::listFolder(folder / "none", ".glib").problem, "");
+}
+
+}  // namespace
+}  // namespace glibra::test
