@@ -201,6 +201,9 @@ constexpr CatalogueRow kRows[] = {
      "no display to open a window on (X11: The DISPLAY environment variable is missing); `glibra render "
      "SCENE` "
      "makes a picture without one"},
+    {"view-W01", Severity::warning,
+     "Sphere is left out of the view 'texture coordinates': its stages pass no vST on to the fragment "
+     "stage"},
 };
 
 }  // namespace
