@@ -26,7 +26,7 @@ struct Measured {
 };
 struct SceneRow {
     std::string name;
-    Measured byDefault, chosen, allChosen, fine;
+    Measured byDefault{}, chosen{}, allChosen{}, fine{};
 };
 
 class Measuring {

@@ -15,7 +15,7 @@ namespace {
 
 // In units of the SVG's own coordinates.
 constexpr double kWidth = 560, kHeight = 380;
-constexpr double kLeft = 66, kRight = 14, kTop = 12, kBottom = 50;
+constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 50;
 constexpr double kSign = 4.2;  ///< half the size of a point's sign
 constexpr std::size_t kStyles = 8;
 
@@ -89,16 +89,17 @@ std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
            labels + "</g>";
 }
 
+/// The name of the upward axis lies above it, where there is room for long ones.
 std::string axisNames(const Figure& figure, Abscissa abscissa) {
     const std::string across = abscissa == Abscissa::setting ? figure.settingName : "time in seconds";
     const std::string up = figure.errorUnit.empty()
                                ? figure.errorName
                                : fmt::format("{} ({})", figure.errorName, figure.errorUnit);
-    const double middle = kTop + (kHeight - kBottom - kTop) / 2;
     return fmt::format(
         "<g class=\"names\"><text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
-        "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text></g>",
-        kLeft + (kWidth - kRight - kLeft) / 2, kHeight - 12, escapeHtml(across), middle, escapeHtml(up));
+        "<text x=\"{}\" y=\"{}\">{}</text></g>",
+        kLeft + (kWidth - kRight - kLeft) / 2, kHeight - 12, escapeHtml(across), kLeft, kTop - 10,
+        escapeHtml(up));
 }
 
 std::string pathThrough(const std::vector<Placed>& points, std::string_view style) {

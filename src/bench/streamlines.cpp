@@ -133,9 +133,9 @@ Figure streamlineFigure(const Bench& bench) {
     figure.name = "streamlines";
     figure.title = "A streamline past a dipole";
     figure.settingName = "evaluations of the field";
-    figure.errorName = "largest distance from the streamline's point at that time";
+    figure.errorName = "largest distance on the way";
     figure.errorUnit = "radii of the start";
-    figure.reference = "the solution in closed form, z(t) = z0 / (1 - z0 t)";
+    figure.reference = "the solution in closed form at the time of every step, z(t) = z0 / (1 - z0 t)";
     constexpr Method kMethods[] = {{"Euler", euler},
                                    {"midpoint", midpoint},
                                    {"Runge-Kutta 4", rungeKutta<double>},

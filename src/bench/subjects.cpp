@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "bench/antialiasing.h"
+#include "bench/budget.h"
 #include "bench/builtins.h"
 #include "bench/curves.h"
 #include "bench/depth.h"
@@ -39,6 +40,7 @@ std::span<const Subject> subjects() {
         {"builtins", "GLSL functions: units in the last place, and what the specification allows",
          measureBuiltins},
         {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
+        {"budget", "A bound instead of counts: --max-error on the shipped scenes", measureBudget},
     };
     return table;
 }
