@@ -53,6 +53,7 @@ struct Sample {
 
 std::vector<Sample> samplesOf(int count) {
     std::vector<Sample> samples;
+    samples.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) samples.push_back({spread(i), exactNoise(spread(i))});
     return samples;
 }
@@ -151,9 +152,9 @@ Result<double> pictureError(const NoisePicture& picture, const NoisePlane& plane
     if (!pixels) return std::move(pixels.diagnostics);
     double sum = 0;
     const int side = picture.side();
+    const float* found = pixels->data();
     for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const float* found = pixels->data() + (row * side + column) * noise::kOctaves;
+        for (int column = 0; column < side; ++column, found += noise::kOctaves) {
             const double all = std::accumulate(found, found + noise::kOctaves, 0.);
             sum += std::pow(all - sumOf(exactNoise(picture.place(plane, column, row))), 2);
         }
@@ -260,14 +261,11 @@ Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, g
     Result<std::vector<float>> pixels = picture.pixels();
     if (!pixels) return std::move(pixels.diagnostics);
     double largest = 0;
+    const float* found = pixels->data();
     for (int row = 0; row < picture.side(); ++row)
-        for (int column = 0; column < picture.side(); ++column) {
-            const Octaves wanted = exactNoise(picture.place(plane, column, row));
-            for (std::size_t i = 0; i < wanted.size(); ++i) {
-                const auto pixel = static_cast<std::size_t>(row * picture.side() + column);
-                largest = std::max(largest, std::abs((*pixels)[pixel * noise::kOctaves + i] - wanted[i]));
-            }
-        }
+        for (int column = 0; column < picture.side(); ++column)
+            for (const double wanted : exactNoise(picture.place(plane, column, row)))
+                largest = std::max(largest, std::abs(*found++ - wanted));
     return kByte * largest;
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 /// Place of b(i,j,k) with i + j + k = degree among all, i falling, then j falling.
 std::size_t placeOf(int degree, int i, int j) {
-    const int row = degree - i;
-    return static_cast<std::size_t>(row * (row + 1) / 2 + (row - j));
+    const auto row = static_cast<std::size_t>(degree - i);
+    return row * (row + 1) / 2 + row - static_cast<std::size_t>(j);
 }
 
 }  // namespace

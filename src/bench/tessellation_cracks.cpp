@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
+#include <span>
 #include <string>
 
 #include "bench/fit.h"
@@ -58,24 +58,23 @@ ControlPoints turnedTeapot() {
 }
 
 std::array<glm::vec3, 4> pointsOf(const ControlPoints& points, const Edge& edge) {
-    const auto at = [&](int row, int column) {
-        return points[static_cast<std::size_t>(edge.patch * 16 + row * 4 + column)];
-    };
+    const std::span<const glm::vec3> patch =
+        std::span(points).subspan(16 * static_cast<std::size_t>(edge.patch), 16);
+    const auto at = [&](std::size_t row, std::size_t column) { return patch[row * 4 + column]; };
     std::array<glm::vec3, 4> along;
-    for (int i = 0; i < 4; ++i) {
-        const auto place = static_cast<std::size_t>(i);
+    for (std::size_t place = 0; place < 4; ++place) {
         switch (edge.side) {
             case Side::left:
-                along[place] = at(i, 0);
+                along[place] = at(place, 0);
                 break;
             case Side::right:
-                along[place] = at(i, 3);
+                along[place] = at(place, 3);
                 break;
             case Side::bottom:
-                along[place] = at(0, i);
+                along[place] = at(0, place);
                 break;
             case Side::top:
-                along[place] = at(3, i);
+                along[place] = at(3, place);
                 break;
         }
     }
@@ -257,7 +256,7 @@ Result<Figure> levelGaps(const Bench& bench, const gpu::Capabilities& capabiliti
                   .errorUnit = "teapot units",
                   .reference = "the other side's polyline, in double; equal levels leave no gap"};
     const ControlPoints all = turnedTeapot();
-    constexpr std::size_t kFirst = geometry::kTeapotSpout * 16;
+    constexpr std::size_t kFirst = 16 * std::size_t{geometry::kTeapotSpout};
     const std::span<const glm::vec3> points = std::span(all).subspan(kFirst, 16);
     const std::vector<float> levels = bench.isQuick()
                                           ? std::vector<float>{1, 2, 4, 8, 16, 32}
