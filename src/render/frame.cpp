@@ -300,8 +300,9 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
     const Bounds* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
     if (!bounds) return false;
-    const Lens lens = lensOf(*planned.draw, planned.submission.topology, view_,
-                             {width_, height_, tile_, windowSamples_}, context_.capabilities());
+    const Lens lens =
+        lensOf(*planned.draw, planned.submission.topology, view_,
+               {width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)}, context_.capabilities());
     return sightOf(placed(*bounds, built.interface.facts.placement), lens) != Sight::possible;
 }
 

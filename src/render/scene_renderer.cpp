@@ -124,12 +124,12 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
     if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
-    Screen screen{width, height, {0, 0, width, height}, options.samples};
+    Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
     if (!pass.targets.empty()) {
         const scene::Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
         const auto* size = std::get_if<scene::EmptySource>(&target.source);
         if (!size) return {};
-        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1};
+        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, false};
     }
     const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), diagnostics);
     const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());

@@ -149,11 +149,12 @@ Lens lensOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatr
     lens.height = screen.height;
     lens.tile = screen.tile;
     lens.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
-    lens.oneSample = screen.samples <= 1;
+    lens.oneSample = screen.samples <= 1 && !screen.mayShift;
     if (topology == Topology::points)
         lens.reach = (draw.raster.pointSizeFromShader ? driver.maxPointSize : draw.raster.pointSize) / 2 + 1;
     else if (!lens.filled)
         lens.reach = draw.raster.lineWidth / 2 + 1;
+    if (screen.mayShift) lens.reach += 1;
     return lens;
 }
 

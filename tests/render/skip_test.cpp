@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
+#include "render/scene_renderer.h"
 #include "skip_runs.h"
 
 namespace glibra::test {
@@ -165,6 +167,29 @@ TEST(SkipRule, NoTriangleSmallerThanTheGapsBetweenPixels) {
     EXPECT_EQ(drawBothWays(scene(program("red") + "Sphere .001\n"), manySamples).skipping.calls.draws, 1U);
     EXPECT_EQ(drawBothWays(scene(program("red") + "PointSize 3\nPointCloud 1 1 1\n")).skipping.calls.draws,
               1U);
+}
+
+TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
+    // A ball at the corner of four pixels, and one just right of the picture.
+    const SceneFolder folder(
+        "WindowSize 64 64\nOrtho -1 1 -1 1\nLookAt 0 0 2  0 0 0  0 1 0\nVertex a.vert\n" + program("red") +
+            "Sphere .004\nTranslate 1.01 .01 0\nSphere .009\n",
+        kFiles);
+    RenderOptions options;
+    options.tileSize = 4096;
+    std::array<std::vector<std::byte>, 2> pixels;
+    for (const bool skip : {true, false}) {
+        options.skip = skip;
+        render::Stats stats;
+        auto loaded = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
+        ASSERT_TRUE(loaded);
+        loaded->setShift(-.45, .45);
+        auto picture = loaded->draw(0, stats);
+        ASSERT_TRUE(picture);
+        pixels[skip ? 0 : 1] = std::move(picture->data);
+    }
+    EXPECT_TRUE(pixels[0] == pixels[1]);
+    EXPECT_NE(std::count(pixels[1].begin(), pixels[1].end(), std::byte{255}), 0) << "the ball covers a pixel";
 }
 
 TEST(SkipRule, ADrawWhoseProgramMovesItIsDrawnWhereverItsMeshLies) {
