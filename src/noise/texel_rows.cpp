@@ -6,7 +6,7 @@
 // The compiler makes the loops below for several kinds of processor, and the loader takes the best one. All
 // give the same bits: the operations and their order are the same, and nothing is fused.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
-    !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define GLIBRA_FOR_EACH_PROCESSOR [[gnu::target_clones("default", "avx2", "avx512f")]]
 #else
 #define GLIBRA_FOR_EACH_PROCESSOR
