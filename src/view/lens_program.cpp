@@ -51,8 +51,9 @@ std::string versionLine(std::string_view source) {
     return std::string(source.substr(at, source.find('\n', at) - at)) + "\n";
 }
 
-/// The source with its main under another name, which `main` calls.
-std::string wrapped(std::string_view source, std::string_view declarations, std::string_view body) {
+/// The source with its main under another name, which `main` calls between `before` and `after`.
+std::string wrapped(std::string_view source, std::string_view declarations, std::string_view before,
+                    std::string_view after) {
     const std::size_t at = source.find("#version");
     const std::size_t behind =
         at == std::string_view::npos ? 0 : std::min(source.size(), source.find('\n', at) + 1);
@@ -61,8 +62,10 @@ std::string wrapped(std::string_view source, std::string_view declarations, std:
     text += source.substr(behind);
     text += "\n#undef main\n";
     text += declarations;
-    text += "void main() {\n    glibra_sceneMain();\n";
-    text += body;
+    text += "void main() {\n";
+    text += before;
+    text += "    glibra_sceneMain();\n";
+    text += after;
     text += "}\n";
     return text;
 }
@@ -77,7 +80,7 @@ constexpr std::string_view kEyeOfFragment =
 /// What is added to a fragment stage.
 struct Addition {
     std::string declarations = "layout(location = 7) out vec4 glibra_lens;\n";
-    std::string body;
+    std::string before, body;
 };
 
 Addition fragmentAddition(std::string_view source, Lens lens, LensStages stages, bool isVertexAlone) {
@@ -98,12 +101,15 @@ Addition fragmentAddition(std::string_view source, Lens lens, LensStages stages,
         case Lens::facing:
             add.body = "    glibra_lens = vec4(gl_FrontFacing ? 1. : 0., 0., 0., 1.);\n";
             break;
-        case Lens::depth:
+        case Lens::depth: {
+            // It may be written under a condition.
+            const bool maySetDepth = hasWord(source, "gl_FragDepth");
             add.declarations += kEyeOfFragment;
-            add.body = std::string("    float depth = ") +
-                       (hasWord(source, "gl_FragDepth") ? "gl_FragDepth" : "gl_FragCoord.z") +
+            if (maySetDepth) add.before = "    gl_FragDepth = gl_FragCoord.z;\n";
+            add.body = std::string("    float depth = ") + (maySetDepth ? "gl_FragDepth" : "gl_FragCoord.z") +
                        ";\n    glibra_lens = vec4(depth, -glibra_lensEye(depth).z, 0., 1.);\n";
             break;
+        }
         default:
             add.body = "    glibra_lens = vec4(1.);\n";
     }
@@ -164,16 +170,16 @@ std::optional<LensProgram> makeLensProgram(const gpu::Context& context, const re
         std::string source = each.source;
         const std::string version = versionLine(source);
         if (each.stage == glsl::Stage::vertex && isVertexAlone && asLines)
-            source = wrapped(source, kNormalDeclarations, kNormalBody);
+            source = wrapped(source, kNormalDeclarations, "", kNormalBody);
         if (each.stage == glsl::Stage::vertex && isVertexAlone && !asLines && lens == Lens::coordinates)
-            source = wrapped(source, "in vec4 glibra_lensCoordinates;\nout vec4 glibra_lensST;\n",
+            source = wrapped(source, "in vec4 glibra_lensCoordinates;\nout vec4 glibra_lensST;\n", "",
                              "    glibra_lensST = glibra_lensCoordinates;\n");
         if (each.stage == glsl::Stage::fragment && asLines) {
             sources.emplace_back(GL_GEOMETRY_SHADER, normalsGeometry(version, isVertexAlone));
             source = version + std::string(lens_shaders::normals_frag());
         } else if (each.stage == glsl::Stage::fragment) {
             const Addition add = fragmentAddition(source, lens, stages, isVertexAlone);
-            source = wrapped(source, add.declarations, add.body);
+            source = wrapped(source, add.declarations, add.before, add.body);
             const Addition alone = fragmentAddition("", lens, stages, isVertexAlone);
             ownFragment = version + alone.declarations + "void main() {\n" + alone.body + "}\n";
         }

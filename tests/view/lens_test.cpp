@@ -108,15 +108,17 @@ TEST(Lens, DepthIsTheWindowsAndTheDistanceFromTheEye) {
     EXPECT_EQ(numbersAt(session, 1, 1)[3], 0);
 }
 
-TEST(Lens, DepthIsTheOneThatAFragmentStageWrites) {
-    const SceneFolder folder(kHead + kProgram + "QuadXY 0 1\n",
-                             {{"a.vert", kPlainVertex},
-                              {"a.frag",
-                               "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); gl_FragDepth = .125; "
-                               "}\n"}});
+TEST(Lens, DepthIsTheOneThatAFragmentStageWritesWhereItDoes) {
+    const SceneFolder folder(
+        kHead + kProgram + "QuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag",
+          "#version 330\nout vec4 c;\nvoid main() { c = vec4(1.); if (gl_FragCoord.x > 20.) gl_FragDepth = "
+          ".125; }\n"}});
     Session session(context(), {});
     show(session, folder, Lens::depth);
-    EXPECT_NEAR(numbersAt(session, 20, 20)[0], .125F, 1e-6F);
+    EXPECT_NEAR(numbersAt(session, 30, 20)[0], .125F, 1e-6F);
+    EXPECT_NEAR(numbersAt(session, 10, 20)[0], .5F, 1e-6F);
 }
 
 TEST(Lens, CoordinatesAreThoseOfTheMeshAlsoWhereNoStageReadsThem) {

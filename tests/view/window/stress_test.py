@@ -89,7 +89,8 @@ class Stress(WindowTest):
         suppressions = f"suppressions={SOURCES / 'tests/lsan.supp'}:print_suppressions=0"
         environment = dict(self.desktop.environment, EDITOR="true", VISUAL="true", GLIBRA_PATH=str(SOURCES),
                            XDG_CONFIG_HOME=str(self.files / "settings"), LSAN_OPTIONS=suppressions,
-                           ASAN_OPTIONS="detect_stack_use_after_return=1")
+                           ASAN_OPTIONS="detect_stack_use_after_return=1",
+                           LD_PRELOAD=os.environ.get("GLIBRA_PRELOAD", ""))
         for part in range(PARTS):
             with self.subTest(part=part):
                 script = self.files / "random.jsonl"
