@@ -48,7 +48,8 @@ class Measuring {
 
         Result<image::Image> reference = scenePicture(context_, scene_.path, enlarged(fine));
         if (!reference) return std::move(reference.diagnostics);
-        SceneRow row{.name = scene_.name};
+        SceneRow row;
+        row.name = scene_.name;
         for (const auto& [options, to] : {std::pair(plain, &row.byDefault), std::pair(chosen, &row.chosen),
                                           std::pair(allChosen, &row.allChosen), std::pair(fine, &row.fine)}) {
             const Result<image::Image> large = scenePicture(context_, scene_.path, enlarged(options));
