@@ -333,10 +333,10 @@ class Suites(ScenesTest):
         suite = self.files / "pictures.toml"
         window.move(20, 20)
         width, height, screen = window.pixels()
-        self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], stdout=subprocess.DEVNULL,
+        self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], cwd=suite.parent, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL).returncode, 1, "there is no golden yet")
         for arguments in (["--update"], []):
-            done = subprocess.run([PROGRAM, "test", str(suite), *arguments], text=True, stdout=subprocess.PIPE,
+            done = subprocess.run([PROGRAM, "test", str(suite), *arguments], cwd=suite.parent, text=True, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
             self.assertEqual(done.returncode, 0, done.stdout)
         golden = self.files / "golden/pictures/one.png"
