@@ -8,6 +8,7 @@
 
 #include "gpu/uniform.h"
 #include "plan/uniform_names.h"
+#include "render/sight.h"
 
 namespace glibra::render {
 namespace {
@@ -42,13 +43,6 @@ GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
 
-/// Fraction of the period that has passed. The remainder is exact, after any time; the largest float below 1
-/// keeps what rounds up from becoming 1.
-double timerAt(double time, double period) {
-    const double rest = std::fmod(time, period);
-    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
-}
-
 /// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
 /// in 22.3.6): beyond 65,536 of them triangles join the wrong ones. At the highest level a patch has (level +
 /// 1)^2 vertices. A program that reads the number of its patch gets all of them in one draw, since each draw
@@ -71,6 +65,12 @@ void enable(GLenum capability, bool on) {
 }
 
 }  // namespace
+
+double timerAt(double time, double period) {
+    // The remainder is exact, after any time; the largest float below 1 keeps what rounds up from becoming 1.
+    const double rest = std::fmod(time, period);
+    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
+}
 
 FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
                          const ProgramLibrary& programs, DeviceScene& device, Stats& stats)
@@ -224,11 +224,12 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
             const double width = tile_.width;
             const double height = tile_.height;
             const std::array<double, 4> part{width_ / width, height_ / height,
-                                             (width_ - 2.0 * tile_.x - width) / width,
-                                             (height_ - 2.0 * tile_.y - height) / height};
+                                             (width_ - 2.0 * (tile_.x - shift_.x) - width) / width,
+                                             (height_ - 2.0 * (tile_.y - shift_.y) - height) / height};
             gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
         } else if (uniform.name == "glibra_TileOrigin") {
-            const std::array<double, 2> origin{isWindow ? tile_.x : 0.0, isWindow ? tile_.y : 0.0};
+            const std::array<double, 2> origin{isWindow ? tile_.x - shift_.x : 0.0,
+                                               isWindow ? tile_.y - shift_.y : 0.0};
             gpu::setUniform(*built.program, uniform, origin);
         }
     }
@@ -296,6 +297,15 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
 }
 
+bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
+    const Bounds* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
+    if (!bounds) return false;
+    const Lens lens =
+        lensOf(*planned.draw, planned.submission.topology, view_,
+               {width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)}, context_.capabilities());
+    return sightOf(placed(*bounds, built.interface.facts.placement), lens) != Sight::possible;
+}
+
 const BuiltProgram* FrameDrawer::ownProgramOf(const plan::PlannedDraw& planned) const {
     const BuiltProgram* own =
         programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
@@ -330,6 +340,10 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     if (drawnWith == nullptr) return diagnostics;
     const BuiltProgram& built = *drawnWith;
     const bool isUsable = ownProgramOf(planned) != nullptr;
+    if (isWindow && isUsable && isOutOfTile(planned, built)) {
+        stats_.add("draws out of their tile", 1);
+        return diagnostics;
+    }
     context_.debugLog().setPlace(draw.place);
     built.program->use();
     const double aspect = isWindow ? static_cast<double>(width_) / height_

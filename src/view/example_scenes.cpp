@@ -56,7 +56,7 @@ fs::path exampleRoot(const std::vector<fs::path>& roots, const fs::path& scene, 
         if (isRoot(each)) return each;
     for (const fs::path& each : {program, scene})
         if (!each.empty())
-            if (const fs::path root = rootAbove(each); !root.empty()) return root;
+            if (fs::path root = rootAbove(each); !root.empty()) return root;
     return {};
 }
 

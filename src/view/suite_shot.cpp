@@ -93,7 +93,7 @@ std::string shotText(const Session& session, const std::string& name, const fs::
     const RenderOptions options = session.renderOptions();
     std::string text = fmt::format("[[shot]]\nname = {}\nscript = {}\nsize = [{}, {}]\n", tomlText(name),
                                    tomlText(session.path(), folder), options.width, options.height);
-    if (options.time != 0) text += fmt::format("time = {}\n", options.time);
+    if (options.time != 0 && session.live().isAnimated()) text += fmt::format("time = {}\n", options.time);
     if (!options.set.empty()) text += "set = { " + setText(options.set) + " }\n";
     if (options.view == ViewPolicy::glman) text += "view = \"glman\"\n";
     text += viewText(options.viewState);
@@ -119,7 +119,7 @@ Diagnostics appendShot(const fs::path& suite, const std::string& name, const Ses
 }
 
 std::string freeShotName(const fs::path& suite, const Session& session) {
-    const std::string name = suite::nameOfScene(session.path().filename().string());
+    std::string name = suite::nameOfScene(session.path().filename().string());
     const Result<suite::Suite> read = suite::readSuiteText(contentOf(suite), suite);
     const auto isTaken = [&](const std::string& wanted) {
         return read && std::any_of(read->shots.begin(), read->shots.end(),

@@ -65,6 +65,10 @@ TEST(SuiteShot, KnowsWhichProgramAValueBelongsTo) {
     const SceneFolder folder(kTwoPrograms, {{"a.vert", kPlainVertex}, {"a.frag", kFragment}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
+    view::Clock clock = session.clock();
+    clock.setTime(3);
+    session.setClock(clock);
+    EXPECT_EQ(view::shotText(session, "still", ".").find("time"), std::string::npos) << "nothing reads it";
     session.setValue(2, {.75});
     ASSERT_EQ(session.knobs().at(2).tag, "uR");
     session.setValue(knobIndex(session, "uB"), {1});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "view/window/code_colors.h"
@@ -230,6 +231,9 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<c
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
     std::vector<std::size_t> starts = lineStarts(text);
+    // Somebody else may have made it shorter.
+    view.cursor = std::clamp(view.cursor, 0, static_cast<int>(text.size()));
+    view.line = lineOf(starts, view.cursor);
     const float lineHeight = ImGui::GetFontSize();
     const float digit = ImGui::CalcTextSize("0").x;
     float longest = 0;
@@ -274,7 +278,8 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<c
         starts[static_cast<std::size_t>(view.line - 1)],
         static_cast<std::size_t>(view.cursor) - starts[static_cast<std::size_t>(view.line - 1)]);
     view.column = charactersIn(before) + 1;
-    if (view.isActive && (view.cursor != cursorBefore || isChanged || goes))
+    const bool isLower = std::exchange(view.height, seen.y) > seen.y;
+    if (view.isActive && (view.cursor != cursorBefore || isChanged || goes || isLower))
         reveal(layout, view.line, widthOf(before), goes);
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "view/code_paint.h"
+
 namespace glibra::view {
 
 /// A message about a line, counted from 1.
@@ -23,9 +25,8 @@ struct CodeView {
     std::optional<int> goTo;           ///< a line that is to be shown, and to get the cursor
     int generation = 0;                ///< counted up when somebody else than the widget changes the text
     int cursor = 0, previousSize = 0;  ///< bytes
+    float height = 0;                  ///< of what was seen
 };
-
-enum class Dialect { glsl, glib };
 
 /// Fills what is left of the current window but `below` pixels. True if the user changed the text. `name`
 /// tells widgets apart.

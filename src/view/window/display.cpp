@@ -72,7 +72,9 @@ Result<Display> Display::open(int width, int height, const std::string& title) {
     glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int modifiers) {
         auto& all = *static_cast<Events*>(glfwGetWindowUserPointer(at));
         all.active = true;
-        if (action == GLFW_PRESS) all.pressed.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0});
+        if (action == GLFW_PRESS)
+            all.pressed.push_back(
+                {key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
     });
     glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int) {
         static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;

@@ -49,7 +49,7 @@ class Display {
     /// A key that went down, also one that was up again before the next frame.
     struct KeyPress {
         int key = 0;  ///< GLFW's number
-        bool control = false;
+        bool control = false, shift = false;
     };
     std::vector<KeyPress> takePressedKeys();
     /// Files dropped on the window since the last call.

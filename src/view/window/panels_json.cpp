@@ -1,5 +1,7 @@
 #include "view/window/panels_json.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 
 namespace glibra::view {
@@ -30,6 +32,7 @@ void addPanels(nlohmann::ordered_json& state, const Ui& ui) {
                          {"drawing", examples.maker != nullptr}};
     state["folder"] = ui.shared.dialog.list.folder.string();
     state["question"] = ui.shared.question.has_value();
+    state["takesText"] = ImGui::GetIO().WantTextInput;
     state["suiteMessage"] = ui.suite.message;
     state["lensWords"] = ui.lensWords;
     if (const NoiseWindow& noise = ui.shared.noise; noise.isOpen)

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "view/save_values.h"
 #include "view/source_lines.h"
 #include "view/window/editor.h"
+#include "view/window/theme.h"
 #include "view/window/ui.h"
 
 namespace glibra::view {
@@ -18,14 +18,6 @@ namespace {
 
 const ImVec4 kErrorColor{.95F, .35F, .30F, 1};
 const ImVec4 kWarningColor{.90F, .65F, .15F, 1};
-
-/// The next button goes into the same row if it has room there.
-void flow(const char* next) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float width = ImGui::CalcTextSize(next).x + 2 * style.FramePadding.x;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
-}
 
 void message(Ui& ui, const Diagnostic& each, int index) {
     ImGui::PushID(index);
@@ -38,8 +30,10 @@ void message(Ui& ui, const Diagnostic& each, int index) {
     if (!each.place.file.empty()) {
         const std::string line = sourceLine(each.place);
         if (!line.empty()) {
-            ImGui::TextDisabled("%5d | %s", each.place.line, line.c_str());
-            ImGui::TextDisabled("      | %s", caretLine(line, each.place.column).c_str());
+            ImGui::PushFont(codeFont());
+            ImGui::TextDisabled("%6d | %s", each.place.line, line.c_str());
+            ImGui::TextDisabled("       | %s", caretLine(line, each.place.column).c_str());
+            ImGui::PopFont();
         }
         if (isError && ui.session.hasScene()) translatedLines(ui, each.place);
         if (isError || each.severity == Severity::warning) {
@@ -64,30 +58,19 @@ void scenePanel(Ui& ui) {
         ui.shared.dialog.inNewTab = false;
     }
     mark(ui, "scene/open");
-    flow("Examples");
+    ImGui::SameLine();
     if (ImGui::Button("Examples")) ui.shared.examples.isOpen = !ui.shared.examples.isOpen;
     mark(ui, "scene/examples");
-    flow("Source");
+    ImGui::SameLine();
     ImGui::BeginDisabled(!ui.session.hasScene());
     if (ImGui::Button("Source")) ui.settings.showSource = !ui.settings.showSource;
     ImGui::EndDisabled();
     mark(ui, "scene/source");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The scene and its shaders as text, to be edited (E)");
-    flow("Reload");
+    ImGui::SameLine();
     if (ImGui::Button("Reload")) ui.requests.reload = true;
     mark(ui, "scene/reload");
-    flow("Save values");
-    ImGui::BeginDisabled(!ui.session.hasScene());
-    if (ImGui::Button("Save values")) {
-        const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
-        ui.notice = problems.empty() ? "values saved into " + ui.session.path().filename().string()
-                                     : toString(problems.front());
-    }
-    ImGui::EndDisabled();
-    mark(ui, "scene/save");
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts the present values into the Program lines of the .glib file");
-    flow("?");
+    ImGui::SameLine();
     if (ImGui::Button("?")) ui.showHelp = !ui.showHelp;
     mark(ui, "help");
 }

@@ -118,9 +118,13 @@ void helpWindow(Ui& ui) {
         const ImVec2 at = ImGui::GetWindowPos();
         const ImVec2 size = ImGui::GetWindowSize();
         ui.widgets["helpWindow"] = {at.x, at.y, size.x, size.y};
-        if (ImGui::BeginTable("keys", 2)) {
+        // Side by side where one below the other would be too high.
+        constexpr std::size_t kMouseRows = 5;
+        const std::size_t rows = kMouseRows + kShortcuts.size();
+        const float height = static_cast<float>(rows + 4) * ImGui::GetTextLineHeightWithSpacing();
+        const int columns = height > io.DisplaySize.y ? 4 : 2;
+        if (ImGui::BeginTable("keys", columns)) {
             const auto row = [](const char* keys, const char* what) {
-                ImGui::TableNextRow();
                 ImGui::TableNextColumn();
                 ImGui::TextUnformatted(keys);
                 ImGui::TableNextColumn();
@@ -128,9 +132,9 @@ void helpWindow(Ui& ui) {
             };
             row("Left drag", "rotate");
             row("Middle drag, wheel", "scale");
-            row("Right drag, Shift+left drag", "pan");
+            row("Right or Shift+left drag", "pan");
             row("Click", "pick the object");
-            row("Double click on a slider", "type a value, also past the range");
+            row("Double click on a slider", "type any value");
             for (const Shortcut& each : kShortcuts) row(each.keys, each.what);
             ImGui::EndTable();
         }

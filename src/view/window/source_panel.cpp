@@ -182,7 +182,7 @@ void content(Ui& ui) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float below = about.empty() ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
-                                                 line * static_cast<float>(4 * about.size()) + line / 2);
+                                                 line * (2 * static_cast<float>(about.size()) + .5F));
     const Dialect dialect =
         glib::sameWord(file.path().extension().string(), ".glib") ? Dialect::glib : Dialect::glsl;
     codeEditor(panel.chosen.string().c_str(), file.text(), view, marks, dialect, !file.whyReadOnly().empty(),

@@ -73,10 +73,11 @@ bool Tabs::uses(const Tab& tab, const fs::path& file) const {
 
 std::vector<fs::path> Tabs::unsaved(std::size_t tab) const {
     std::vector<fs::path> files;
-    for (const auto& [path, source] : shared_.sources) {
-        if (!source.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
+    for (const auto& each : shared_.sources) {
+        const fs::path& path = each.first;
+        if (!each.second.isChanged() || tab >= tabs_.size() || !uses(*tabs_[tab], path)) continue;
         const auto users = std::count_if(tabs_.begin(), tabs_.end(),
-                                         [&](const std::unique_ptr<Tab>& each) { return uses(*each, path); });
+                                         [&](const std::unique_ptr<Tab>& one) { return uses(*one, path); });
         if (users == 1) files.push_back(path);
     }
     return files;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "view/hardcopy.h"
+#include "view/save_values.h"
 #include "view/window/ui.h"
 
 namespace glibra::view {
@@ -229,8 +230,18 @@ void uniformsPanel(Ui& ui) {
     if (ImGui::Button("Copy --set")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
     mark(ui, "uniforms/copySet");
     ImGui::SameLine();
-    ImGui::Checkbox("Show labels", &ui.showLabels);
+    if (ImGui::Button("Save values")) {
+        const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
+        ui.notice = problems.empty() ? "values saved into " + ui.session.path().filename().string()
+                                     : toString(problems.front());
+    }
+    mark(ui, "scene/save");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Puts the present values into the Program lines of the .glib file");
+    ImGui::SameLine();
+    ImGui::Checkbox("Labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shows the values over the picture (L)");
     int last = -1;
     for (const Knob& first : knobs) {
         if (first.program == last) continue;

@@ -76,6 +76,15 @@ class Source(ScenesTest):
         left, top, width, height = window.state()["picture"]
         self.assertEqual(self.pixel(window, left + width / 2, top + height / 2), (255, 153, 64))
 
+    def test_an_open_editor_draws_nothing_while_nobody_types(self):
+        window = self.open(self.files / "one.glib", "--size", "520x560")
+        self.edit(window, 4)
+        before = window.settle()
+        time.sleep(1.5)
+        after = window.state()
+        self.assertTrue(after["source"]["active"])
+        self.assertEqual(after["framesPresented"], before["framesPresented"])
+
     def test_the_scene_can_be_edited_too(self):
         window = self.open(self.files / "one.glib", "--size", "520x560")
         self.edit(window, 4)
@@ -90,8 +99,8 @@ class Source(ScenesTest):
 
     def test_an_error_is_marked_where_it_is_with_what_became_of_the_line(self):
         window = self.open(self.files / "old.glib", "--size", "520x560")
-        good = window.pixels()[2]
         self.edit(window, 3)
+        good = window.pixels()[2]
         window.type(" oops;")
         window.key("ctrl+s")
         broken = window.wait(lambda s: any(m["severity"] == "error" for m in s["messages"]) and
@@ -106,7 +115,7 @@ class Source(ScenesTest):
         marked = self.pixel(window, left + 2, top + 2.5 * row)
         plain = self.pixel(window, left + 2, top + 4.5 * row)
         self.assertGreater(marked[0] - plain[0], 30, f"{marked} beside {plain}")
-        self.assertEqual(window.pixels()[2][:3 * 520 * 150], good[:3 * 520 * 150], "the last good picture stays")
+        self.assertEqual(window.pixels()[2][:3 * 520 * 200], good[:3 * 520 * 200], "the last good picture stays")
         window.key("ctrl+Home")
         window.wait(lambda s: s["source"]["line"] == 1)
         window.click("source/message/0")
@@ -193,10 +202,12 @@ class Scenes(ScenesTest):
         window.click("dialog/recent/2")
         window.wait(lambda s: s["scene"].endswith("one.glib"))
         window.key("ctrl+o")
-        window.wait(lambda s: "scene/path" in s["widgets"])
+        window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.type("deeper")
         window.key("Return")
         window.wait(lambda s: s["folder"] == str(folder))
+        window.settle()
+        window.wait(lambda s: s["takesText"])
         window.type("../two.glib")
         window.key("Return")
         window.wait(lambda s: pathlib.Path(s["scene"]).name == "two.glib")
@@ -232,6 +243,7 @@ class Scenes(ScenesTest):
         self.assertFalse(window.state()["examples"]["drawing"], "they are kept")
         self.assertEqual([each.stat().st_mtime_ns for each in kept], times)
         window.click("examples/search")
+        window.wait(lambda s: s["takesText"])
         window.type("blac")
         window.wait(lambda s: "example/start/red" not in s["widgets"] and "example/more/black" in s["widgets"])
         window.xdotool("keydown", "ctrl")
@@ -244,7 +256,7 @@ class Tabs(ScenesTest):
     def open_two(self):
         window = self.open(self.files / "one.glib", "--size", "520x560")
         window.key("ctrl+t")
-        window.wait(lambda s: "scene/path" in s["widgets"])
+        window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.type("two.glib")
         window.key("Return")
         window.wait(lambda s: [t["label"] for t in s["tabs"]] == ["one", "two"] and s["shownTab"] == 1)
@@ -319,6 +331,7 @@ class Suites(ScenesTest):
         window.click("suite/add")
         window.wait(lambda s: "is a shot of pictures.toml" in s["suiteMessage"])
         suite = self.files / "pictures.toml"
+        window.move(20, 20)
         width, height, screen = window.pixels()
         self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL).returncode, 1, "there is no golden yet")

@@ -171,7 +171,7 @@ class Widgets(WindowTest):
         # so the number of its lines is judged by opening what it names.
         window.click("uniforms/copySet")
         window.click("scene/open")
-        window.wait(lambda s: "scene/path" in s["widgets"])
+        window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.key("ctrl+v")
         window.key("Return")
         window.wait(lambda s: any("--set uInt=5" in m["file"] + m["text"] for m in s["messages"]))
