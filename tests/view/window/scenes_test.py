@@ -257,8 +257,8 @@ class Scenes(ScenesTest):
         window.wait(lambda s: "example/start/red" not in s["widgets"] and "example/more/black" in s["widgets"])
         window.xdotool("keydown", "ctrl")
         window.click("example/more/black")
-        window.xdotool("keyup", "ctrl")
         window.wait(lambda s: [t["label"] for t in s["tabs"]] == ["red", "black"])
+        window.xdotool("keyup", "ctrl")
 
 
 class Tabs(ScenesTest):
