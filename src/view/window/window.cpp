@@ -18,7 +18,7 @@
 #include "view/state_json.h"
 #include "view/window/display.h"
 #include "view/window/input_script.h"
-#include "view/window/key_taps.h"
+#include "view/window/key_queue.h"
 #include "view/window/panels_json.h"
 #include "view/window/tabs.h"
 #include "view/window/theme.h"
@@ -97,7 +97,7 @@ class Window {
     std::vector<FrameInput> replay_;
     std::size_t replayed_ = 0;
     std::vector<int> replayedKeys_;
-    KeyTaps taps_;
+    KeyQueue keys_;
     int framesWanted_ = kFramesAfterEvent;
     std::uint64_t framesPresented_ = 0;
     std::uint64_t reloads_ = 0;
@@ -255,7 +255,7 @@ bool Window::nextInput() {
     const bool control = ImGui::GetIO().KeyCtrl;
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
-            ui().pressed.push_back({key, control, ImGui::GetIO().KeyShift});
+            ui().pressed.push_back({key, control});
     replayedKeys_ = frame.keys;
     framesWanted_ = kFramesAfterEvent;
     return true;
@@ -266,9 +266,8 @@ void Window::drawFrame() {
     lastFrame_ = RealClock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    ui().pressed = display_.takePressedKeys();
-    taps_.add(ui().pressed);
-    taps_.begin();
+    keys_.add(display_.takeKeyEvents());
+    ui().pressed = keys_.begin();
     const bool isReplayed = nextInput();
     if (recorder_) recorder_->add(presentInput());
     Ui& ui = tabs_.shown().ui;
@@ -283,7 +282,6 @@ void Window::drawFrame() {
     const auto [width, height] = display_.framebufferSize();
     if (windowWidth < 1 || windowHeight < 1 || width < 1 || height < 1) {
         ImGui::EndFrame();
-        taps_.end();
         return;
     }
     const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
@@ -297,8 +295,7 @@ void Window::drawFrame() {
     }
     pictureOverlay(ui);
     present();
-    taps_.end();
-    framesWanted_ = taps_.areWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
+    framesWanted_ = keys_.isWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
 }
 
 void Window::present() {
