@@ -66,7 +66,7 @@ struct PrecisionRow {
 };
 
 /// All functions over all their sweeps in both stages, side * side argument sets each.
-Result<std::vector<PrecisionRow>> precisionTable(const gpu::Capabilities& capabilities, int side = 64);
+Result<std::vector<PrecisionRow>> precisionTable(const gpu::Capabilities& capabilities, int side = 128);
 
 /// The table for people: one line a sweep, and below it which bounds of the specification are broken.
 std::string toText(const std::vector<PrecisionRow>& rows);

@@ -25,11 +25,22 @@ constexpr std::array<Group, 6> kGroups{{{"trigonometric", "sin, cos, tan"},
 struct Measured {
     const BuiltinFunction* function;
     const ArgumentSweep* sweep;
+    PrecisionStage stage;
     Precision precision;
 };
 
+/// True for the vertex stage where the fragment stage gave the same.
+bool isRepeated(const Measured& each, const std::vector<Measured>& all) {
+    return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const Measured& other) {
+               return other.stage == PrecisionStage::fragment && other.sweep == each.sweep &&
+                      other.precision.largest == each.precision.largest &&
+                      other.precision.mean == each.precision.mean;
+           });
+}
+
 std::string found(const Measured& each) {
-    const std::string where = fmt::format("{} over {}", each.function->name, each.sweep->words);
+    const std::string where = fmt::format("{} over {}{}", each.function->name, each.sweep->words,
+                                          each.stage == PrecisionStage::vertex ? " in the vertex stage" : "");
     if (each.precision.notNumbers > 0)
         return fmt::format("{} gives NaN or infinity {} times in {}", where, each.precision.notNumbers,
                            each.precision.samples);
@@ -41,11 +52,27 @@ std::string found(const Measured& each) {
     return {};
 }
 
+/// Of a function whose precision GLSL leaves open: the sweeps where it is best and worst.
+std::string spread(const BuiltinFunction& function, const std::vector<Measured>& all) {
+    const Measured* best = nullptr;
+    const Measured* worst = nullptr;
+    for (const Measured& each : all) {
+        if (each.function != &function || each.stage != PrecisionStage::fragment) continue;
+        if (!best || each.precision.largest < best->precision.largest) best = &each;
+        if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
+    }
+    if (!best || best == worst) return {};
+    return fmt::format("{}: at most {:.3g} ULP over {}, {:.3g} over {}; GLSL leaves its precision open",
+                       function.name, best->precision.largest, best->sweep->words, worst->precision.largest,
+                       worst->sweep->words);
+}
+
 std::vector<std::string> findings(const std::vector<Measured>& all) {
     std::vector<std::string> sentences;
     const Measured* worst = nullptr;
     std::size_t bounded = 0, kept = 0;
     for (const Measured& each : all) {
+        if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
         if (each.precision.ofBound) {
             ++bounded;
@@ -56,6 +83,10 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     if (bounded > 0)
         sentences.insert(sentences.begin(),
                          fmt::format("{} of {} bounds of GLSL 4.60, section 4.7.1, are kept", kept, bounded));
+    for (const BuiltinFunction& function : builtinFunctions())
+        if (std::string sentence = function.allowed ? std::string() : spread(function, all);
+            !sentence.empty())
+            sentences.push_back(std::move(sentence));
     if (worst && std::isfinite(worst->precision.largest))
         sentences.push_back(
             fmt::format("the largest error is {:.3g} ULP (absolute {:.3g}): {} over {}, at ({})",
@@ -64,7 +95,8 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     return sentences;
 }
 
-/// A curve of one function in one stage; the measured values are added to `all` too.
+/// A curve of one function in one stage, timed in the fragment stage; the measured values are added to `all`
+/// too.
 Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const BuiltinFunction& function,
                       PrecisionStage stage, std::vector<Measured>& all) {
     const int side = bench.isQuick() ? 32 : 512;
@@ -76,13 +108,15 @@ Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const
         Point point;
         point.setting = sweep.setting;
         point.label = sweep.words;
-        point.time = bench.time([&] {
-            run->draw();
-            glFinish();
-        });
+        run->draw();
+        if (stage == PrecisionStage::fragment)
+            point.time = bench.time([&] {
+                run->draw();
+                glFinish();
+            });
         const Result<std::vector<float>> results = run->results(capabilities);
         if (!results) return results.diagnostics;
-        all.push_back({&function, &sweep, judgePrecision(function, sweep, *results)});
+        all.push_back({&function, &sweep, stage, judgePrecision(function, sweep, *results)});
         point.error = all.back().precision.notNumbers > 0 ? std::numeric_limits<double>::quiet_NaN()
                                                           : all.back().precision.largest;
         curve.points.push_back(std::move(point));
@@ -113,7 +147,10 @@ Result<std::vector<Figure>> measureBuiltins(Bench& bench) {
                 if (bench.isQuick() && stage == PrecisionStage::vertex) continue;
                 Result<Curve> curve = curveOf(bench, capabilities, function, stage, all);
                 if (!curve) return std::move(curve.diagnostics);
-                figure.curves.push_back(std::move(*curve));
+                const bool isNew =
+                    std::any_of(all.end() - static_cast<std::ptrdiff_t>(curve->points.size()), all.end(),
+                                [&](const Measured& each) { return !isRepeated(each, all); });
+                if (isNew) figure.curves.push_back(std::move(*curve));
             }
         }
         figure.findings = findings(all);

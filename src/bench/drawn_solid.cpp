@@ -1,12 +1,11 @@
 #include "bench/drawn_solid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "bench/offscreen.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/readback.h"
@@ -16,18 +15,13 @@
 namespace glibra::bench {
 namespace {
 
-constexpr const char* kFragment = R"(#version 410 core
-out vec4 fColor;
+constexpr std::string_view kVertex = R"(layout(location = 0) in vec3 aPosition;
+uniform float uScale;
+void main() { gl_Position = vec4(aPosition.xy * uScale, 0., 1.); }
+)";
+constexpr std::string_view kFragment = R"(out vec4 fColor;
 void main() { fColor = vec4(1); }
 )";
-
-std::string vertexShader(double scale) {
-    return fmt::format(R"(#version 410 core
-in vec3 aPosition;
-void main() {{ gl_Position = vec4(aPosition.xy * {:.9e}, 0., 1.); }}
-)",
-                       scale);
-}
 
 Diagnostics uploadAndDraw(const geometry::Mesh& mesh, const gpu::Program& program) {
     const Result<gpu::Buffer> positions =
@@ -50,25 +44,22 @@ Result<DrawnMesh> drawMesh(Bench& bench, const geometry::Mesh& mesh, int side, d
     const Result<gpu::Context*> context = bench.context();
     if (!context) return context.diagnostics;
     const gpu::Capabilities& capabilities = (*context)->capabilities();
-    const std::string vertex = vertexShader(2 * radius / side);
-    const std::array<gpu::StageSource, 2> stages{
-        {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, kFragment}}};
-    const gpu::BuildOutcome built =
-        gpu::buildProgram(capabilities, {.stages = stages, .vertexInputs = {{"aPosition", 0}}});
-    if (!built.program) return error("gpu-E02", "the bench's own shader does not link: " + built.linkLog);
+    const Result<gpu::Program> drawing = program(capabilities, kVertex, kFragment);
+    if (!drawing) return drawing.diagnostics;
+    setFloats(*drawing, "uScale", {static_cast<float>(2 * radius / side)});
     const Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba8);
     if (!target) return target.diagnostics;
     target->bind();
     target->clearColor(0, {0, 0, 0, 0});
 
-    Diagnostics problems = uploadAndDraw(mesh, *built.program);
+    Diagnostics problems = uploadAndDraw(mesh, *drawing);
     const Result<std::vector<std::byte>> pixels =
         gpu::readPixels(capabilities, target->readable(), 0, {0, 0, side, side}, {1, gpu::TexelType::u8});
     append(problems, pixels.diagnostics);
     if (hasError(problems)) return problems;
     DrawnMesh drawn;
     drawn.area = static_cast<double>(std::ranges::count(*pixels, std::byte{255}));
-    drawn.time = bench.time([&] { uploadAndDraw(mesh, *built.program); });
+    drawn.time = bench.time([&] { uploadAndDraw(mesh, *drawing); });
     return drawn;
 }
 

@@ -146,7 +146,9 @@ Result<Plane> FilterChain::result(const gpu::Capabilities& capabilities) const {
     Plane plane{passes_.back().target.width(), passes_.back().target.height(), {}};
     for (int y = plane.height - 1; y >= 0; --y)
         for (int x = 0; x < plane.width; ++x)
-            plane.values.push_back((*topFirst)[static_cast<std::size_t>(y * plane.width + x)]);
+            plane.values.push_back(
+                (*topFirst)[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width) +
+                            static_cast<std::size_t>(x)]);
     return plane;
 }
 

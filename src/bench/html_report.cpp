@@ -34,10 +34,32 @@ std::string machineDetails(const Report& report) {
     return html + "</dl>\n";
 }
 
+/// Escaped, and "^-2.00" raised.
+std::string withPowers(std::string_view text) {
+    const std::string escaped = escapeHtml(text);
+    std::string html;
+    for (std::size_t i = 0; i < escaped.size(); ++i) {
+        const std::size_t end =
+            escaped[i] == '^' ? std::min(escaped.find_first_not_of("-.0123456789", i + 1), escaped.size())
+                              : i;
+        if (end > i + 1) {
+            html += fmt::format("<sup>{}</sup>", escaped.substr(i + 1, end - i - 1));
+            i = end - 1;
+        } else {
+            html += escaped[i];
+        }
+    }
+    return html;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string list(const std::vector<std::string>& items, std::string_view style) {
     if (items.empty()) return {};
     std::string html = fmt::format("<ul class=\"{}\">", style);
-    for (const std::string& each : items) html += fmt::format("<li>{}</li>", escapeHtml(each));
+    for (const std::string& each : items) html += fmt::format("<li>{}</li>", withPowers(each));
     return html + "</ul>\n";
 }
 
@@ -85,6 +107,18 @@ std::string table(const Figure& figure) {
         hasMemory ? "<th class=\"number\">memory</th>" : "", rows);
 }
 
+std::string_view frontNote(const Figure& figure) {
+    switch (figure.alternatives) {
+        case Alternatives::curve:
+            return " Each curve has a front of its own.";
+        case Alternatives::setting:
+            return " Each setting has a front of its own: it is a difficulty, no price.";
+        case Alternatives::figure:
+            break;
+    }
+    return {};
+}
+
 std::string section(const Figure& figure, const std::string& subject) {
     std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", escapeHtml(subject),
                                    escapeHtml(figure.name), escapeHtml(figure.title));
@@ -92,7 +126,8 @@ std::string section(const Figure& figure, const std::string& subject) {
     html += "<div class=\"plots\">" + plot(figure, Abscissa::setting) + plot(figure, Abscissa::time) +
             "</div>\n" + legend(figure);
     if (!figure.reference.empty())
-        html += fmt::format("<p class=\"reference\">Reference: {}</p>\n", escapeHtml(figure.reference));
+        html += fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n", escapeHtml(figure.reference),
+                            frontNote(figure));
     return html + table(figure) + "</article>\n";
 }
 
@@ -158,8 +193,8 @@ std::string htmlReport(const Report& report, const Comparison* comparison) {
     const Slot slots[] = {
         {"style", std::string(bench_page::bench_css())},
         {"script", std::string(bench_page::bench_js())},
-        {"extent", fmt::format("{} subjects, {} diagrams, {} measured points", report.subjects.size(),
-                               figures, points)},
+        {"extent", counted(report.subjects.size(), "subject") + ", " + counted(figures, "diagram") + ", " +
+                       counted(points, "measured point")},
         {"machine", machineDetails(report)},
         {"contents", contents(report)},
         {"body", std::move(body)},

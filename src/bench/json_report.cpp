@@ -19,6 +19,18 @@ Json written(double value) {
     return std::isnan(value) ? Json(nullptr) : Json("inf");
 }
 
+const char* word(Alternatives alternatives) {
+    switch (alternatives) {
+        case Alternatives::curve:
+            return "curve";
+        case Alternatives::setting:
+            return "setting";
+        case Alternatives::figure:
+            break;
+    }
+    return "figure";
+}
+
 Json written(const Curve& curve);
 Json written(const Figure& figure);
 Json written(const Diagnostic& each);
@@ -56,6 +68,7 @@ Json written(const Figure& figure) {
             {"errorUnit", figure.errorUnit},
             {"reference", figure.reference},
             {"findings", figure.findings},
+            {"alternatives", word(figure.alternatives)},
             {"curves", writtenList(figure.curves)}};
 }
 
@@ -123,6 +136,10 @@ Figure figureOf(const Json& json) {
     read(json, "errorUnit", figure.errorUnit);
     read(json, "reference", figure.reference);
     read(json, "findings", figure.findings);
+    if (const auto kind = json.find("alternatives"); kind != json.end())
+        figure.alternatives = *kind == "curve"     ? Alternatives::curve
+                              : *kind == "setting" ? Alternatives::setting
+                                                   : Alternatives::figure;
     for (const Json& each : json.at("curves")) figure.curves.push_back(curveOf(each));
     return figure;
 }

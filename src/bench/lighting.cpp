@@ -176,7 +176,7 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                   .curves = {},
                   .findings = {}};
     const int side = bench.isQuick() ? 64 : 192;
-    const double step = bench.isQuick() ? .5 : .125;
+    const int stepsAUnit = bench.isQuick() ? 2 : 8;
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
     if (!target) return std::move(target.diagnostics);
     Result<gpu::Program> half = highlightProgram(capabilities, Highlight::halfVector);
@@ -187,7 +187,8 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                         .points = {}};
             const glm::dvec3 light = lightAt(angle);
             const auto wanted = highlights(side, light, exponent);
-            for (double factor = 1; factor <= 6; factor += step) {
+            for (int i = 0; i <= 5 * stepsAUnit; ++i) {
+                const double factor = 1 + static_cast<double>(i) / stepsAUnit;
                 const Result<double> error =
                     highlightError(capabilities, *half, *target, light, exponent * factor, wanted);
                 if (!error) return error.diagnostics;

@@ -80,9 +80,10 @@ Result<gpu::Program> lightingProgram(const gpu::Capabilities& capabilities, LitS
     const glm::dmat3 turn = surface == LitSurface::sphere ? glm::dmat3(1) : torusRotation();
     std::array<float, 16> matrix{};
     matrix[15] = 1;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            matrix[static_cast<std::size_t>(4 * column + row)] = static_cast<float>(turn[column][row]);
+    for (std::size_t column = 0; column < 3; ++column)
+        for (std::size_t row = 0; row < 3; ++row)
+            matrix[4 * column + row] =
+                static_cast<float>(turn[static_cast<int>(column)][static_cast<int>(row)]);
     setFloats(*built, "uToEye", matrix);
     setFloats(*built, "uScale", {static_cast<float>(1 / kSeen)});
     setFloats(*built, "uRing", {static_cast<float>(kRingRadius)});

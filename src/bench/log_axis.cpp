@@ -10,7 +10,7 @@ namespace glibra::bench {
 
 LogAxis::LogAxis(std::span<const double> values, int mostLabels) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    constexpr double kMargin = .04, kNarrowest = .3;
+    constexpr double kMargin = .04, kNarrowest = .3, kMostSteps = 2.5;
     low_ = kInfinity;
     high_ = -kInfinity;
     for (const double value : values)
@@ -23,7 +23,7 @@ LogAxis::LogAxis(std::span<const double> values, int mostLabels) {
     const double margin = kMargin * (high_ - low_) + lacking / 2;
     low_ -= margin;
     high_ += margin;
-    if (high_ - low_ < 2)
+    if (high_ - low_ < kMostSteps)
         addSteps();
     else
         addDecades(mostLabels);

@@ -14,7 +14,7 @@ struct Tick {
 
 class LogAxis {
   public:
-    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. Ranges below two decades
+    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. Ranges below 2.5 decades
     /// get ticks at 1, 2 and 5, longer ones at powers of ten, at most about `mostLabels` of them with a
     /// label.
     LogAxis(std::span<const double> values, int mostLabels);

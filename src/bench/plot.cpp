@@ -8,13 +8,14 @@
 
 #include "bench/fit.h"
 #include "bench/log_axis.h"
+#include "bench/run.h"
 
 namespace glibra::bench {
 namespace {
 
 // In units of the SVG's own coordinates.
 constexpr double kWidth = 560, kHeight = 380;
-constexpr double kLeft = 66, kRight = 14, kTop = 12, kBottom = 50;
+constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 50;
 constexpr double kSign = 4.2;  ///< half the size of a point's sign
 constexpr std::size_t kStyles = 8;
 
@@ -64,7 +65,7 @@ std::string tip(const Figure& figure, const Curve& curve, const Point& point) {
     return escapeHtml(text);
 }
 
-std::string grid(const LogAxis& across, const LogAxis& up) {
+std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
     const double right = kWidth - kRight, floor = kHeight - kBottom;
     std::string svg = "<g class=\"grid\">";
     std::string labels = "<g class=\"ticks\">";
@@ -80,22 +81,25 @@ std::string grid(const LogAxis& across, const LogAxis& up) {
         labels += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kLeft - 7, y + 4,
                               tick.label);
     }
+    if (hasZero)
+        labels += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">0</text>", kLeft - 7, floor + 4);
     return svg +
            fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></g>", kLeft, kTop, right - kLeft,
                        floor - kTop) +
            labels + "</g>";
 }
 
+/// The name of the upward axis lies above it, where there is room for long ones.
 std::string axisNames(const Figure& figure, Abscissa abscissa) {
     const std::string across = abscissa == Abscissa::setting ? figure.settingName : "time in seconds";
     const std::string up = figure.errorUnit.empty()
                                ? figure.errorName
                                : fmt::format("{} ({})", figure.errorName, figure.errorUnit);
-    const double middle = kTop + (kHeight - kBottom - kTop) / 2;
     return fmt::format(
         "<g class=\"names\"><text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>"
-        "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text></g>",
-        kLeft + (kWidth - kRight - kLeft) / 2, kHeight - 12, escapeHtml(across), middle, escapeHtml(up));
+        "<text x=\"{}\" y=\"{}\">{}</text></g>",
+        kLeft + (kWidth - kRight - kLeft) / 2, kHeight - 12, escapeHtml(across), kLeft, kTop - 10,
+        escapeHtml(up));
 }
 
 std::string pathThrough(const std::vector<Placed>& points, std::string_view style) {
@@ -146,7 +150,8 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
     const double right = kWidth - kRight, floor = kHeight - kBottom;
     const auto placeX = [&](double cost) { return kLeft + across.place(cost) * (right - kLeft); };
 
-    std::string curves;
+    const bool hasFront = isTimed(figure) == (abscissa == Abscissa::time);
+    std::string curves, fronts;
     std::vector<Placed> all;
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
         std::vector<Placed> points;
@@ -163,12 +168,14 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
         }
         curves += curveSvg(figure, i, points);
         all.insert(all.end(), points.begin(), points.end());
+        if (hasFront && figure.alternatives == Alternatives::curve) fronts += frontLine(std::move(points));
     }
-    const bool isTimed = abscissa == Abscissa::time;
+    if (hasFront && figure.alternatives == Alternatives::figure) fronts = frontLine(std::move(all));
     return fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">",
                        kWidth, kHeight, escapeHtml(figure.errorName),
-                       isTimed ? "time" : escapeHtml(figure.settingName)) +
-           grid(across, up) + axisNames(figure, abscissa) + frontLine(all) + curves + "</svg>";
+                       abscissa == Abscissa::time ? "time" : escapeHtml(figure.settingName)) +
+           grid(across, up, std::ranges::find(errors, 0.) != errors.end()) + axisNames(figure, abscissa) +
+           fronts + curves + "</svg>";
 }
 
 std::string legendSign(std::size_t index) {

@@ -26,7 +26,7 @@ constexpr const char* kClosedForm =
 
 std::vector<int> sliceCounts(const Bench& bench) {
     if (bench.isQuick()) return {8, 16, 32, 64};
-    return {4, 8, 16, 32, 64, 128, 256, 512};
+    return {8, 16, 32, 64, 128, 256, 512};
 }
 
 /// All that is known of one mesh.
@@ -66,6 +66,7 @@ Curve curveOf(std::string name, const Sweep& sweep, double (*error)(const Measur
 Figure bySlices(std::span<const Sweep> sweeps, double (*error)(const Measured&)) {
     Figure figure;
     figure.settingName = "slices";
+    figure.alternatives = Alternatives::curve;
     for (std::size_t i = 0; i < sweeps.size(); ++i)
         figure.curves.push_back(curveOf(std::string(solids()[i].name), sweeps[i], error));
     return figure;
@@ -99,9 +100,9 @@ Figure normalFigure(std::span<const Sweep> sweeps) {
     addOrders(figure);
     const Point& smooth = figure.curves.front().points.back();
     figure.findings.push_back(fmt::format(
-        "sphere: interpolated normals point along the radius, to {} degrees at {} (the rounding "
-        "of float); flat triangles are {} degrees off",
-        numberText(smooth.error), smooth.label, numberText(figure.curves.back().points.back().error)));
+        "sphere, {}: interpolated normals are within {} degrees of the radius (the rounding of "
+        "float), flat triangles {} degrees off",
+        smooth.label, numberText(smooth.error), numberText(figure.curves.back().points.back().error)));
     return figure;
 }
 
@@ -150,12 +151,13 @@ Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
     for (const int stacks : stackCounts) {
         Curve curve{fmt::format("{} stacks", stacks), {}};
         for (const int slices : sliceCounts(bench)) {
-            const geometry::Mesh mesh = geometry::sphere(1, slices, stacks);
-            curve.points.push_back({.setting = static_cast<double>(slices),
-                                    .label = fmt::format("{} slices", slices),
-                                    .error = meshError(mesh, solids().front().foot).distance,
-                                    .time = bench.time([&] { geometry::sphere(1, slices, stacks); }),
-                                    .memory = meshBytes(mesh)});
+            const geometry::Mesh mesh = geometry::sphere(kSolidRadius, slices, stacks);
+            curve.points.push_back(
+                {.setting = static_cast<double>(slices),
+                 .label = fmt::format("{} slices", slices),
+                 .error = sphereError(mesh).distance,
+                 .time = bench.time([&] { geometry::sphere(kSolidRadius, slices, stacks); }),
+                 .memory = meshBytes(mesh)});
         }
         const Point& last = curve.points.back();
         figure.findings.push_back(
@@ -170,6 +172,7 @@ Figure triangleFigure(const Bench& bench, std::span<const Sweep> sweeps, const F
     Figure figure;
     figure.name = "triangles";
     figure.title = "Distance by the number of triangles";
+    figure.alternatives = Alternatives::curve;
     figure.settingName = "triangles";
     figure.errorName = "largest distance";
     figure.errorUnit = "radii";
@@ -185,10 +188,10 @@ Figure triangleFigure(const Bench& bench, std::span<const Sweep> sweeps, const F
         for (std::size_t k = 0; k < sweeps[i].size(); ++k)
             add(curve, sweeps[i][k].triangles, positions.curves[i].points[k]);
     }
-    const geometry::Mesh ball = geometry::soccerball(1);
+    const geometry::Mesh ball = geometry::soccerball(kSolidRadius);
     Point ballPoint;
-    ballPoint.error = meshError(ball, solids().front().foot).distance;
-    ballPoint.time = bench.time([] { geometry::soccerball(1); });
+    ballPoint.error = sphereError(ball).distance;
+    ballPoint.time = bench.time([] { geometry::soccerball(kSolidRadius); });
     ballPoint.memory = meshBytes(ball);
     add(figure.curves.emplace_back(Curve{"soccer ball", {}}), static_cast<double>(ball.indices.size()) / 3,
         ballPoint);
@@ -232,7 +235,7 @@ Result<Figure> drawnFigure(Bench& bench) {
              .time = drawn->time,
              .memory = meshBytes(mesh)});
     }
-    figure.findings.push_back(orderSentence(curve, "slices", 8, 64));
+    figure.findings.push_back(orderSentence(curve, "slices", 8, 128));
     figure.findings.push_back(fmt::format("sphere: {} pixels at {}, where counting whole pixels is the limit",
                                           numberText(curve.points.back().error), curve.points.back().label));
     figure.curves.push_back(std::move(curve));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <utility>
 
 #include "bench/machine.h"
@@ -13,16 +14,17 @@
 namespace glibra::bench {
 namespace {
 
-bool hasError(const Point& point) {
-    return !std::isnan(point.error);
-}
+using Cost = double (*)(const Point&);
 
-std::vector<Point*> measuredPoints(Figure& figure) {
-    std::vector<Point*> points;
-    for (Curve& curve : figure.curves)
-        for (Point& point : curve.points)
-            if (hasError(point)) points.push_back(&point);
-    return points;
+/// In rising cost, a point is on the front if it is more accurate than all before it; equals stand beside.
+void markFront(std::vector<Point*> points, Cost cost) {
+    std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
+    const Point* best = nullptr;
+    for (Point* each : points) {
+        const bool isEqual = best && cost(*each) == cost(*best) && each->error == best->error;
+        each->isOnFront = !best || isEqual || each->error < best->error;
+        if (each->isOnFront) best = each;
+    }
 }
 
 void nameDriver(Machine& machine, Bench& bench) {
@@ -36,21 +38,28 @@ void nameDriver(Machine& machine, Bench& bench) {
 
 }  // namespace
 
+bool isTimed(const Figure& figure) {
+    return std::ranges::all_of(figure.curves, [](const Curve& curve) {
+        return std::ranges::all_of(
+            curve.points, [](const Point& each) { return each.time.has_value() || std::isnan(each.error); });
+    });
+}
+
 void markFront(Figure& figure) {
-    for (Curve& curve : figure.curves)
-        for (Point& point : curve.points) point.isOnFront = false;
-    std::vector<Point*> points = measuredPoints(figure);
-    const bool isTimed =
-        std::ranges::all_of(points, [](const Point* each) { return each->time.has_value(); });
-    const auto cost = [&](const Point& point) { return isTimed ? point.time->median : point.setting; };
-    std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
-    // In rising cost, a point is on the front if it is more accurate than all before it; equals stand beside.
-    const Point* best = nullptr;
-    for (Point* each : points) {
-        const bool isEqual = best && cost(*each) == cost(*best) && each->error == best->error;
-        each->isOnFront = !best || isEqual || each->error < best->error;
-        if (each->isOnFront) best = each;
-    }
+    const Cost cost = isTimed(figure) ? Cost([](const Point& each) { return each.time->median; })
+                                      : Cost([](const Point& each) { return each.setting; });
+    // What the key is the same of are alternatives.
+    std::map<double, std::vector<Point*>> groups;
+    for (std::size_t i = 0; i < figure.curves.size(); ++i)
+        for (Point& point : figure.curves[i].points) {
+            point.isOnFront = false;
+            if (std::isnan(point.error)) continue;
+            const double key = figure.alternatives == Alternatives::curve     ? static_cast<double>(i)
+                               : figure.alternatives == Alternatives::setting ? point.setting
+                                                                              : 0;
+            groups[key].push_back(&point);
+        }
+    for (auto& [key, points] : groups) markFront(std::move(points), cost);
 }
 
 Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {

@@ -9,9 +9,11 @@
 
 namespace glibra::bench {
 
-/// Sets Point::isOnFront: no other point of the figure is as cheap and as accurate and better in one of the
-/// two. The cost is the median time if every point with an error has one, else the setting. A point without
-/// an error is never on the front.
+/// True if the cost of a front is the median time: every point with an error has one. Else it is the setting.
+bool isTimed(const Figure& figure);
+
+/// Sets Point::isOnFront: none of a point's alternatives is as cheap and as accurate and better in one of the
+/// two. A point without an error is never on a front.
 void markFront(Figure& figure);
 
 /// Called before each subject: which, its place from 0, and how many there are.

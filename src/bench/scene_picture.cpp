@@ -47,7 +47,8 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
     std::vector<double> sums;
     image::Image picture;
     for (int i = 0; i < side * side; ++i) {
-        loaded->setShift((i % side + .5) / side - .5, (i / side + .5) / side - .5);
+        const int column = i % side, row = i / side;
+        loaded->setShift((column + .5) / side - .5, (row + .5) / side - .5);
         Result<image::Image> sample = loaded->draw(0, stats);
         if (!sample) return sample;
         const std::vector<float> values = limited(*sample);
@@ -56,6 +57,7 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
         picture = std::move(*sample);
     }
     std::vector<float> means;
+    means.reserve(sums.size());
     for (const double sum : sums) means.push_back(static_cast<float>(sum / (side * side)));
     std::memcpy(picture.data.data(), means.data(), means.size() * sizeof(float));
     return picture;

@@ -16,14 +16,36 @@
 namespace glibra::bench {
 namespace {
 
-constexpr std::array<int, 3> kSamples{1, 2, 4};
+/// A way to draw a scene.
+struct Way {
+    std::string_view name;
+    int samples = 1;      ///< 0: as the bound needs
+    double maxError = 0;  ///< pixels; 0: the counts of the scene and of the language
+    bool overrideCounts = false;
+};
+constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
+                                    {"2 samples", 2},
+                                    {"4 samples", 4},
+                                    {"--max-error 0.25", 0, .25},
+                                    {"--max-error 0.25 --override-counts", 0, .25, true}}};
+constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
 
-/// One scene by each number of samples.
+/// How good the reference is. A quick run takes every sixth scene.
+struct Thoroughness {
+    std::size_t stride = 1;
+    int samplesASide = 8;
+    int finest = 64;  ///< meshes within 1 / finest of a pixel of their surfaces
+};
+Thoroughness thoroughness(const Bench& bench) {
+    return bench.isQuick() ? Thoroughness{6, 4, 16} : Thoroughness{};
+}
+
+/// One scene in each of the ways.
 struct Measured {
     const ShippedScene* scene = nullptr;
     int width = 0, height = 0;
-    std::array<PictureError, kSamples.size()> errors{};
-    std::array<Timing, kSamples.size()> times{};
+    std::array<PictureError, kWays.size()> errors{};
+    std::array<Timing, kWays.size()> times{};
 };
 
 Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
@@ -31,11 +53,16 @@ Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene
     if (bench.isQuick()) options.width = options.height = 64;
     RenderOptions best = options;
     best.set = scene.finest;
-    const Result<image::Image> reference = sampledPicture(context, scene.path, best, bench.isQuick() ? 4 : 8);
+    best.maxError = 1. / thoroughness(bench).finest;
+    best.overrideCounts = true;
+    const Result<image::Image> reference =
+        sampledPicture(context, scene.path, best, thoroughness(bench).samplesASide);
     if (!reference) return reference.diagnostics;
     Measured measured{.scene = &scene, .width = reference->width, .height = reference->height};
-    for (std::size_t i = 0; i < kSamples.size(); ++i) {
-        options.samples = kSamples[i];
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        options.samples = kWays[i].samples;
+        options.maxError = kWays[i].maxError;
+        options.overrideCounts = kWays[i].overrideCounts;
         Result<image::Image> picture = scenePicture(context, scene.path, options);
         if (!picture) return std::move(picture.diagnostics);
         measured.errors[i] = pictureError(*reference, *picture);
@@ -48,13 +75,12 @@ std::string sizeText(const Measured& each) {
     return fmt::format("{} x {}", each.width, each.height);
 }
 
-/// Scenes by one measure of their error, largest first; a curve for each number of samples.
+/// Scenes by one measure of their error, largest first; a curve for each way.
 Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const PictureError&)) {
     std::ranges::sort(all, std::ranges::greater(),
                       [&](const Measured& each) { return errorOf(each.errors.front()); });
-    for (std::size_t i = 0; i < kSamples.size(); ++i) {
-        Curve curve{.name = fmt::format("{} sample{}", kSamples[i], kSamples[i] == 1 ? "" : "s"),
-                    .points = {}};
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        Curve curve{.name = std::string(kWays[i].name), .points = {}};
         for (std::size_t rank = 0; rank < all.size(); ++rank)
             curve.points.push_back({.setting = static_cast<double>(rank + 1),
                                     .label = all[rank].scene->name,
@@ -66,10 +92,10 @@ Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const 
     constexpr std::size_t kTold = 10;
     for (std::size_t rank = 0; rank < std::min(kTold, all.size()); ++rank) {
         const Measured& each = all[rank];
-        figure.findings.push_back(
-            fmt::format("{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
-                        numberText(errorOf(each.errors.front())), numberText(errorOf(each.errors.back())),
-                        secondsText(each.times.front().median), secondsText(each.times.back().median)));
+        figure.findings.push_back(fmt::format(
+            "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
+            numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
+            secondsText(each.times[kPlain].median), secondsText(each.times[kFourSamples].median)));
     }
     return figure;
 }
@@ -79,25 +105,36 @@ double median(std::vector<double> values) {
     return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
 }
 
-/// What 4 samples bring and cost, and which scenes take longest.
-std::vector<std::string> overall(const std::vector<Measured>& all) {
-    std::vector<double> better, longer, times;
+/// What a way brings and costs against one sample and the scene's own counts.
+std::string comparison(const std::vector<Measured>& all, std::size_t way) {
+    std::vector<double> better, longer;
+    std::size_t faster = 0;
     for (const Measured& each : all) {
-        if (each.errors.front().rootMeanSquare > 0)
-            better.push_back(each.errors.back().rootMeanSquare / each.errors.front().rootMeanSquare);
-        longer.push_back(each.times.back().median / each.times.front().median);
-        times.push_back(each.times.front().median);
+        const double ratio = each.times[way].median / each.times[kPlain].median;
+        if (each.errors[kPlain].rootMeanSquare > 0)
+            better.push_back(each.errors[way].rootMeanSquare / each.errors[kPlain].rootMeanSquare);
+        longer.push_back(ratio);
+        if (ratio < 1) ++faster;
     }
+    return fmt::format(
+        "{}: {:.2f} of the error in {:.2f} of the time of one sample (medians over the scenes); {} of {} "
+        "scenes are faster",
+        kWays[way].name, median(better), median(longer), faster, all.size());
+}
+
+/// How long scenes take, and what the ways bring.
+std::vector<std::string> overall(const std::vector<Measured>& all) {
+    std::vector<double> times;
+    for (const Measured& each : all) times.push_back(each.times[kPlain].median);
     const auto slowest =
-        std::ranges::max_element(all, {}, [](const Measured& each) { return each.times.front().median; });
+        std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
     return {
         fmt::format(
             "{} scenes; of half of them the picture takes less than {} (parse, plan, upload, draw, read), "
             "the longest takes {}: {}",
-            all.size(), secondsText(median(times)), secondsText(slowest->times.front().median),
+            all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
             slowest->scene->name),
-        fmt::format("4 samples leave {:.2f} of the error in {:.2f} of the time (medians over the scenes)",
-                    median(better), median(longer))};
+        comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
 }
 
 }  // namespace
@@ -110,10 +147,12 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     std::vector<Measured> all;
     std::vector<std::string> failures;
     Diagnostics reasons;
-    for (const ShippedScene& scene : *scenes) {
+    const Thoroughness thorough = thoroughness(bench);
+    for (std::size_t i = 0; i < scenes->size(); i += thorough.stride) {
+        const ShippedScene& scene = (*scenes)[i];
         Result<Measured> measured = measure(bench, **context, scene);
         if (measured) {
-            all.push_back(std::move(*measured));
+            all.push_back(*measured);
             continue;
         }
         failures.push_back(
@@ -123,8 +162,8 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     if (all.empty()) return reasons;
     const std::string reference = fmt::format(
         "the mean of {} pictures shifted by parts of a pixel, with the finest tessellation of the "
-        "scene's sliders",
-        bench.isQuick() ? 16 : 64);
+        "scene's sliders and meshes within 1/{} of a pixel of their surfaces",
+        thorough.samplesASide * thorough.samplesASide, thorough.finest);
     const auto figure = [&](std::string name, std::string title, std::string error) {
         return Figure{.name = std::move(name),
                       .title = std::move(title),

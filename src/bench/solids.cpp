@@ -17,6 +17,7 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kTube = .4, kHeight = 2;
+constexpr double kApex = 1e-6;  ///< nearer to its axis a cone has no normal
 constexpr double kPi = std::numbers::pi;
 
 Foot footOnSphere(const glm::dvec3& p, const glm::dvec3& /*face*/) {
@@ -32,7 +33,6 @@ Foot footOnTorus(const glm::dvec3& p, const glm::dvec3& /*face*/) {
     return {std::abs(length - kTube), across / length};
 }
 
-/// The distance of cap points from the cap's plane; nothing if the face is no cap.
 bool isCap(const glm::dvec3& face) {
     return std::abs(face.y) > .999;
 }
@@ -48,18 +48,20 @@ Foot footOnCone(const glm::dvec3& p, const glm::dvec3& face) {
     const double around = std::hypot(p.x, p.z), slant = std::hypot(1., kHeight);
     const double cosine = around > 0 ? p.x / around : 1, sine = around > 0 ? p.z / around : 0;
     return {std::abs(around * kHeight + p.y - kHeight) / slant,
-            glm::dvec3(kHeight * cosine, 1, kHeight * sine) / slant};
+            glm::dvec3(kHeight * cosine, 1, kHeight * sine) / slant, around > kApex};
 }
 
 constexpr Solid kSolids[] = {
-    {"sphere", [](int n) { return geometry::sphere(1, n, n / 2); }, footOnSphere, 4 * kPi / 3,
+    {"sphere", [](int n) { return geometry::sphere(kSolidRadius, n, n / 2); }, footOnSphere, 4 * kPi / 3,
      [](const glm::dvec3&) { return 1.; }},
-    {"torus", [](int n) { return geometry::torus(1, kTube, n / 2, n); }, footOnTorus,
-     2 * kPi* kPi* kTube* kTube, [](const glm::dvec3& d) { return std::hypot(d.x, d.y) + kTube; }},
-    {"cylinder", [](int n) { return geometry::cylinder(1, kHeight, n, 1); }, footOnCylinder, kPi* kHeight,
+    {"torus", [](int n) { return geometry::torus(kSolidRadius, kTube * kSolidRadius, n / 2, n); },
+     footOnTorus, 2 * kPi* kPi* kTube* kTube,
+     [](const glm::dvec3& d) { return std::hypot(d.x, d.y) + kTube; }},
+    {"cylinder", [](int n) { return geometry::cylinder(kSolidRadius, kHeight * kSolidRadius, n, 1); },
+     footOnCylinder, kPi* kHeight,
      [](const glm::dvec3& d) { return std::hypot(d.x, d.z) + std::max(0., kHeight * d.y); }},
-    {"cone", [](int n) { return geometry::cone(1, kHeight, n, 1); }, footOnCone, kPi* kHeight / 3,
-     [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kHeight * d.y); }},
+    {"cone", [](int n) { return geometry::cone(kSolidRadius, kHeight * kSolidRadius, n, 1); }, footOnCone,
+     kPi* kHeight / 3, [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kHeight * d.y); }},
 };
 
 }  // namespace
@@ -71,8 +73,9 @@ std::span<const Solid> solids() {
 MeshError meshError(const geometry::Mesh& mesh, Foot (*foot)(const glm::dvec3&, const glm::dvec3&)) {
     MeshError largest;
     forEachTriangle(mesh, 6, [&](const Triangle& triangle, const glm::dvec3& weights) {
-        const Foot at = foot(triangle.position(weights), triangle.faceNormal);
+        const Foot at = foot(triangle.position(weights) / kSolidRadius, triangle.faceNormal);
         largest.distance = std::max(largest.distance, at.distance);
+        if (!at.hasNormal) return;
         largest.normal = std::max(largest.normal, degreesBetween(triangle.normal(weights), at.normal));
         largest.faceNormal = std::max(largest.faceNormal, degreesBetween(triangle.faceNormal, at.normal));
     });
@@ -95,9 +98,13 @@ double outlineError(const geometry::Mesh& mesh, double (*extent)(const glm::dvec
             const glm::dvec3 direction = std::cos(angle) * right + std::sin(angle) * up;
             double farthest = -1e300;
             for (const glm::dvec3& p : positions) farthest = std::max(farthest, glm::dot(p, direction));
-            largest = std::max(largest, std::abs(farthest - extent(direction)));
+            largest = std::max(largest, std::abs(farthest / kSolidRadius - extent(direction)));
         }
     return largest;
+}
+
+MeshError sphereError(const geometry::Mesh& mesh) {
+    return meshError(mesh, footOnSphere);
 }
 
 double signedVolume(const geometry::Mesh& mesh) {
@@ -105,7 +112,7 @@ double signedVolume(const geometry::Mesh& mesh) {
     double six = 0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         six += glm::dot(p[mesh.indices[i]], glm::cross(p[mesh.indices[i + 1]], p[mesh.indices[i + 2]]));
-    return six / 6;
+    return six / (6 * kSolidRadius * kSolidRadius * kSolidRadius);
 }
 
 double meshBytes(const geometry::Mesh& mesh) {

@@ -1,5 +1,6 @@
 #pragma once
-// The solids in closed form, each of radius 1: what their meshes are measured against.
+// The solids in closed form: what their meshes are measured against. Lengths are in units of the radius,
+// while the meshes have a radius of .7, so that no vertex is exact because its numbers are round.
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -12,12 +13,13 @@ namespace glibra::bench {
 /// The surface at the foot of the perpendicular from a point.
 struct Foot {
     double distance = 0;
-    glm::dvec3 normal{0};  ///< outward, unit length
+    glm::dvec3 normal{0};   ///< outward, unit length
+    bool hasNormal = true;  ///< false at the apex of the cone
 };
 
 struct Solid {
     std::string_view name;
-    /// The mesh with n slices around; stacks and sides are n / 2, of cylinder and cone 1.
+    /// The mesh with n slices around; stacks and sides are n / 2, of cylinder and cone 1. n >= 6.
     geometry::Mesh (*mesh)(int n);
     /// `face` is the outward normal of the triangle that holds the point: it tells a cap from the side.
     Foot (*foot)(const glm::dvec3& point, const glm::dvec3& face);
@@ -25,6 +27,8 @@ struct Solid {
     /// Largest dot(p, direction) over the solid (support function), for a unit direction.
     double (*extent)(const glm::dvec3& direction);
 };
+
+inline constexpr double kSolidRadius = .7;  ///< of the meshes
 
 /// Sphere, torus (tube .4), cylinder and cone (height 2), in this order.
 std::span<const Solid> solids();
@@ -38,11 +42,14 @@ struct MeshError {
 
 MeshError meshError(const geometry::Mesh& mesh, Foot (*foot)(const glm::dvec3&, const glm::dvec3&));
 
+/// The same for a mesh on the unit sphere times kSolidRadius.
+MeshError sphereError(const geometry::Mesh& mesh);
+
 /// Largest distance between the outlines of mesh and solid, seen from three sides without perspective: of
 /// their convex hulls, as the difference of the extents in 360 directions of each view.
 double outlineError(const geometry::Mesh& mesh, double (*extent)(const glm::dvec3&));
 
-/// Of a closed mesh, positive if triangles are counter-clockwise from outside.
+/// Of a closed mesh, in cubed radii; positive if triangles are counter-clockwise from outside.
 double signedVolume(const geometry::Mesh& mesh);
 
 /// Vertices and indices together.

@@ -65,20 +65,41 @@ geometry::Mesh grid(const Patches& patches, int cells) {
     return mesh;
 }
 
+std::string_view partOf(std::size_t patch) {
+    using namespace geometry;
+    if (patch >= kTeapotSpout) return "spout";
+    if (patch >= kTeapotHandle) return "handle";
+    if (patch >= kTeapotBottom) return "bottom";
+    if (patch >= kTeapotLid) return "lid";
+    return patch >= kTeapotBody ? "body" : "rim";
+}
+
+struct TeapotError {
+    double distance = 0, normal = 0;
+    std::string_view distanceAt, normalAt;  ///< the part where that is
+};
+
 /// Every mesh here holds its patches one after the other, (cells + 1)^2 vertices each.
-MeshError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cells) {
+TeapotError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cells) {
     const auto vertices = static_cast<std::uint32_t>((cells + 1) * (cells + 1));
-    MeshError largest;
+    TeapotError largest;
     forEachTriangle(mesh, 3, [&](const Triangle& triangle, const glm::dvec3& weights) {
-        const geometry::Patch& patch = patches[triangle.vertices[0] / vertices];
+        const std::size_t number = triangle.vertices[0] / vertices;
+        const geometry::Patch& patch = patches[number];
         const glm::dvec3 point = triangle.position(weights);
         const PatchPoint foot = patchPoint(patch, nearestOnPatch(patch, point, triangle.texCoord(weights)));
-        largest.distance = std::max(largest.distance, glm::distance(foot.position, point));
+        if (const double distance = glm::distance(foot.position, point); distance > largest.distance) {
+            largest.distance = distance;
+            largest.distanceAt = partOf(number);
+        }
         const glm::dvec3 across = glm::cross(foot.alongS, foot.alongT);
         // At knob and bottom centre the derivatives vanish, and close to them their direction is rounding.
         if (glm::length(across) < 1e-4) return;
-        largest.normal =
-            std::max(largest.normal, degreesBetween(triangle.normal(weights), glm::normalize(across)));
+        const double angle = degreesBetween(triangle.normal(weights), glm::normalize(across));
+        if (angle > largest.normal) {
+            largest.normal = angle;
+            largest.normalAt = partOf(number);
+        }
     });
     return largest;
 }
@@ -114,19 +135,20 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
     const std::vector<int> counts = bench.isQuick() ? std::vector{4, 8} : std::vector{2, 4, 8, 16, 32};
     for (const int cells : counts) {
         const geometry::Mesh mesh = grid(patches, cells);
-        const MeshError found = errorOf(mesh, patches, cells);
+        const TeapotError found = errorOf(mesh, patches, cells);
         const Timing time = bench.time([&] { grid(patches, cells); });
         positions.points.push_back(pointOf(mesh, cells, found.distance, time));
         normals.points.push_back(pointOf(mesh, cells, found.normal, time));
     }
     const geometry::Mesh shipped = geometry::teapot();
-    const MeshError found = errorOf(shipped, patches, kShippedCells);
+    const TeapotError found = errorOf(shipped, patches, kShippedCells);
     const Timing time = bench.time([] { geometry::teapot(); });
-    position.findings = {
-        orderSentence(positions, "cells"),
-        fmt::format("the teapot of scenes is {} radii from its patches", numberText(found.distance))};
-    normal.findings = {orderSentence(normals, "cells"),
-                       fmt::format("the teapot of scenes: {} degrees", numberText(found.normal))};
+    position.findings = {orderSentence(positions, "cells"),
+                         fmt::format("the teapot of scenes is {} radii from its patches, farthest at the {}",
+                                     numberText(found.distance), found.distanceAt)};
+    normal.findings = {
+        orderSentence(normals, "cells"),
+        fmt::format("the teapot of scenes: {} degrees, at the {}", numberText(found.normal), found.normalAt)};
     position.curves = {std::move(positions),
                        {"the teapot of scenes", {pointOf(shipped, kShippedCells, found.distance, time)}}};
     normal.curves = {std::move(normals),

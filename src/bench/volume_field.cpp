@@ -1,6 +1,7 @@
 #include "bench/volume_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,9 +34,7 @@ double VolumeField::at(const glm::dvec3& p) const {
         high[static_cast<std::size_t>(axis)] = std::min(texel + 1, side - 1);
         t[axis] = place - texel;
     }
-    const auto texel = [&](int x, int y, int z) {
-        return static_cast<double>(texels[static_cast<std::size_t>((z * side + y) * side + x)]);
-    };
+    const auto texel = [&](int x, int y, int z) { return static_cast<double>(texels[index(x, y, z)]); };
     const auto row = [&](int y, int z) { return std::lerp(texel(low[0], y, z), texel(high[0], y, z), t.x); };
     const auto layer = [&](int z) { return std::lerp(row(low[1], z), row(high[1], z), t.y); };
     return std::lerp(layer(low[2]), layer(high[2]), t.z);
@@ -53,20 +52,18 @@ VolumeField blobs(int side) {
 
 VolumeField blockMaxima(const VolumeField& field, int blockSide) {
     VolumeField blocks{field.side / blockSide, {}};
-    blocks.texels.assign(static_cast<std::size_t>(blocks.side * blocks.side * blocks.side), 0);
+    blocks.texels.assign(blocks.index(0, 0, blocks.side), 0);
     // A filter at the rim of a block reads one texel beyond it.
     const auto first = [&](int block) { return std::max(block * blockSide - 1, 0); };
     const auto last = [&](int block) { return std::min((block + 1) * blockSide, field.side - 1); };
     for (int bz = 0; bz < blocks.side; ++bz)
         for (int by = 0; by < blocks.side; ++by)
             for (int bx = 0; bx < blocks.side; ++bx) {
-                float& most =
-                    blocks.texels[static_cast<std::size_t>((bz * blocks.side + by) * blocks.side + bx)];
+                float& most = blocks.texels[blocks.index(bx, by, bz)];
                 for (int z = first(bz); z <= last(bz); ++z)
                     for (int y = first(by); y <= last(by); ++y)
                         for (int x = first(bx); x <= last(bx); ++x)
-                            most = std::max(most, field.texels[static_cast<std::size_t>(
-                                                      (z * field.side + y) * field.side + x)]);
+                            most = std::max(most, field.texels[field.index(x, y, z)]);
             }
     return blocks;
 }

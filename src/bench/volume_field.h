@@ -2,7 +2,7 @@
 // A density over the unit cube, most of it empty, and the light that rays through it bring to the eye: in
 // double, for comparison with what a shader integrates.
 
-#include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -16,6 +16,12 @@ struct VolumeField {
     std::vector<float> texels;
 
     [[nodiscard]] double at(const glm::dvec3& p) const;
+    /// Where texel (x, y, z) stands in `texels`.
+    [[nodiscard]] std::size_t index(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(side) + static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(side) +
+               static_cast<std::size_t>(x);
+    }
 };
 
 /// Three round blobs of bounded size and a hollow shell, with nothing between them.

@@ -34,6 +34,9 @@ void addLanguage(CLI::App& app, int& status);
 /// --scene-transform, --eye-transform and the other options of a window's view.
 void addViewOptions(CLI::App& command, ViewState& view);
 
+/// --max-error and --override-counts.
+void addBudgetOptions(CLI::App& command, RenderOptions& options);
+
 /// Words of --driver.
 inline const std::map<std::string, Driver> kDriverWords{{"auto", Driver::automatic},
                                                         {"egl", Driver::egl},

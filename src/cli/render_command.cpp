@@ -334,6 +334,7 @@ void addRender(CLI::App& app, int& status) {
         ->transform(CLI::CheckedTransformer(std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic},
                                                                               {"glman", ViewPolicy::glman}}));
     command->add_option("--samples", to.options.samples, "samples a pixel")->check(CLI::Range(1, 64));
+    addBudgetOptions(*command, to.options);
     addViewOptions(*command, to.options.viewState);
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
@@ -359,7 +360,8 @@ void addRender(CLI::App& app, int& status) {
     command->add_option("--stats", to.statsFile, "write times and counts of every stage as JSON");
     // What the suite says for each shot.
     for (const char* each : {"--size", "--time", "--frames", "--fps", "--set", "--view", "--samples",
-                             "--axes", "--alpha", "--tile", "--strict", "--no-shim", "--explain", "--stats"})
+                             "--max-error", "--override-counts", "--axes", "--alpha", "--tile", "--strict",
+                             "--no-shim", "--explain", "--stats"})
         suite->excludes(command->get_option(each));
     command->callback([arguments, command, &status] {
         if (command->count("--timeout") > 0) arguments->suite.timeout = arguments->timeout;

@@ -27,6 +27,8 @@ struct SuiteArguments {
     std::optional<double> timeout;  ///< seconds
     bool resume = false;
     bool skip = true;  ///< false: --no-skip
+    /// Runs also the shots that others name by `match` and `differ`; --update replaces only what is meant.
+    bool withNamed = true;
 };
 
 /// --only, --shard, --resume.

@@ -205,6 +205,7 @@ void addTest(CLI::App& app, int& status) {
                       "read, make and draw also what the pictures do not need; they stay the same");
     command->callback([arguments, &status] {
         arguments->command = commandLine();
+        arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);
     });
 }

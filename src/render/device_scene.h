@@ -57,6 +57,11 @@ class DeviceScene {
     const Bounds& bounds(int shape, bool withTangents, Diagnostics& diagnostics);
     /// What bounds() has found out for the shape, or null.
     [[nodiscard]] const Bounds* knownBounds(int shape) const;
+    /// The shape is another now.
+    void forgetMesh(int shape) {
+        meshes_.erase(shape);
+        bounds_.erase(shape);
+    }
     /// Frees the CPU's copies.
     void releaseMeshes() { meshes_.clear(); }
 

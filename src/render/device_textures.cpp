@@ -230,8 +230,9 @@ const gpu::Sampler& DeviceScene::sampler(bool clamp) {
 }
 
 Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
-    const auto key = std::pair(pass.targets, pass.depthBuffer);
-    if (const auto known = targets_.find(key); known != targets_.end()) return &known->second;
+    // Asked for at every frame: no key is made for it.
+    for (const auto& [key, known] : targets_)
+        if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
     std::vector<const gpu::Texture*> textures;
     for (const int each : pass.targets) textures.push_back(texture(each));
     gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
@@ -241,7 +242,7 @@ Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
         return std::move(made.diagnostics);
     }
     depth = made->depth();
-    return &targets_.emplace(key, std::move(*made)).first->second;
+    return &targets_.emplace(std::pair(pass.targets, pass.depthBuffer), std::move(*made)).first->second;
 }
 
 }  // namespace glibra::render

@@ -36,6 +36,10 @@ class FrameDrawer {
     /// Called before (`begins`) and after the GL call of every draw, its program and state being bound.
     using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
     void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
+    /// The GL calls of that draw alone, with whatever program and vertex array are bound: for hooks.
+    void submit(const plan::PlannedDraw& planned) const;
+    /// What the draw's program is, or stands for it; null if nothing is drawn.
+    [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
     /// The plan's literals of this program (index into FramePlan::programs) are others than before.
     void forgetLiterals(int program);
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
@@ -67,6 +71,7 @@ class FrameDrawer {
         std::vector<gpu::Buffer> blocks;
     };
 
+    [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
     void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
     void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;

@@ -25,6 +25,17 @@ Diagnostics writeToStandardOutput(const image::Image& picture) {
     return {error("file-E10", "cannot write to standard output")};
 }
 
+/// "; nothing is in sight: line 7, Teapot: it is behind ..." if draws were left out and none is left.
+std::string whyNothingIsSeen(const plan::FramePlan& plan) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (std::holds_alternative<plan::PlannedDraw>(step)) return {};
+    for (const plan::Skipped& each : plan.skipped)
+        if (each.what == "draw")
+            return fmt::format("; nothing is in sight: line {}, {}", each.place.line, each.why);
+    return {};
+}
+
 bool wantsFloat(const std::filesystem::path& output) {
     std::string ending = output.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -33,11 +44,13 @@ bool wantsFloat(const std::filesystem::path& output) {
 
 }  // namespace
 
-Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene, bool isSearched) {
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      const plan::FramePlan& plan, bool isSearched) {
     Diagnostics remarks;
     const Place place{scene.string(), 1, 1};
     if (image::isOneColor(picture))
-        remarks.push_back(note("draw-N02", "the picture has only one colour", place));
+        remarks.push_back(
+            note("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
     const image::NonFinite bad = image::countNonFinite(picture);
     if (bad.nan + bad.infinite > 0 && !isSearched)
         remarks.push_back(warning(
@@ -94,13 +107,13 @@ class JobRun {
         Result<image::Image> picture = scene.draw(time, stats_);
         append(result_.diagnostics, std::move(picture.diagnostics));
         if (search_) append(result_.diagnostics, search_->at(time));
-        if (!picture || !remark(*picture)) return std::nullopt;
+        if (!picture || !remark(*picture, scene.plan())) return std::nullopt;
         return std::move(picture.value);
     }
 
     /// Of an animation the first frame of one colour and the first with NaN are told.
-    bool remark(const image::Image& picture) {
-        for (Diagnostic& each : remarksOn(picture, job_.scene, options_.checkNan))
+    bool remark(const image::Image& picture, const plan::FramePlan& plan) {
+        for (Diagnostic& each : remarksOn(picture, job_.scene, plan, options_.checkNan))
             if (told_.insert(each.id).second) result_.diagnostics.push_back(std::move(each));
         applyStrict(result_.diagnostics, options_.strict);
         return !hasError(result_.diagnostics);

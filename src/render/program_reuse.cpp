@@ -65,7 +65,7 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
 
 std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
     if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
-    std::string key = render::keyOf(asked);
+    const std::string key = render::keyOf(asked);
     if (const auto* known = shared_->translations.find(key)) {
         stats_.add("translations kept", 1);
         return *known;
@@ -86,7 +86,7 @@ std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::P
     auto translated = std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
     std::size_t size = key.size();
     for (const glsl::TranslatedStage& each : translated->stages) size += each.source.size();
-    if (!asksMore) shared_->translations.add(std::move(key), translated, size);
+    if (!asksMore) shared_->translations.add(key, translated, size);
     return translated;
 }
 
@@ -129,10 +129,12 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
         std::vector<std::string> tags;
         for (const glib::UniformSpec& each :
              scene_.programs[static_cast<std::size_t>(variant.program)].uniforms)
-            tags.push_back(fmt::format("{} {}", each.tag, each.values.size()));
+            tags.push_back(
+                fmt::format("{} {} {}", each.tag, static_cast<int>(each.form), each.values.size()));
         for (const std::string& each : options_.set)
             if (const Result<plan::Override> given = plan::parseOverride(each))
-                tags.push_back(fmt::format("{}:{} {}", given->program, given->name, given->values.size()));
+                tags.push_back(fmt::format("{}:{} {} {}", given->program, given->name,
+                                           static_cast<int>(given->form), given->values.size()));
         std::sort(tags.begin(), tags.end());
         for (const std::string& each : tags) key += each + '\n';
     }

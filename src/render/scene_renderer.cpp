@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "budget/budget.h"
 #include "gpu/readback.h"
 #include "render/axes.h"
 #include "render/frame.h"
@@ -51,12 +52,45 @@ struct SceneRenderer::State {
     ViewMatrices view;
     bool isStateful = false;  ///< remembersFrames()
 
+    [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
     Diagnostics preparePlan(Stats& stats, bool everything);
+    Diagnostics keepBudget(const plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics& diagnostics);
     [[nodiscard]] bool mayShowEarlierFrames();
     Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
 };
+
+plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
+    return plan::planFrame(
+        scene,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+}
+
+/// Counts are chosen for what a plan needs; with the shapes as they are then, it is planned again.
+Diagnostics SceneRenderer::State::keepBudget(const plan::PlanOptions& planOptions, Stats& stats) {
+    const plan::FramePlan first = planScene(planOptions);
+    if (hasError(first.diagnostics)) return {};
+    const StageTimer timer(stats, "budget");
+    budget::Choice choice =
+        budget::choose(scene, first,
+                       {.maxError = options.maxError,
+                        .overrideCounts = options.overrideCounts,
+                        .width = width,
+                        .height = height,
+                        .areSamplesFree = options.samples == 0,
+                        .mostSamples = context.capabilities().maxSamples,
+                        .clipFromModel = [&](const scene::Draw& draw, double aspect) {
+                            return view.projection(draw.projection, aspect) * view.modelView(draw);
+                        }});
+    if (options.samples == 0) options.samples = choice.samples;
+    for (const int shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    stats.decisions = std::move(choice.decisions);
+    return std::move(choice.diagnostics);
+}
 
 Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
@@ -67,19 +101,17 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
     if (!options.skip) device.separateTextures();
+    Diagnostics diagnostics;
+    if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
+    options.samples = std::max(1, options.samples);
     Diagnostics meshDiagnostics;
     if (!planOptions.everything)
         planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, meshDiagnostics);
         };
-    plan = plan::planFrame(
-        scene,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+    plan = planScene(planOptions);
     stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
-    Diagnostics diagnostics = std::move(plan.diagnostics);
+    append(diagnostics, std::move(plan.diagnostics));
     plan.diagnostics.clear();
     append(diagnostics, std::move(meshDiagnostics));
     if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
@@ -92,12 +124,12 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
     if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
-    Screen screen{width, height, {0, 0, width, height}, options.samples};
+    Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
     if (!pass.targets.empty()) {
         const scene::Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
         const auto* size = std::get_if<scene::EmptySource>(&target.source);
         if (!size) return {};
-        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1};
+        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, false};
     }
     const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), diagnostics);
     const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());
@@ -239,12 +271,12 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
     state->isStateful = state->mayShowEarlierFrames();
     state->drawer->setPictureSize(width, height);
     state->drawer->setView(state->view);
-    if (options.skip && grid.tiles.size() > 1) state->drawer->leaveOutOfTile(options.samples);
+    if (options.skip && grid.tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
     state->device.releaseMeshes();
 
     Result<gpu::Target> window = gpu::Target::window(
         capabilities, state->tiles.front().width, state->tiles.front().height,
-        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, options.samples);
+        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, state->options.samples);
     append(diagnostics, std::move(window.diagnostics));
     if (!window) return refuse(std::move(diagnostics));
     state->window = std::move(window.value);

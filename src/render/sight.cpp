@@ -94,34 +94,42 @@ bool missesCentres(const Bounds& bounds, const Form& coordinate, const Form& w, 
     return std::isfinite(first) && std::isfinite(last) && std::floor(last) < std::ceil(first);
 }
 
-}  // namespace
-
-Bounds boundsOf(const geometry::Mesh& mesh) {
-    Bounds bounds;
-    const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
-    if (position == nullptr || position->components < 1 || position->components > 4 ||
-        position->values.empty())
-        return bounds;
-    const auto components = static_cast<std::size_t>(position->components);
+template <std::size_t Components>
+Bounds boundsOf(const std::vector<float>& values) {
     constexpr float kMost = std::numeric_limits<float>::infinity();
     std::array<float, 4> low{kMost, kMost, kMost, kMost};
     std::array<float, 4> high{-kMost, -kMost, -kMost, -kMost};
-    bool isNumber = true;
-    for (std::size_t i = 0; i + components <= position->values.size(); i += components)
-        for (std::size_t k = 0; k < components; ++k) {
-            const float value = position->values[i + k];
-            low[k] = std::min(low[k], value);
-            high[k] = std::max(high[k], value);
-            isNumber = isNumber && value == value;
+    std::array<float, Components> zero{};  // turns NaN where a value is no finite number
+    for (std::size_t i = 0; i + Components <= values.size(); i += Components)
+        for (std::size_t k = 0; k < Components; ++k) {
+            const float value = values[i + k];
+            low[k] = value < low[k] ? value : low[k];
+            high[k] = value > high[k] ? value : high[k];
+            zero[k] += value * 0;
         }
-    for (std::size_t k = components; k < 4; ++k) low[k] = high[k] = k == 3 ? 1.F : 0.F;
+    if constexpr (Components == 3) low[3] = high[3] = 1;
+    Bounds bounds;
     for (std::size_t k = 0; k < 4; ++k) {
         bounds.low[static_cast<int>(k)] = static_cast<double>(low[k]);
         bounds.high[static_cast<int>(k)] = static_cast<double>(high[k]);
-        isNumber = isNumber && std::isfinite(low[k]) && std::isfinite(high[k]);
     }
-    bounds.isKnown = isNumber;
+    bounds.isKnown = std::none_of(zero.begin(), zero.end(), [](float each) { return std::isnan(each); });
     return bounds;
+}
+
+}  // namespace
+
+Bounds boundsOf(const geometry::Mesh& mesh) {
+    const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
+    if (position == nullptr || position->values.empty()) return {};
+    switch (position->components) {
+        case 3:
+            return boundsOf<3>(position->values);
+        case 4:
+            return boundsOf<4>(position->values);
+        default:
+            return {};
+    }
 }
 
 Bounds placed(const Bounds& bounds, glsl::Placement placement) {
@@ -141,11 +149,12 @@ Lens lensOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatr
     lens.height = screen.height;
     lens.tile = screen.tile;
     lens.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
-    lens.oneSample = screen.samples <= 1;
+    lens.oneSample = screen.samples <= 1 && !screen.mayShift;
     if (topology == Topology::points)
         lens.reach = (draw.raster.pointSizeFromShader ? driver.maxPointSize : draw.raster.pointSize) / 2 + 1;
     else if (!lens.filled)
         lens.reach = draw.raster.lineWidth / 2 + 1;
+    if (screen.mayShift) lens.reach += 1;
     return lens;
 }
 

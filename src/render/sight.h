@@ -38,6 +38,7 @@ struct Screen {
     int width = 1, height = 1;  ///< pixels
     Tile tile;
     int samples = 1;
+    bool mayShift = false;  ///< by up to a pixel in any direction (SceneRenderer::setShift)
 };
 /// The lens of a draw whose program places vertices by the matrices alone.
 Lens lensOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatrices& view,

@@ -144,7 +144,8 @@ Rendering ShotWorker::render(const Shot& shot) {
     append(rendering.diagnostics, std::move(picture.diagnostics));
     rendering.picture = std::move(picture.value);
     if (rendering.picture) {
-        append(rendering.diagnostics, render::remarksOn(*rendering.picture, shot.script));
+        append(rendering.diagnostics,
+               render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
     }

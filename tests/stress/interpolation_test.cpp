@@ -115,31 +115,36 @@ TEST(Refraction, KeepsSnellsLawAndIsZeroBeyondTheCriticalAngle) {
 
 TEST(BezierCurves, AreTheSameBeforeAndAfterTheProjection) {
     // Two ways to the same homogeneous point; the difference counts in units of w.
-    const FloatPicture picture = draw(
-        "WindowSize 256 4\nPerspective 70 .1 100\n" + kView + "Rotate 25 1 2 3\nTranslate .3 -.2 .5\n" +
-            kProgram + "QuadXY 0 1000\n",
-        shaded(
-            "apart()",
-            "uniform mat4 uModelViewProjectionMatrix;\n"
-            "vec4 bezier(vec4 a, vec4 b, vec4 c, vec4 d, float t) {\n"
-            "  float s = 1. - t;\n"
-            "  return s*s*s*a + 3.*s*s*t*b + 3.*s*t*t*c + t*t*t*d;\n}\n"
-            "vec3 apart() {\n  float t = gl_FragCoord.x / 256.;\n"
-            "  vec4 p[4] = vec4[](vec4(-1., -.5, .2, 1.), vec4(-.2, 1.3, -.4, 1.), vec4(.7, -1.1, .6, 1.), "
-            "vec4(1.2, .4, -.3, 1.));\n"
-            "  mat4 m = uModelViewProjectionMatrix;\n"
-            "  vec4 before = m * bezier(p[0], p[1], p[2], p[3], t);\n"
-            "  vec4 after = bezier(m * p[0], m * p[1], m * p[2], m * p[3], t);\n"
-            "  vec4 difference = abs(before - after) / after.w;\n"
-            "  return vec3(max(difference.x, difference.y), difference.w, after.w);\n}\n"));
+    const Files files{
+        {"v.vert", "#version 330 core\nvoid main() { gl_Position = vec4(sign(aVertex.xy), 0., 1.); }\n"},
+        {"f.frag",
+         "#version 330 core\nout vec4 fColor;\n"
+         "vec4 bezier(vec4 a, vec4 b, vec4 c, vec4 d, float t) {\n"
+         "  float s = 1. - t;\n"
+         "  return s*s*s*a + 3.*s*s*t*b + 3.*s*t*t*c + t*t*t*d;\n}\n"
+         "void main() {\n  float t = gl_FragCoord.x / 256.;\n"
+         "  vec4 p[4] = vec4[](vec4(-1., -.5, .2, 1.), vec4(-.2, 1.3, -.4, 1.),\n"
+         "                     vec4(.7, -1.1, .6, 1.), vec4(1.2, .4, -.3, 1.));\n"
+         "  mat4 m = uModelViewProjectionMatrix;\n"
+         "  vec4 before = m * bezier(p[0], p[1], p[2], p[3], t);\n"
+         "  vec4 after = bezier(m * p[0], m * p[1], m * p[2], m * p[3], t);\n"
+         "  vec4 apart = abs(before - after) / after.w;\n"
+         "  fColor = vec4(max(apart.x, apart.y), apart.w, after.w, 1.);\n}\n"}};
+    const FloatPicture picture =
+        draw("WindowSize 256 4\nPerspective 70 .1 100\n" + kView + "Rotate 25 1 2 3\nTranslate .3 -.2 .5\n" +
+                 kProgram + "QuadXY 0 1 1 1\n",
+             files);
     ASSERT_EQ(picture.width, 256);
     EXPECT_EQ(picture.nonFinite(), 0U);
+    double largest = 0;
     for (int x = 0; x < 256; ++x) {
         const auto seen = picture.at(x, 1);
         EXPECT_LT(seen[0], 1e-6F) << x;
         EXPECT_LT(seen[1], 1e-6F) << x;
         EXPECT_GT(seen[2], 1) << "the curve is in front of the eye";
+        largest = std::max(largest, static_cast<double>(seen[0]));
     }
+    EXPECT_GT(largest, 0) << "two orders of floating-point operations";
 }
 
 }  // namespace

@@ -231,6 +231,9 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<c
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
     std::vector<std::size_t> starts = lineStarts(text);
+    // Somebody else may have made it shorter.
+    view.cursor = std::clamp(view.cursor, 0, static_cast<int>(text.size()));
+    view.line = lineOf(starts, view.cursor);
     const float lineHeight = ImGui::GetFontSize();
     const float digit = ImGui::CalcTextSize("0").x;
     float longest = 0;

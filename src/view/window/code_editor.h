@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "view/code_paint.h"
+
 namespace glibra::view {
 
 /// A message about a line, counted from 1.
@@ -25,8 +27,6 @@ struct CodeView {
     int cursor = 0, previousSize = 0;  ///< bytes
     float height = 0;                  ///< of what was seen
 };
-
-enum class Dialect { glsl, glib };
 
 /// Fills what is left of the current window but `below` pixels. True if the user changed the text. `name`
 /// tells widgets apart.

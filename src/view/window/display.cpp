@@ -12,7 +12,7 @@ namespace glibra::view {
 struct Display::Events {
     bool active = true;
     std::vector<std::filesystem::path> dropped;
-    std::vector<KeyPress> pressed;
+    std::vector<KeyEvent> keys;
 };
 
 namespace {
@@ -69,13 +69,15 @@ Result<Display> Display::open(int width, int height, const std::string& title) {
     glfwSetScrollCallback(window, [](GLFWwindow* at, double, double) {
         static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int modifiers) {
+    glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int) {
         auto& all = *static_cast<Events*>(glfwGetWindowUserPointer(at));
         all.active = true;
-        if (action == GLFW_PRESS) all.pressed.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0});
+        if (action != GLFW_REPEAT) all.keys.push_back({key, action == GLFW_PRESS, 0});
     });
-    glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int) {
-        static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
+    glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int character) {
+        auto& all = *static_cast<Events*>(glfwGetWindowUserPointer(at));
+        all.active = true;
+        all.keys.push_back({0, true, character});
     });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* at, int) {
         static_cast<Events*>(glfwGetWindowUserPointer(at))->active = true;
@@ -164,8 +166,8 @@ void Display::wake() {
 bool Display::takeActivity() {
     return std::exchange(events_->active, false);
 }
-std::vector<Display::KeyPress> Display::takePressedKeys() {
-    return std::exchange(events_->pressed, {});
+std::vector<Display::KeyEvent> Display::takeKeyEvents() {
+    return std::exchange(events_->keys, {});
 }
 std::vector<std::filesystem::path> Display::takeDropped() {
     return std::exchange(events_->dropped, {});

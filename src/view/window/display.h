@@ -46,12 +46,19 @@ class Display {
     static void wake();
     /// True once after any event reached the window.
     bool takeActivity();
-    /// A key that went down, also one that was up again before the next frame.
+    /// A key that went down.
     struct KeyPress {
         int key = 0;  ///< GLFW's number
         bool control = false;
     };
-    std::vector<KeyPress> takePressedKeys();
+    /// A key that went down or up, or a character that was typed, if that is not 0.
+    struct KeyEvent {
+        int key = 0;  ///< GLFW's number
+        bool isDown = false;
+        unsigned character = 0;
+    };
+    /// In the order in which they came, since the last call.
+    std::vector<KeyEvent> takeKeyEvents();
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
 

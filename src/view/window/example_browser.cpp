@@ -99,7 +99,8 @@ void tile(Ui& ui, ExampleBrowser::Tile& each) {
                              end, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * ui.scale);
     } else {
         draw.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * ui.scale);
-        const char* text = each.thumbnail.state == Thumbnail::State::failed ? "no picture" : "...";
+        const bool isComing = each.thumbnail.state == Thumbnail::State::missing && ui.shared.examples.maker;
+        const char* text = isComing ? "..." : "no picture";
         const ImVec2 width = ImGui::CalcTextSize(text);
         draw.AddText({at.x + (size.x - width.x) / 2, at.y + (size.y - width.y) / 2},
                      ImGui::GetColorU32(ImGuiCol_TextDisabled), text);

@@ -1,5 +1,7 @@
 #include "view/window/panels_json.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 
 namespace glibra::view {
@@ -30,7 +32,19 @@ void addPanels(nlohmann::ordered_json& state, const Ui& ui) {
                          {"drawing", examples.maker != nullptr}};
     state["folder"] = ui.shared.dialog.list.folder.string();
     state["question"] = ui.shared.question.has_value();
+    state["takesText"] = ImGui::GetIO().WantTextInput;
     state["suiteMessage"] = ui.suite.message;
+    state["lensWords"] = ui.lensWords;
+    if (const NoiseWindow& noise = ui.shared.noise; noise.isOpen)
+        state["noise"] = {{"command", noiseCommand(noise.noise, noise.file.data())},
+                          {"point", noise.chosen},
+                          {"message", noise.message}};
+    if (!ui.cost) return;
+    Json passes = Json::array();
+    for (const PassCost& each : ui.cost->passes)
+        passes.push_back({{"target", each.target}, {"milliseconds", each.milliseconds}});
+    state["cost"] = {
+        {"frames", ui.cost->frames}, {"milliseconds", ui.cost->millisecondsAFrame}, {"passes", passes}};
 }
 
 }  // namespace glibra::view

@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kLongestScene = 30'000;  ///< milliseconds
 constexpr int kNiceness = 10;
+constexpr int kNoDriver = 4;  ///< exit status
 
 /// This program with these arguments, its standard output into `output`, what it complains of nowhere.
 pid_t start(const std::vector<std::string>& words, int output) {
@@ -109,7 +110,11 @@ std::size_t ThumbnailMaker::runProcess(std::size_t first, std::string& why) {
             finish(done++);
     }
     ::close(pipe[0]);
-    if (process >= 0) ::waitpid(process, nullptr, 0);
+    int status = 0;
+    if (process >= 0) ::waitpid(process, &status, 0);
+    // Without a driver for drawing off screen there are no pictures, whatever the scene.
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kNoDriver)
+        while (done < scenes_.size()) finish(done++);
     return done;
 }
 
@@ -125,7 +130,6 @@ void ThumbnailMaker::run() {
 
 int makeThumbnails(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& scenes,
                    const std::vector<std::filesystem::path>& libraryRoots) {
-    constexpr int kNoDriver = 4;
     ::setpriority(PRIO_PROCESS, 0, kNiceness);
     gpu::prepareEnvironment();
     Result<gpu::Context> context = gpu::openContext();

@@ -18,6 +18,7 @@
 #include "view/state_json.h"
 #include "view/window/display.h"
 #include "view/window/input_script.h"
+#include "view/window/key_queue.h"
 #include "view/window/panels_json.h"
 #include "view/window/tabs.h"
 #include "view/window/theme.h"
@@ -96,6 +97,7 @@ class Window {
     std::vector<FrameInput> replay_;
     std::size_t replayed_ = 0;
     std::vector<int> replayedKeys_;
+    KeyQueue keys_;
     int framesWanted_ = kFramesAfterEvent;
     std::uint64_t framesPresented_ = 0;
     std::uint64_t reloads_ = 0;
@@ -116,6 +118,7 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
     gui_.emplace(display, display.contentScale(), lightTheme_);
+    shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
 }
@@ -263,7 +266,8 @@ void Window::drawFrame() {
     lastFrame_ = RealClock::now();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    ui().pressed = display_.takePressedKeys();
+    keys_.add(display_.takeKeyEvents());
+    ui().pressed = keys_.begin();
     const bool isReplayed = nextInput();
     if (recorder_) recorder_->add(presentInput());
     Ui& ui = tabs_.shown().ui;
@@ -291,7 +295,7 @@ void Window::drawFrame() {
     }
     pictureOverlay(ui);
     present();
-    --framesWanted_;
+    framesWanted_ = keys_.isWaiting() ? kFramesAfterEvent : framesWanted_ - 1;
 }
 
 void Window::present() {
@@ -339,7 +343,6 @@ void Window::writeState() {
     state["hardcopyMessage"] = ui.hardcopy.message;
     state["lightTheme"] = lightTheme_;
     state["inspected"] = ui.inspector.hovered;
-    if (ui.cost) state["cost"] = {{"frames", ui.cost->frames}, {"milliseconds", ui.cost->millisecondsAFrame}};
     state["waiting"] = framesWanted_ <= 0 && !session().isMoving() && replayed_ >= replay_.size();
     timespec cpu{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
