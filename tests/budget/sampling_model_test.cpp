@@ -48,7 +48,7 @@ double exact(const std::vector<double>& place) {
 
 /// What a linear filter gives from the bytes of the texture, with the half step that cutting to bytes takes
 /// away on the average.
-double filtered(const noise::TexelBytes& texels, int size, const std::vector<double>& place) {
+double filtered(const std::vector<std::uint8_t>& texels, int size, const std::vector<double>& place) {
     double sum = 0;
     const auto n = static_cast<std::size_t>(size);
     for (unsigned corner = 0; corner < 1U << place.size(); ++corner) {
@@ -90,7 +90,7 @@ TEST(SamplingModel, NoiseErrorIsThatOf95OfAHundredPlaces) {
         }
         const double gradient = std::sqrt(squares / kPlaces);
         for (const int size : noiseSizes(static_cast<int>(dimensions))) {
-            const noise::TexelBytes texels =
+            const std::vector<std::uint8_t> texels =
                 dimensions == 3 ? noise::noise3Texels(size) : noise::noise2Texels(size);
             std::vector<double> errors;
             for (int i = 0; i < kPlaces; ++i) {
