@@ -136,7 +136,7 @@ Result<std::vector<Figure>> measureBudget(Bench& bench) {
                   .errorUnit = "pixels",
                   .reference =
                       "pictures four times as large with meshes and noise four times as fine: the radius "
-                      "within which all but 1 of 10,000 pixels find their value",
+                      "within which all but 1 of 1000 pixels find their value",
                   .curves = {curveOf(rows, "default", &SceneRow::byDefault),
                              curveOf(rows, "--max-error", &SceneRow::chosen),
                              curveOf(rows, "--max-error --override-counts", &SceneRow::allChosen),

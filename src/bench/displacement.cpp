@@ -45,7 +45,7 @@ void grow(Ranges& ranges, const image::Image& picture) {
 
 /// Pixels that show what the ranges do not have.
 std::size_t outside(const image::Image& picture, const Ranges& ranges) {
-    constexpr int kTolerance = 3;
+    constexpr int kTolerance = 8;
     const auto components = static_cast<std::size_t>(picture.components);
     std::size_t pixels = 0;
     for (std::size_t first = 0; first < picture.data.size(); first += components) {
@@ -64,7 +64,7 @@ std::size_t outside(const image::Image& picture, const Ranges& ranges) {
 
 int displacement(const image::Image& a, const image::Image& b, int most) {
     const std::size_t allowed =
-        static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height) / 10000;
+        static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height) / 1000;
     Ranges aroundA = rangesOf(a), aroundB = rangesOf(b);
     for (int radius = 0; radius <= most; ++radius) {
         if (outside(a, aroundB) <= allowed && outside(b, aroundA) <= allowed) return radius;

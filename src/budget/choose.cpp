@@ -224,10 +224,11 @@ class Chooser {
         for (const auto& [texture, use] : noise_) {
             const auto& source =
                 std::get<scene::NoiseSource>(scene_.textures[static_cast<std::size_t>(texture)].source);
-            const auto& [period, draw] = use;
+            const double period = use.first;
+            const Place& place = use.second->place;
             const std::string word = fmt::format("Noise{}D", source.dimensions);
             const auto say = [&](std::string why) {
-                choice_.decisions.push_back({word, std::move(why), draw->place});
+                choice_.decisions.push_back({word, std::move(why), place});
             };
             const auto errorOf = [&](int size) {
                 return pixelText(noiseError(source.dimensions, size) * period);

@@ -66,7 +66,6 @@ struct NoiseSource {
     int dimensions = 3;
     int size = 64;
     bool isSizeGiven = false;  ///< the scene states it
-    int bits = 8;              ///< of a component: 8, as the language has it, or 16
     int file = kNone;          ///< index into Scene::files
     Diagnostics remarks;
 };
