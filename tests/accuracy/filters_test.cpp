@@ -59,32 +59,32 @@ TEST(SobelInDouble, OfARampIsEightTimesItsSlope) {
 class FiltersOnTheDevice : public testing::Test {
   protected:
     void SetUp() override {
-        const Result<gpu::Context*> context = bench_.context();
+        const Result<gpu::Context*> context = bench.context();
         ASSERT_TRUE(context);
-        capabilities_ = &(*context)->capabilities();
+        capabilities = &(*context)->capabilities();
     }
     /// Largest difference of any pixel from the plane, in 255ths.
     double largest(const std::vector<std::string>& fragments, gpu::TexelFormat between, const Plane& wanted) {
-        const Result<FilterChain> chain = FilterChain::create(*capabilities_, picture_, fragments, between);
+        const Result<FilterChain> chain = FilterChain::create(*capabilities, picture, fragments, between);
         EXPECT_TRUE(chain);
         if (!chain) return 1e9;
         chain->draw();
-        const Result<Plane> got = chain->result(*capabilities_);
+        const Result<Plane> got = chain->result(*capabilities);
         EXPECT_TRUE(got);
         double most = 0;
         for (std::size_t i = 0; i < wanted.values.size(); ++i)
             most = std::max(most, std::abs(got->values[i] - wanted.values[i]) * 255);
         return most;
     }
-    Bench bench_{{.quick = true}};
-    const gpu::Capabilities* capabilities_ = nullptr;
-    Plane picture_ = testPicture(64);
+    Bench bench{{.quick = true}};
+    const gpu::Capabilities* capabilities = nullptr;
+    Plane picture = testPicture(64);
 };
 
 TEST_F(FiltersOnTheDevice, OfFloatsAreTheReferenceAtEveryPixel) {
     for (const int radius : {1, 3, 8}) {
         const std::vector<double> weights = gaussianWeights(radius);
-        const Plane wanted = blurred(picture_, weights);
+        const Plane wanted = blurred(picture, weights);
         const auto format = gpu::TexelFormat::rgba32f;
         EXPECT_LT(largest({directBlur(weights)}, format, wanted), .001);
         EXPECT_LT(largest({blurAlong(weights, false), blurAlong(weights, true)}, format, wanted), .001);
@@ -92,7 +92,7 @@ TEST_F(FiltersOnTheDevice, OfFloatsAreTheReferenceAtEveryPixel) {
         EXPECT_LT(largest({pairedBlurAlong(weights, false), pairedBlurAlong(weights, true)}, format, wanted),
                   2);
     }
-    const Plane gradient = sobel(picture_);
+    const Plane gradient = sobel(picture);
     EXPECT_LT(largest({directSobel()}, gpu::TexelFormat::rgba32f, gradient), .001);
     EXPECT_LT(largest({sobelColumns(1, 0), sobelRows(1, 0)}, gpu::TexelFormat::rgba32f, gradient), .001);
     EXPECT_LT(largest({sobelColumns(.2, .2), sobelRows(.2, .2)}, gpu::TexelFormat::rgba32f, gradient), .001);
@@ -100,14 +100,14 @@ TEST_F(FiltersOnTheDevice, OfFloatsAreTheReferenceAtEveryPixel) {
 
 TEST_F(FiltersOnTheDevice, OfOneDirectionAreNotABlur) {
     const std::vector<double> weights = gaussianWeights(3);
-    EXPECT_GT(largest({blurAlong(weights, false)}, gpu::TexelFormat::rgba32f, blurred(picture_, weights)), 5);
+    EXPECT_GT(largest({blurAlong(weights, false)}, gpu::TexelFormat::rgba32f, blurred(picture, weights)), 5);
 }
 
 TEST_F(FiltersOnTheDevice, RoundToBytesBetweenTheirPasses) {
     // Half a step for each row's pixel, averaged by the second pass; and more than a float's error.
     const std::vector<double> weights = gaussianWeights(4);
     const double most = largest({blurAlong(weights, false), blurAlong(weights, true)},
-                                gpu::TexelFormat::rgba8, blurred(picture_, weights));
+                                gpu::TexelFormat::rgba8, blurred(picture, weights));
     EXPECT_LT(most, .51);
     EXPECT_GT(most, .05);
 }

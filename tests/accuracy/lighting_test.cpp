@@ -25,10 +25,11 @@ std::optional<glm::dvec3> steppedNormal(double x, double y) {
     const glm::dmat3 toModel = glm::inverse(torusRotation());
     const auto at = [&](double z) { return quartic(toModel * glm::dvec3(x, y, z)); };
     constexpr double kStep = 1e-3, kDifference = 1e-5;
-    for (double z = 1.1; z > -1.1; z -= kStep) {
+    for (int i = 0; i < 2200; ++i) {
+        const double z = 1.1 - i * kStep;
         if (at(z) > 0) continue;
         double inside = z, outside = z + kStep;
-        for (int i = 0; i < 50; ++i) {
+        for (int halving = 0; halving < 50; ++halving) {
             const double middle = (inside + outside) / 2;
             (at(middle) > 0 ? outside : inside) = middle;
         }
@@ -85,14 +86,14 @@ class MeasuredLighting : public testing::Test {
         Bench bench({.quick = true});
         Result<std::vector<Figure>> measured = measureLighting(bench);
         ASSERT_TRUE(measured);
-        figures_ = std::move(*measured);
+        figures = std::move(*measured);
     }
-    std::vector<Figure> figures_;
+    std::vector<Figure> figures;
 };
 
 TEST_F(MeasuredLighting, ConvergesToTheAnalyticSurface) {
     for (const char* name : {"sphere", "torus"}) {
-        const Figure& figure = figureOf(figures_, name);
+        const Figure& figure = figureOf(figures, name);
         ASSERT_EQ(figure.curves.size(), 4U);
         for (const Curve& curve : figure.curves) {
             EXPECT_LT(fittedOrder(curve), -1) << name << ", " << curve.name;
@@ -106,13 +107,13 @@ TEST_F(MeasuredLighting, ConvergesToTheAnalyticSurface) {
 }
 
 TEST_F(MeasuredLighting, OfTheReflectionInAShaderIsThatOfTheReference) {
-    const Figure& figure = figureOf(figures_, "highlight-models");
+    const Figure& figure = figureOf(figures, "highlight-models");
     for (const Point& point : figure.curves.front().points) EXPECT_LT(point.error, 1e-5) << point.label;
 }
 
 TEST_F(MeasuredLighting, FindsThatFourTimesTheExponentStandsForTheReflection) {
     // cos(2a) is 1 - 2a^2, cos(a)^4 is too, up to a^4: near the view's direction the factor is 4.
-    const Figure& figure = figureOf(figures_, "half-vector");
+    const Figure& figure = figureOf(figures, "half-vector");
     for (std::size_t i = 0; i < 3; ++i) {
         const std::vector<Point>& points = figure.curves[i].points;
         const auto best = std::min_element(points.begin(), points.end(),

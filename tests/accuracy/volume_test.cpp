@@ -16,7 +16,7 @@ namespace {
 TEST(VolumeFieldInDouble, IsItsTexelsAndLinearBetweenThem) {
     const VolumeField field = blobs(16);
     const auto texel = [&](int x, int y, int z) {
-        return static_cast<double>(field.texels[static_cast<std::size_t>((z * 16 + y) * 16 + x)]);
+        return static_cast<double>(field.texels[field.index(x, y, z)]);
     };
     for (int i = 1; i < 15; ++i) {
         const glm::dvec3 centre = (glm::dvec3(i, 15 - i, (7 * i) % 16) + .5) / 16.;
@@ -36,7 +36,7 @@ TEST(VolumeFieldInDouble, IsZeroWhereverItsBlocksSaySo) {
     for (int i = 0; i < 20'000; ++i) {
         const glm::dvec3 p(anywhere(random), anywhere(random), anywhere(random));
         const glm::ivec3 block(p * 8.);
-        const float most = blocks.texels[static_cast<std::size_t>((block.z * 8 + block.y) * 8 + block.x)];
+        const float most = blocks.texels[blocks.index(block.x, block.y, block.z)];
         EXPECT_LE(field.at(p), static_cast<double>(most) + 1e-12);
         if (most == 0) ++empty;
     }

@@ -34,6 +34,7 @@ std::string rawTexture(std::uint32_t width, std::uint32_t height, const std::vec
 /// Values that no neighbours share.
 std::vector<float> scattered(int count) {
     std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) values.push_back(static_cast<float>((i * 37) % 101) / 100);
     return values;
 }
@@ -54,7 +55,9 @@ TEST(TexelCentres, GiveTheTexelItselfWhateverTheSize) {
         ASSERT_EQ(picture.width, width);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const float wanted = red[static_cast<std::size_t>((height - 1 - y) * width + x)];
+                const float wanted =
+                    red[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)];
                 EXPECT_EQ(picture.at(x, y)[1], wanted) << width << ": " << x << " " << y;
                 // A weight is a fraction of coordinates up to `width`.
                 EXPECT_NEAR(picture.at(x, y)[0], wanted, 1e-7F * static_cast<float>(width)) << x << " " << y;
@@ -97,11 +100,11 @@ TEST(RenderedTextures, KeepWhatTheirFormatCan) {
         "#version 330 core\nuniform sampler2D uTex;\nout vec4 fColor;\n"
         "void main() { fColor = vec4(texelFetch(uTex, ivec2(gl_FragCoord.xy), 0).rgb, 1.); }\n";
     for (const std::string format : {"RGBA8", "RGBA16F", "RGBA32F"}) {
-        const FloatPicture picture = draw(
-            "WindowSize 256 1\n" + kView + "Texture2D 6 256 1 " + format + "\nRenderToTexture 6\n" +
-                kProgram +
-                "QuadXY 0 10000\nRenderToTexture\nFragment show.frag\nProgram Show uTex 6\nQuadXY 0 10000\n",
-            files);
+        const FloatPicture picture =
+            draw(fmt::format("WindowSize 256 1\n{}Texture2D 6 256 1 {}\nRenderToTexture 6\n{}QuadXY 0 10000\n"
+                             "RenderToTexture\nFragment show.frag\nProgram Show uTex 6\nQuadXY 0 10000\n",
+                             kView, format, kProgram),
+                 files);
         ASSERT_EQ(picture.width, 256);
         int limited = 0;
         for (int x = 0; x < 256; ++x) {
@@ -178,6 +181,7 @@ std::vector<std::array<float, 3>> looked(Files files, const std::vector<glm::dve
                  "Vertex v.vert\nFragment f.frag\nProgram P uSky 6 uDirections 7\nQuadXY 0 100000\n",
              files);
     std::vector<std::array<float, 3>> seen;
+    seen.reserve(directions.size());
     for (int x = 0; x < picture.width; ++x) seen.push_back(picture.at(x, 0));
     return seen;
 }
