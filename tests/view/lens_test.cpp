@@ -39,7 +39,9 @@ TEST(Lens, OverdrawCountsFragmentsThatPassAndLayersAllOfThem) {
     // Four quads, the third behind what is there already; the last only on the right half.
     const std::string quads = "QuadXY -.5 .8\nQuadXY -.2 .8\nQuadXY -.4 .8\nTranslate .5 0 .1\nQuadXY 0 .3\n";
     for (const std::string& program : {std::string(), kProgram}) {
-        const SceneFolder folder(kHead + program + quads, kPlain);
+        std::string scene = kHead;
+        scene.append(program).append(quads);
+        const SceneFolder folder(scene, kPlain);
         Session session(context(), {});
         show(session, folder, Lens::overdraw);
         EXPECT_EQ(numbersAt(session, 10, 20)[0], 2) << program;
