@@ -1,6 +1,7 @@
 # The GL loader, generated at build time from Debian's python3-glad (its Khronos registry comes with the package, so
 # this works offline). EGL itself is opened at run time, like OSMesa, and only a dozen of its functions are needed: of
-# its loader the generated header is used, for types and numbers.
+# its loader the generated header is used, for types and numbers. --debug puts a table of wrappers beside the table of
+# functions, by which calls are counted while somebody wants to know (gpu/call_counter.h).
 
 find_program(GLAD_PROGRAM glad REQUIRED)
 set(glad_dir ${PROJECT_BINARY_DIR}/glad)
@@ -26,7 +27,7 @@ list(JOIN glad_extensions "," glad_extension_list)
 add_custom_command(
     OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/egl.h
     COMMAND ${GLAD_PROGRAM} --quiet --reproducible --api gl:core=4.6,egl=1.5 --extensions ${glad_extension_list}
-            --out-path ${glad_dir} c
+            --out-path ${glad_dir} c --debug
     COMMENT "Generating the GL loader"
     VERBATIM)
 add_library(glibra_glad STATIC ${glad_dir}/src/gl.c)

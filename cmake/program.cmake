@@ -1,6 +1,6 @@
 # The program, and the objects of the library: all rooms but the command line.
 
-set(glibra_library_rooms glib geometry noise glsl image scene plan gpu render)
+set(glibra_library_rooms glib geometry noise glsl image scene plan budget gpu render)
 set(glibra_objects)
 foreach(room ${glibra_library_rooms})
     if(TARGET glibra_${room}_objects)
@@ -16,7 +16,7 @@ add_executable(glibra_program ${cli_sources})
 set_target_properties(glibra_program PROPERTIES OUTPUT_NAME glibra RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_program)
 target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
-target_link_libraries(glibra_program PRIVATE glibra_suite glibra_bench glibra_render CLI11::CLI11)
+target_link_libraries(glibra_program PRIVATE glibra_suite glibra_bench glibra_view glibra_render CLI11::CLI11)
 if(TARGET glibra_openimageio)
     add_dependencies(glibra_program glibra_openimageio)
 endif()

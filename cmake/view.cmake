@@ -1,6 +1,9 @@
 # The window: a room that needs no display (src/view), and a program of its own that shows it (src/view/window), so
 # that the program glibra stays free of GLFW and ImGui.
-glibra_room(view ROOMS render suite image LINK nlohmann_json::nlohmann_json)
+glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
+
+file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/*)
+glibra_embed(glibra_view_objects lens_shaders ${lens_shaders})
 
 pkg_check_modules(glfw IMPORTED_TARGET glfw3)
 pkg_check_modules(imgui IMPORTED_TARGET imgui)

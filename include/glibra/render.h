@@ -53,13 +53,18 @@ struct RenderOptions {
     double time = 0;                 ///< seconds since loading; Timer = fract(time / period)
     std::vector<std::string> set{};  ///< "NAME=VALUE" for uniforms
     ViewPolicy view = ViewPolicy::automatic;
-    int samples = 1;           ///< multisampling, limited to what the driver has
-    bool axes = false;         ///< draws axes two units long at the origin of eye space
-    bool alpha = false;        ///< keeps the window's alpha; otherwise pictures are opaque
-    bool floatPixels = false;  ///< 32-bit float pixels, not limited to 0..1
-    bool strict = false;       ///< warnings are errors
-    bool checkNan = false;     ///< searches the draws that put NaN or infinity into the picture
-    bool shim = true;          ///< false: shaders are compiled as they are
+    int samples = 0;  ///< multisampling, limited to what the driver has; 0: one, or as maxError needs
+    /// Pixels. Above 0: counts, samples and noise sizes that the scene leaves open are chosen so that nothing
+    /// is drawn further from its place, at the least cost. 0: the language's defaults.
+    double maxError = 0;
+    bool overrideCounts = false;  ///< with maxError: numbers that the scene states are chosen as well
+    bool axes = false;            ///< draws axes two units long at the origin of eye space
+    bool alpha = false;           ///< keeps the window's alpha; otherwise pictures are opaque
+    bool floatPixels = false;     ///< 32-bit float pixels, not limited to 0..1
+    bool strict = false;          ///< warnings are errors
+    bool checkNan = false;        ///< searches the draws that put NaN or infinity into the picture
+    bool shim = true;             ///< false: shaders are compiled as they are
+    bool skip = true;  ///< false: what the picture does not need is read, made and drawn all the same
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
     int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace glibra::bench {
 namespace {
@@ -30,7 +31,16 @@ double percentile(const std::vector<double>& sorted, double fraction) {
 
 }  // namespace
 
+Timing timingOf(std::vector<double> seconds) {
+    std::ranges::sort(seconds);
+    return {.median = percentile(seconds, .5),
+            .low = percentile(seconds, .25),
+            .high = percentile(seconds, .75),
+            .repeats = static_cast<int>(seconds.size())};
+}
+
 struct Bench::State {
+    Apart apart;  // before anything that loads a driver
     BenchOptions options;
     std::optional<gpu::Context> context;
 };
@@ -54,6 +64,10 @@ Result<gpu::Context*> Bench::context() {
     return &*state_->context;
 }
 
+Apart& Bench::apart() {
+    return state_->apart;
+}
+
 Timing Bench::time(const std::function<void()>& work) const {
     const double first = seconds(work, 1);
     const int inner = first < kShortest ? static_cast<int>(std::ceil(kShortest / std::max(first, 1e-9))) : 1;
@@ -66,11 +80,7 @@ Timing Bench::time(const std::function<void()>& work) const {
         taken.push_back(seconds(work, inner));
         total += taken.back() * inner;
     }
-    std::ranges::sort(taken);
-    return {.median = percentile(taken, .5),
-            .low = percentile(taken, .25),
-            .high = percentile(taken, .75),
-            .repeats = static_cast<int>(taken.size())};
+    return timingOf(std::move(taken));
 }
 
 }  // namespace glibra::bench

@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
+#include "bench/apart.h"
 #include "bench/measurement.h"
 #include "gpu/context.h"
 
@@ -16,6 +18,9 @@ struct BenchOptions {
     bool quick = false;  ///< fewer settings and repeats, seconds instead of minutes in all
     Driver driver = Driver::automatic;
 };
+
+/// Median and quartiles of measurements, not empty, by linear interpolation between the closest ranks.
+Timing timingOf(std::vector<double> seconds);
 
 class Bench {
   public:
@@ -27,6 +32,8 @@ class Bench {
     [[nodiscard]] bool isQuick() const;
     /// The one context of the run, opened when first asked for. gpu-E01.
     Result<gpu::Context*> context();
+    /// A process without a driver, forked when the bench was made.
+    Apart& apart();
     /// Times `work`: once to warm up, then until the median stands (at least 5 times, at most about half a
     /// second; in a quick run 3 times). Work shorter than 20 microseconds is repeated inside one measurement.
     /// Work on the device must wait for it (glFinish) before it returns.

@@ -22,15 +22,22 @@ struct Point {
     std::string label;   ///< the setting for people: "64 slices", "8 bit"
     double error =
         0;  ///< against the reference, in the figure's errorUnit, never negative; NaN: not measurable
-    std::optional<Timing> time;    ///< absent where the cost cannot be told apart from nothing
-    std::optional<double> memory;  ///< bytes
+    std::optional<Timing> time{};    ///< absent where the cost cannot be told apart from nothing
+    std::optional<double> memory{};  ///< bytes
     bool isOnFront =
         false;  ///< no other point of the figure is both as cheap and more accurate; set by the run
 };
 
 struct Curve {
     std::string name;  ///< the method: "trilinear, half float"
-    std::vector<Point> points;
+    std::vector<Point> points{};
+};
+
+/// Which points of a figure could stand for one another. A Pareto front is one of alternatives.
+enum class Alternatives {
+    figure,  ///< all of them: settings buy accuracy, whatever the curve
+    curve,   ///< those of a curve: the curves do different jobs
+    setting  ///< those of a setting: settings are no price but a difficulty, such as a distance
 };
 
 /// One diagram: the curves share an error measure and a reference.
@@ -41,9 +48,10 @@ struct Figure {
     std::string errorName;    ///< "largest distance"
     std::string errorUnit;    ///< "radii", "pixels", "1/255", "" for a ratio
     std::string reference;  ///< what the error is measured against, and why it shares nothing with the method
-    std::vector<Curve> curves;
+    std::vector<Curve> curves{};
     std::vector<std::string>
-        findings;  ///< sentences computed from the figures: "error falls as slices^-2.00"
+        findings{};  ///< sentences computed from the figures: "error falls as slices^-2.00"
+    Alternatives alternatives = Alternatives::figure;
 };
 
 }  // namespace glibra::bench

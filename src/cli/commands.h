@@ -27,11 +27,15 @@ void addCheck(CLI::App& app, int& status);
 void addCompare(CLI::App& app, int& status);
 void addView(CLI::App& app, int& status);
 void addNoise(CLI::App& app, int& status);
+void addBench(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);
 void addLanguage(CLI::App& app, int& status);
 
 /// --scene-transform, --eye-transform and the other options of a window's view.
 void addViewOptions(CLI::App& command, ViewState& view);
+
+/// --max-error and --override-counts.
+void addBudgetOptions(CLI::App& command, RenderOptions& options);
 
 /// Words of --driver.
 inline const std::map<std::string, Driver> kDriverWords{{"auto", Driver::automatic},

@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
         glibra::cli::addCheck(app, status);
         glibra::cli::addCompare(app, status);
         glibra::cli::addNoise(app, status);
+        glibra::cli::addBench(app, status);
         glibra::cli::addInfo(app, status);
         glibra::cli::addLanguage(app, status);
         app.parse(argc, argv);

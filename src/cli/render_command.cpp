@@ -40,6 +40,7 @@ struct RenderArguments {
     double timeout = 300;
     SuiteArguments suite;
     bool noShim = false;
+    bool noSkip = false;
     bool explain = false;
 };
 
@@ -141,7 +142,8 @@ class JobRunner {
         job.stats = !arguments_.statsFile.empty();
         render::JobResult result;
         try {
-            result = render::runJob(*context_, job, [&](int written) { step(std::to_string(written)); });
+            result = render::runJob(
+                *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
         } catch (const std::bad_alloc&) {
             result.failed = true;
             result.diagnostics.push_back(error("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
@@ -161,6 +163,7 @@ class JobRunner {
     std::vector<fs::path> outputs_;
     bool color_;
     std::optional<gpu::Context> context_;
+    render::SharedParts shared_;  // after the context: it has to go first
 };
 
 /// The line "[3/60] scene.glib" that is rewritten on a terminal, and nothing elsewhere.
@@ -287,6 +290,7 @@ int run(RenderArguments& arguments) {
     if (!arguments.suite.suites.empty()) {
         arguments.suite.driver = arguments.driver;
         arguments.suite.jobs = arguments.jobs;
+        arguments.suite.skip = !arguments.noSkip;
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty()) {
@@ -294,6 +298,7 @@ int run(RenderArguments& arguments) {
         return kWrongUsage;
     }
     arguments.options.shim = !arguments.noShim;
+    arguments.options.skip = !arguments.noSkip;
     arguments.options.libraryRoots = libraryRoots();
     return renderAll(arguments);
 }
@@ -329,6 +334,7 @@ void addRender(CLI::App& app, int& status) {
         ->transform(CLI::CheckedTransformer(std::map<std::string, ViewPolicy>{{"auto", ViewPolicy::automatic},
                                                                               {"glman", ViewPolicy::glman}}));
     command->add_option("--samples", to.options.samples, "samples a pixel")->check(CLI::Range(1, 64));
+    addBudgetOptions(*command, to.options);
     addViewOptions(*command, to.options.viewState);
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
@@ -348,11 +354,14 @@ void addRender(CLI::App& app, int& status) {
     command->add_flag("--strict", to.options.strict, "warnings are errors");
     command->add_flag("--no-shim", to.noShim,
                       "compile the shaders as they are, without translating their dialect");
+    command->add_flag("--no-skip", to.noSkip,
+                      "read, make and draw also what the picture does not need; it stays the same");
     command->add_flag("--explain", to.explain, "say what was made, what was skipped and why");
     command->add_option("--stats", to.statsFile, "write times and counts of every stage as JSON");
     // What the suite says for each shot.
     for (const char* each : {"--size", "--time", "--frames", "--fps", "--set", "--view", "--samples",
-                             "--axes", "--alpha", "--tile", "--strict", "--no-shim", "--explain", "--stats"})
+                             "--max-error", "--override-counts", "--axes", "--alpha", "--tile", "--strict",
+                             "--no-shim", "--explain", "--stats"})
         suite->excludes(command->get_option(each));
     command->callback([arguments, command, &status] {
         if (command->count("--timeout") > 0) arguments->suite.timeout = arguments->timeout;

@@ -59,7 +59,8 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
     for (std::size_t i = 0; i < selection.suites.size(); ++i) {
         for (suite::Shot& shot : selection.suites[i].shots)
             shot.options.libraryRoots.insert(shot.options.libraryRoots.end(), roots.begin(), roots.end());
-        for (const std::size_t shot : suite::select(selection.suites[i], arguments.only, shard))
+        for (const std::size_t shot :
+             suite::select(selection.suites[i], arguments.only, shard, arguments.withNamed))
             selection.shots.push_back({i, shot});
     }
     return selection;

@@ -26,6 +26,9 @@ struct SuiteArguments {
     int jobs = 0;                   ///< 0: as many as the machine is best with
     std::optional<double> timeout;  ///< seconds
     bool resume = false;
+    bool skip = true;  ///< false: --no-skip
+    /// Runs also the shots that others name by `match` and `differ`; --update replaces only what is meant.
+    bool withNamed = true;
 };
 
 /// --only, --shard, --resume.

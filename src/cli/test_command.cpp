@@ -34,6 +34,7 @@ struct TestArguments {
     bool update = false;
     bool force = false;
     bool variant = false;
+    bool noSkip = false;
     std::string results = "glibra-results";
     std::string report;
     std::string junit;
@@ -122,6 +123,7 @@ int test(const TestArguments& arguments) {
     options.driver = arguments.suites.driver;
     options.jobs = arguments.suites.jobs;
     options.timeout = arguments.suites.timeout;
+    options.skip = !arguments.noSkip;
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
@@ -199,8 +201,11 @@ void addTest(CLI::App& app, int& status) {
         ->add_option("--timeout", to.suites.timeout,
                      "seconds that one shot may take, instead of what the suite says; 0 for no limit")
         ->check(CLI::Range(0.0, 1e6));
+    command->add_flag("--no-skip", to.noSkip,
+                      "read, make and draw also what the pictures do not need; they stay the same");
     command->callback([arguments, &status] {
         arguments->command = commandLine();
+        arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);
     });
 }

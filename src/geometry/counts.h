@@ -26,14 +26,14 @@ constexpr Counts boxCounts() {
 constexpr Counts wireBoxCounts() {
     return {8, 12};
 }
-constexpr Counts teapotCounts() {
-    return {9248, 16256};
+constexpr Counts teapotCounts(std::int64_t cells = 16) {
+    return detail::counted(32 * (cells + 1) * (cells + 1), 64 * cells * cells - 8 * cells);
 }
 constexpr Counts wireTeapotCounts() {
     return {2592, 4544};
 }
-constexpr Counts soccerballCounts() {
-    return {8100, 11520};
+constexpr Counts soccerballCounts(std::int64_t cuts = 8) {
+    return detail::counted(90 * (cuts + 1) * (cuts + 2), 180 * cuts * cuts);
 }
 
 constexpr Counts sphereCounts(std::int64_t slices, std::int64_t stacks) {
@@ -70,8 +70,8 @@ constexpr Counts quadCounts(std::int64_t n1, std::int64_t n2) {
 constexpr Counts quadBoxCounts(std::int64_t n) {
     return detail::counted(4 * n, 2 * n);
 }
-constexpr Counts xarrowCounts(std::int64_t slices) {
-    return detail::counted(25 * slices + 148, 48 * slices + 48);
+constexpr Counts xarrowCounts(std::int64_t slices, std::int64_t sides = 24) {
+    return detail::counted((sides + 1) * slices + 6 * sides + 4, 2 * sides * (slices + 1));
 }
 /// Of pointCloud and jitterCloud.
 constexpr Counts cloudCounts(std::int64_t nx, std::int64_t ny, std::int64_t nz) {

@@ -5,6 +5,7 @@
 
 #include "geometry/file_remarks.h"
 #include "geometry/obj_model.h"
+#include "geometry/obj_plain.h"
 #include "geometry/text_scanner.h"
 
 namespace glibra::geometry {
@@ -267,6 +268,7 @@ Result<ObjModel> parseObj(std::string_view text, std::string path) {
                                                    static_cast<double>(kLargestModelFile)));
     if (isCompilerOutput(text)) return failure("file-E08", "is a compiler's object file, not a model");
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    if (auto plain = readPlainObj(text)) return *std::move(plain);
     return ObjReader(text, std::move(path)).read();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "geometry/frame.h"
 #include "geometry/hash_index.h"
@@ -111,13 +112,21 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
 ObjVertices objVertices(const ObjModel& model) {
     ObjVertices vertices;
     vertices.ofCorner.reserve(model.corners.size());
-    HashIndex known(model.corners.size());
+    // Most positions have one vertex, found without a hash and near the last one in memory.
+    std::vector<std::uint32_t> firstAt(model.positions.size(), kNoIndex);
+    std::optional<HashIndex> others;
     for (const ObjCorner& corner : model.corners) {
-        const std::uint64_t hash =
-            spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
         const auto next = static_cast<std::uint32_t>(vertices.corners.size());
-        const std::uint32_t vertex =
-            known.findOrEnter(hash, next, [&](std::uint32_t v) { return vertices.corners[v] == corner; });
+        const auto isCorner = [&](std::uint32_t v) { return vertices.corners[v] == corner; };
+        std::uint32_t vertex = firstAt[corner.position];
+        if (vertex == kNoIndex) {
+            vertex = firstAt[corner.position] = next;
+        } else if (!isCorner(vertex)) {
+            if (!others) others.emplace(model.corners.size());
+            const std::uint64_t hash =
+                spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
+            vertex = others->findOrEnter(hash, next, isCorner);
+        }
         if (vertex == next) vertices.corners.push_back(corner);
         vertices.ofCorner.push_back(vertex);
     }

@@ -114,31 +114,36 @@ glm::dvec3 blend(const glm::dvec3& centre, double c, const Corner& a, double wa,
     return point;
 }
 
-constexpr int kCuts = 8;
+/// What the fans of a ball share.
+struct Ball {
+    double radius = 1;
+    int cuts = 8;
+};
 
-void addFanTriangle(Surface& surface, double radius, const Face& face, const Frame& frame, const Corner& a,
+void addFanTriangle(Surface& surface, const Ball& ball, const Face& face, const Frame& frame, const Corner& a,
                     const Corner& b) {
     const std::uint32_t base = surface.size();
     const double diameter = 2 * glm::length(a.place - face.centre);
     const glm::dvec3 bisector = unitOr((a.place + b.place) / 2.0 - face.centre, {0, 0, 0});
-    for (int row = 0; row <= kCuts; ++row)
+    for (int row = 0; row <= ball.cuts; ++row)
         for (int column = 0; column <= row; ++column) {
-            const glm::dvec3 flat =
-                blend(face.centre, static_cast<double>(kCuts - row) / kCuts, a,
-                      static_cast<double>(row - column) / kCuts, b, static_cast<double>(column) / kCuts);
+            const glm::dvec3 flat = blend(face.centre, static_cast<double>(ball.cuts - row) / ball.cuts, a,
+                                          static_cast<double>(row - column) / ball.cuts, b,
+                                          static_cast<double>(column) / ball.cuts);
             const glm::dvec3 normal = glm::normalize(flat), arm = flat - face.centre;
             const bool isPole = flat.x == 0 && flat.z == 0;
             surface.add(
-                {.position = radius * normal,
+                {.position = ball.radius * normal,
                  .normal = normal,
                  .tangent = isPole ? -normal.y * bisector : fallbackTangent(normal),
                  .texCoord = {.5 + glm::dot(arm, frame.s) / diameter, .5 + glm::dot(arm, frame.t) / diameter,
-                              static_cast<double>(row) / kCuts}});
+                              static_cast<double>(row) / ball.cuts}});
         }
     const auto at = [&](std::uint32_t row, std::uint32_t column) {
         return base + row * (row + 1) / 2 + column;
     };
-    for (std::uint32_t row = 0; row < kCuts; ++row)
+    const auto rows = static_cast<std::uint32_t>(ball.cuts);
+    for (std::uint32_t row = 0; row < rows; ++row)
         for (std::uint32_t column = 0; column <= row; ++column) {
             surface.triangle(at(row, column), at(row + 1, column), at(row + 1, column + 1));
             if (column < row) surface.triangle(at(row, column), at(row + 1, column + 1), at(row, column + 1));
@@ -147,18 +152,19 @@ void addFanTriangle(Surface& surface, double radius, const Face& face, const Fra
 
 }  // namespace
 
-Mesh soccerball(double radius) {
-    assert(radius >= 0);
-    Surface surface(Topology::triangles, 3, soccerballCounts());
+Mesh soccerball(double radius, int cuts) {
+    assert(radius >= 0 && cuts >= 1);
+    Surface surface(Topology::triangles, 3, soccerballCounts(cuts));
     Attribute faceIndex{std::string(kFaceIndex), 1, {}};
-    faceIndex.values.reserve(soccerballCounts().vertices);
+    faceIndex.values.reserve(soccerballCounts(cuts).vertices);
     float number = 0;
     for (Face& face : faces()) {
         const Frame frame = frameOf(face);
         sortCorners(face, frame);
         const std::size_t corners = face.corners.size();
         for (std::size_t i = 0; i < corners; ++i)
-            addFanTriangle(surface, radius, face, frame, face.corners[i], face.corners[(i + 1) % corners]);
+            addFanTriangle(surface, {radius, cuts}, face, frame, face.corners[i],
+                           face.corners[(i + 1) % corners]);
         faceIndex.values.resize(surface.size(), number);
         number += 1;
     }

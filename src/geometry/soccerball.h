@@ -6,8 +6,8 @@
 namespace glibra::geometry {
 
 /// Triangles, counter-clockwise from outside, closed: a truncated icosahedron pushed onto the sphere of that
-/// radius >= 0. Every face is a fan of flat triangles (centre, corner, next corner), each cut into 64 before
-/// it is pushed.
+/// radius >= 0. Every face is a fan of flat triangles (centre, corner, next corner), each cut into cuts x
+/// cuts before it is pushed (the language has 8; at least 1).
 ///
 /// Faces, `FaceIndex` constant on each; sphere coordinates (s, latitude) as in sphere.h, k = 0..4:
 /// 0 the pentagon around +y; 1 + k pentagons at s = .25 + k/5, latitude atan(1/2); 6 + k pentagons at s = .35
@@ -18,6 +18,6 @@ namespace glibra::geometry {
 /// s, t: flat coordinates of the face, t toward the north pole, the circle through the corners is inscribed
 /// in 0..1; faces 0 and 11 take T0 of their centre for t. p = 0 at the face's centre, 1 on the seam. Tangents
 /// point to the north pole. Sizes: soccerballCounts.
-Mesh soccerball(double radius);
+Mesh soccerball(double radius, int cuts = 8);
 
 }  // namespace glibra::geometry

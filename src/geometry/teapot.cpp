@@ -1,5 +1,6 @@
 #include "geometry/teapot.h"
 
+#include <cassert>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -31,10 +32,6 @@ bool isOnePoint(const std::array<glm::dvec3, 4>& row) {
     return row[0] == row[1] && row[1] == row[2] && row[2] == row[3];
 }
 
-glm::dvec3 upright(const glm::dvec3& p) {
-    return {.5 * p.x, .5 * (p.z - 1.5), -.5 * p.y};
-}
-
 /// Rows are reduced first, so that patches that share a row or a column of control points share the curve,
 /// too.
 SurfacePoint evaluate(const Patch& patch, double s, double t) {
@@ -64,7 +61,7 @@ std::array<Patch, 32> uprightPatches() {
     std::array<Patch, 32> patches = teapotPatches();
     for (Patch& patch : patches)
         for (auto& row : patch)
-            for (glm::dvec3& point : row) point = upright(point);
+            for (glm::dvec3& point : row) point = teapotPlace(point);
     return patches;
 }
 
@@ -76,24 +73,29 @@ void addPatchPoints(Surface& surface, const Patch& patch, int cells) {
 
 }  // namespace
 
-Mesh teapot() {
-    constexpr std::uint32_t kCells = 16, kStride = kCells + 1;
-    Surface surface(Topology::triangles, 2, teapotCounts());
+glm::dvec3 teapotPlace(const glm::dvec3& original) {
+    return {.5 * original.x, .5 * (original.z - 1.5), -.5 * original.y};
+}
+
+Mesh teapot(int cells) {
+    assert(cells >= 2);
+    const auto columns = static_cast<std::uint32_t>(cells), stride = columns + 1;
+    Surface surface(Topology::triangles, 2, teapotCounts(cells));
     for (const Patch& patch : uprightPatches()) {
         std::uint32_t row = surface.size();
-        addPatchPoints(surface, patch, kCells);
-        std::uint32_t rows = kCells;
+        addPatchPoints(surface, patch, cells);
+        std::uint32_t rows = columns;
         if (beginsInPoint(patch)) {
-            for (std::uint32_t i = row; i < row + kCells; ++i)
-                surface.triangle(i, i + kStride + 1, i + kStride);
-            row += kStride;
+            for (std::uint32_t i = row; i < row + columns; ++i)
+                surface.triangle(i, i + stride + 1, i + stride);
+            row += stride;
             --rows;
         }
         if (endsInPoint(patch)) --rows;
-        surface.gridCells(row, kCells, rows);
-        row += rows * kStride;
+        surface.gridCells(row, columns, rows);
+        row += rows * stride;
         if (endsInPoint(patch))
-            for (std::uint32_t i = row; i < row + kCells; ++i) surface.triangle(i, i + 1, i + kStride);
+            for (std::uint32_t i = row; i < row + columns; ++i) surface.triangle(i, i + 1, i + stride);
     }
     return std::move(surface).finish();
 }

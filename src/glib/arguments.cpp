@@ -187,6 +187,7 @@ ReadNumber readNumber(const Token& token, MessageLog& log) {
 
 std::vector<Token> plainArguments(const Statement& statement, MessageLog& log) {
     std::vector<Token> plain;
+    plain.reserve(statement.arguments.size());
     std::vector<const Token*> open;
     bool reported = false;
     for (const Token& token : statement.arguments) {
@@ -245,6 +246,8 @@ void readNumbers(const Statement& statement, Command& command, MessageLog& log) 
     const std::vector<Token> tokens = plainArguments(statement, log);
     const std::size_t given = std::min(tokens.size(), row.arguments.size());
     std::vector<Position> places;
+    places.reserve(given);
+    command.numbers.reserve(row.arguments.size());
     for (std::size_t i = 0; i < given; ++i) {
         command.numbers.push_back(readArgument(row.arguments[i], i, tokens[i], row.name(), log));
         places.push_back(tokens[i].position);

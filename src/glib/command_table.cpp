@@ -1,5 +1,6 @@
 #include "glib/command_table.h"
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -333,10 +334,21 @@ std::span<const CommandRow> commandTable() {
 }
 
 const CommandRow* findCommand(std::string_view word) {
-    if (word.empty()) return nullptr;
-    for (const CommandRow& row : kRows)
-        for (const std::string_view name : row.names)
-            if (sameWord(name, word)) return &row;
+    struct Named {
+        std::string_view name;
+        const CommandRow* row;
+    };
+    static const auto kByFirstLetter = [] {
+        std::array<std::vector<Named>, 26> lists;
+        for (const CommandRow& row : kRows)
+            for (const std::string_view name : row.names)
+                if (!name.empty())
+                    lists.at(static_cast<std::size_t>(lower(name[0]) - 'a')).push_back({name, &row});
+        return lists;
+    }();
+    if (word.empty() || !isLetter(word[0])) return nullptr;
+    for (const Named& each : kByFirstLetter.at(static_cast<std::size_t>(lower(word[0]) - 'a')))
+        if (sameWord(each.name, word)) return each.row;
     return nullptr;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Every message glibra knows, one row an id, of all families (language, section 10): glib scene text and
 // statements, draw drawing, glsl shaders, file assets, gpu the graphics driver, suite suites of shots,
-// result what became of them. Ids never change meaning.
+// result what became of them, bench run time against error, view the window. Ids never change meaning.
 
 #include <glibra/diagnostic.h>
 

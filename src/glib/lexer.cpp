@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "glib/limits.h"
 #include "glib/number.h"
@@ -11,16 +12,32 @@
 namespace glibra::glib {
 namespace {
 
+constexpr std::size_t kUsualTokens = 8;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kOpening = "<[{(";
 constexpr std::string_view kClosing = ">]})";
 
-bool isBlank(char c) {
+constexpr bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
-bool isControl(char c) {
+constexpr bool isControl(char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && !isBlank(c)) || byte == 0x7f;
+}
+
+/// Bytes at which a word may end. Most bytes are none of these and need no closer look.
+constexpr auto kMayEndWord = [] {
+    std::array<bool, 256> may{};
+    for (std::size_t byte = 0; byte < may.size(); ++byte) {
+        const char c = static_cast<char>(byte);
+        may[byte] = isBlank(c) || isControl(c) || kOpening.find(c) != std::string_view::npos ||
+                    kClosing.find(c) != std::string_view::npos || c == '#' || c == '/' || c == '\xc2' ||
+                    c == '\xa0';
+    }
+    return may;
+}();
+bool mayEndWord(char c) {
+    return kMayEndWord[static_cast<unsigned char>(c)];
 }
 
 /// Reads the tokens of one line. Offsets are those of the file.
@@ -43,6 +60,7 @@ class LineReader {
             return std::move(line_);
         }
         reportControlByte();
+        line_.tokens.reserve(kUsualTokens);
         while (skipBlanks()) readToken();
         return std::move(line_);
     }
@@ -67,7 +85,7 @@ class LineReader {
     /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be
     /// the rest of a UTF-8 character.
     std::size_t noBreakSpaceAt(std::size_t offset) const {
-        if (text_.substr(offset, 2) == "\xc2\xa0") return 2;
+        if (text_[offset] == '\xc2') return text_.substr(offset, 2) == "\xc2\xa0" ? 2 : 0;
         if (text_[offset] != '\xa0') return 0;
         const bool afterAscii = offset == line_.range.begin || offset == afterNoBreakSpace_ ||
                                 static_cast<unsigned char>(text_[offset - 1]) < 0x80;
@@ -75,7 +93,7 @@ class LineReader {
     }
 
     bool atComment(std::size_t offset) const {
-        return text_[offset] == '#' || text_.substr(offset, 2) == "//";
+        return text_[offset] == '#' || (text_[offset] == '/' && text_.substr(offset, 2) == "//");
     }
 
     /// Goes to the next token; false at the end of the line's code.
@@ -106,9 +124,9 @@ class LineReader {
         const char c = text_[at_];
         if (c == '"')
             readQuoted();
-        else if (kOpening.find(c) != std::string_view::npos)
+        else if (mayEndWord(c) && kOpening.find(c) != std::string_view::npos)
             add(TokenKind::open, at_, at_ + 1, text_.substr(at_, 1));
-        else if (kClosing.find(c) != std::string_view::npos)
+        else if (mayEndWord(c) && kClosing.find(c) != std::string_view::npos)
             add(TokenKind::close, at_, at_ + 1, text_.substr(at_, 1));
         else
             readWord();
@@ -132,7 +150,7 @@ class LineReader {
     void readWord() {
         const std::size_t begin = at_;
         std::size_t end = begin;
-        while (end < text_.size() && !endsWord(end)) ++end;
+        while (end < text_.size() && !(mayEndWord(text_[end]) && endsWord(end))) ++end;
         const std::size_t wordEnd = end;  // before anything is taken off
         if (text_[end - 1] == '\\' && isLastOnLine(end)) {
             line_.continues = true;
@@ -154,7 +172,7 @@ class LineReader {
         }
         at_ = wordEnd;
         if (word.empty()) return;
-        add(numberPrefix(word) ? TokenKind::number : TokenKind::word, begin, begin + word.size(), word);
+        add(numberLength(word) > 0 ? TokenKind::number : TokenKind::word, begin, begin + word.size(), word);
         at_ = wordEnd;
     }
 
@@ -209,7 +227,8 @@ LineSplitter::LineSplitter(std::string_view text) : text_(text) {
 std::optional<LineRange> LineSplitter::next() {
     if (at_ >= text_.size()) return std::nullopt;
     const std::size_t begin = at_;
-    const std::size_t end = std::min(text_.find_first_of("\r\n", begin), text_.size());
+    std::size_t end = begin;
+    while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
     at_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
     return LineRange{++number_, begin, end};
 }

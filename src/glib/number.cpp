@@ -52,18 +52,18 @@ bool isHuge(std::string_view digits) {
 
 }  // namespace
 
-std::optional<NumberPrefix> numberPrefix(std::string_view token) {
+std::size_t numberLength(std::string_view token) {
     const std::size_t first = !token.empty() && (token[0] == '+' || token[0] == '-') ? 1 : 0;
     std::size_t end = first + digitsAt(token, first);
     if (end > first) {
         const bool hex = end == first + 1 && token[first] == '0' && end + 1 < token.size() &&
                          (token[end] == 'x' || token[end] == 'X') && isHexDigit(token[end + 1]);
-        if (hex) return std::nullopt;
+        if (hex) return 0;
         if (end < token.size() && token[end] == '.') end += 1 + digitsAt(token, end + 1);
     } else {
-        if (first >= token.size() || token[first] != '.') return std::nullopt;
+        if (first >= token.size() || token[first] != '.') return 0;
         const std::size_t digits = digitsAt(token, first + 1);
-        if (digits == 0) return std::nullopt;
+        if (digits == 0) return 0;
         end = first + 1 + digits;
     }
     if (end < token.size() && (token[end] == 'e' || token[end] == 'E')) {
@@ -72,7 +72,13 @@ std::optional<NumberPrefix> numberPrefix(std::string_view token) {
         const std::size_t digits = digitsAt(token, exponent);
         if (digits > 0) end = exponent + digits;
     }
+    return end;
+}
 
+std::optional<NumberPrefix> numberPrefix(std::string_view token) {
+    const std::size_t end = numberLength(token);
+    if (end == 0) return std::nullopt;
+    const std::size_t first = token[0] == '+' || token[0] == '-' ? 1 : 0;
     NumberPrefix number;
     number.length = end;
     const std::string_view unsignedText = token.substr(first, end - first);  // from_chars knows no '+'
@@ -90,8 +96,7 @@ std::optional<NumberPrefix> numberPrefix(std::string_view token) {
 }
 
 bool isCompleteNumber(std::string_view token) {
-    const std::optional<NumberPrefix> number = numberPrefix(token);
-    return number && number->length == token.size();
+    return !token.empty() && numberLength(token) == token.size();
 }
 
 std::string numberText(double value) {

@@ -21,6 +21,9 @@ struct NumberPrefix {
 /// word; hexadecimal, `inf` and `nan` are words. Independent of the locale.
 std::optional<NumberPrefix> numberPrefix(std::string_view token);
 
+/// Bytes of the token that numberPrefix would read; 0 for a word.
+std::size_t numberLength(std::string_view token);
+
 /// True if the token is a number from its first byte to its last.
 bool isCompleteNumber(std::string_view token);
 

@@ -29,13 +29,11 @@ std::string described(const Statement& statement) {
     return text;
 }
 
-void addArguments(Statement& statement, std::span<const Token> tokens) {
-    statement.arguments.insert(statement.arguments.end(), tokens.begin(), tokens.end());
-    const auto isPlain = [](const Token& t) {
+/// How many are no brackets.
+std::size_t countPlain(std::span<const Token> tokens) {
+    return static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), [](const Token& t) {
         return t.kind != TokenKind::open && t.kind != TokenKind::close;
-    };
-    statement.plainArguments +=
-        static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), isPlain));
+    }));
 }
 
 /// True if what follows the command word that begins the line can be its value as a tag.
@@ -64,23 +62,26 @@ const Line* StatementReader::peekCode() {
 }
 
 Statement StatementReader::begin() {
-    const Line& line = *ahead_;
+    Line& line = *ahead_;
     Statement statement;
     statement.word = line.tokens.front();
     statement.row = commandOf(statement.word);
-    addArguments(statement, std::span(line.tokens).subspan(1));
     statement.message = line.message;
     statement.end = line.isMessage ? line.messageEnd : line.tokens.back().end;
     statement.messagePosition = {
         line.range.number, static_cast<int>(statement.end - line.message.size() - line.range.begin) + 1};
     statement.faulty = line.faulty;
+    line.tokens.erase(line.tokens.begin());
+    statement.arguments.swap(line.tokens);
+    statement.plainArguments = countPlain(statement.arguments);
     drop();
     return statement;
 }
 
 void StatementReader::joinLine(Statement& statement) {
     const Line& line = *ahead_;
-    addArguments(statement, line.tokens);
+    statement.arguments.insert(statement.arguments.end(), line.tokens.begin(), line.tokens.end());
+    statement.plainArguments += countPlain(line.tokens);
     if (!line.tokens.empty()) statement.end = line.tokens.back().end;
     statement.faulty = statement.faulty || line.faulty;
     drop();

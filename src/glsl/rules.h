@@ -44,6 +44,9 @@ void connectStages(ProgramUnits& program);
 /// 7.10: W09, W10, W20, W21, W22.
 void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& geometryInput, Report& report);
 
+/// How the program places its vertices. After the variables' types and storages are known.
+Placement findPlacement(const ProgramUnits& program);
+
 /// Vertices of a geometry stage's input primitive.
 int verticesOfPrimitive(std::string_view primitive);
 

@@ -78,6 +78,7 @@ void applyRules(ProgramUnits& program) {
         applyRenames(unit, walks[i]);
         recordUserNames(unit, *program.result);
     }
+    program.result->placement = findPlacement(program);
 }
 
 }  // namespace

@@ -94,6 +94,14 @@ struct DeclaredUniform {
     bool hasInitializer = false;
 };
 
+/// Where a program puts what it draws, as far as its text proves it. It then has no stages but vertex and
+/// fragment, and no effects but on the picture.
+enum class Placement {
+    unknown,
+    vertex,  ///< gl_Position is the model-view-projection times the vertex
+    point    ///< ... times vec4(vertex.xyz, 1)
+};
+
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error
     Diagnostics diagnostics;
@@ -110,6 +118,7 @@ struct TranslatedProgram {
         geometryInput;  ///< the geometry stage's input primitive, plain GLSL word; empty: no such stage
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written
+    Placement placement = Placement::unknown;
 
     std::string name;  ///< of the Program, and its scene line: for the notes under compile errors
     Place place;

@@ -38,23 +38,6 @@ void addDeclared(Unit& unit, const Declaration& declaration) {
             for (const Declarator& each : member.declarators) add(each.name);
 }
 
-bool isWritten(const Unit& unit, std::uint32_t at) {
-    const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
-    std::uint32_t first = at;
-    std::uint32_t behind = behindSuffixes(unit, at);
-    while (true) {
-        const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
-        if (isStep(before)) return true;
-        if (isAssignment(unit.text(behind)) || isStep(unit.text(behind))) return true;
-        // (name).xy = ..., but not if (name) ++other
-        const bool wrapped = before == "(" && unit.text(behind) == ")" && first > 1 &&
-                             unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
-        if (!wrapped) return false;
-        --first;
-        behind = behindSuffixes(unit, behind);
-    }
-}
-
 /// By function name: the arguments that it writes, over all its overloads.
 std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
     std::map<std::string_view, unsigned> result;
@@ -105,6 +88,23 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket) {
     return static_cast<int>(value);
 }
 
+bool isWrittenAt(const Unit& unit, std::uint32_t at) {
+    const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
+    std::uint32_t first = at;
+    std::uint32_t behind = behindSuffixes(unit, at);
+    while (true) {
+        const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
+        if (isStep(before)) return true;
+        if (isAssignment(unit.text(behind)) || isStep(unit.text(behind))) return true;
+        // (name).xy = ..., but not if (name) ++other
+        const bool wrapped = before == "(" && unit.text(behind) == ")" && first > 1 &&
+                             unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
+        if (!wrapped) return false;
+        --first;
+        behind = behindSuffixes(unit, behind);
+    }
+}
+
 void findUsage(Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) addDeclared(unit, each);
     const std::map<std::string_view, unsigned> outputs = outputArguments(unit);
@@ -112,7 +112,7 @@ void findUsage(Unit& unit) {
         if (unit.bodies.roles[i] != WordRole::global) continue;
         const std::string name(unit.text(i));
         unit.uses[name].push_back(i);
-        if (isWritten(unit, i)) unit.writes[name].push_back(i);
+        if (isWrittenAt(unit, i)) unit.writes[name].push_back(i);
         const auto output = outputs.find(unit.text(i));
         if (output == outputs.end() || output->second == 0 || unit.text(i + 1) != "(") continue;
         const std::uint32_t close =

@@ -8,6 +8,9 @@ namespace glibra::glsl {
 /// Fills `declared`, `uses` and `writes` of the unit.
 void findUsage(Unit& unit);
 
+/// True if the name at `at`, or a part of it, is assigned to there, incremented or decremented.
+bool isWrittenAt(const Unit& unit, std::uint32_t at);
+
 /// Past the subscripts and members behind the name at `at`: the index of what follows.
 std::uint32_t behindSuffixes(const Unit& unit, std::uint32_t at);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gpu/backend.h"
+#include "gpu/call_counter.h"
 
 namespace glibra::gpu {
 
@@ -64,7 +65,9 @@ bool loadFunctions(Backend& backend) {
     const auto address = [](void* from, const char* function) {
         return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
     };
-    return gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+    const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+    if (!isCounting()) gladUninstallGLDebug();  // glad's wrappers are there from the start
+    return isLoaded;
 }
 
 /// The state that every picture starts from, where it differs from GL's own.

@@ -29,7 +29,7 @@ class DebugLog {
     static constexpr std::size_t kMost = 256;
 
     /// The scene's place that following messages belong to.
-    void setPlace(Place place) { place_ = std::move(place); }
+    void setPlace(const Place& place) { place_ = place; }
 
     /// Below GL 4.3 asks for errors that are pending; `what` names the call ("glTexImage2D"). Nothing to do
     /// otherwise.

@@ -47,6 +47,12 @@ ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource
         glBindAttribLocation(program_.get(), each.location, each.name.c_str());
     for (const NamedLocation& each : source.fragmentOutputs)
         glBindFragDataLocation(program_.get(), each.location, each.name.c_str());
+    if (!source.captured.empty()) {
+        std::vector<const GLchar*> names;
+        for (const std::string& each : source.captured) names.push_back(each.c_str());
+        glTransformFeedbackVaryings(program_.get(), static_cast<GLsizei>(names.size()), names.data(),
+                                    GL_INTERLEAVED_ATTRIBS);
+    }
     if (source.separable) glProgramParameteri(program_.get(), GL_PROGRAM_SEPARABLE, GL_TRUE);
     glLinkProgram(program_.get());
 }

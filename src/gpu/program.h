@@ -51,6 +51,7 @@ struct ProgramSource {
     std::span<const StageSource> stages{};
     std::vector<NamedLocation> vertexInputs{};
     std::vector<NamedLocation> fragmentOutputs{};
+    std::vector<std::string> captured{};  ///< outputs that transform feedback writes, interleaved
     bool separable = false;
 };
 

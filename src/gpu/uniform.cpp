@@ -17,13 +17,25 @@ int elementsFilled(const ActiveUniform& uniform, std::size_t valueCount, int fir
     return static_cast<int>(std::min(given, room));
 }
 
-template <class T, class Convert>
-std::vector<T> converted(std::span<const double> values, Convert convert) {
-    std::vector<T> result;
-    result.reserve(values.size());
-    for (const double each : values) result.push_back(convert(each));
-    return result;
-}
+/// Values in the driver's type. Those of most uniforms need no memory but this.
+template <class T>
+class Converted {
+  public:
+    template <class Convert>
+    Converted(std::span<const double> values, Convert convert) {
+        T* to = few_.data();
+        if (values.size() > few_.size()) {
+            many_.resize(values.size());
+            to = many_.data();
+        }
+        std::transform(values.begin(), values.end(), to, convert);
+    }
+    [[nodiscard]] const T* data() const { return many_.empty() ? few_.data() : many_.data(); }
+
+  private:
+    std::array<T, 64> few_;
+    std::vector<T> many_;
+};
 
 /// What glProgramUniformMatrix* is for the columns and rows; null for vectors.
 PFNGLPROGRAMUNIFORMMATRIX4FVPROC floatMatrixCall(int columns, int rows) {
@@ -164,18 +176,18 @@ int setUniform(const Program& program, const ActiveUniform& uniform, std::span<c
     const GLint location = uniform.location + firstElement;
     switch (uniform.type.base) {
         case BaseType::floating:
-            setFloats(program.id(), uniform.type, location, count, converted<GLfloat>(used, toFloat).data());
+            setFloats(program.id(), uniform.type, location, count, Converted<GLfloat>(used, toFloat).data());
             return count;
         case BaseType::doublePrecision:
             setDoubles(program.id(), uniform.type, location, count, used.data());
             return count;
         case BaseType::unsignedInteger:
             setUnsigneds(program.id(), uniform.type, location, count,
-                         converted<GLuint>(used, toUnsigned).data());
+                         Converted<GLuint>(used, toUnsigned).data());
             return count;
         case BaseType::boolean: {
             const auto truth = [](double value) { return value != 0 ? 1 : 0; };
-            setInts(program.id(), uniform.type, location, count, converted<GLint>(used, truth).data());
+            setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, truth).data());
             return count;
         }
         case BaseType::atomicCounter:
@@ -185,7 +197,7 @@ int setUniform(const Program& program, const ActiveUniform& uniform, std::span<c
         case BaseType::image:
             break;
     }
-    setInts(program.id(), uniform.type, location, count, converted<GLint>(used, toInt).data());
+    setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, toInt).data());
     return count;
 }
 

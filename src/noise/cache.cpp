@@ -75,8 +75,10 @@ std::size_t texelBytes(int dimensions, int n) {
     return 4 * size * size * (dimensions == 3 ? size : 1);
 }
 
-std::vector<std::uint8_t> compute(int dimensions, int n) {
-    return dimensions == 3 ? noise3Texels(n) : noise2Texels(n);
+TexelBytes compute(int dimensions, int n) {
+    TexelBytes texels(texelBytes(dimensions, n));
+    dimensions == 3 ? writeNoise3(n, texels) : writeNoise2(n, texels);
+    return texels;
 }
 
 template <class Values>
@@ -123,7 +125,7 @@ fs::path cacheFolder() {
     return {};
 }
 
-std::optional<std::vector<std::uint8_t>> loadTexels(const fs::path& folder, int dimensions, int n) {
+std::optional<TexelBytes> loadTexels(const fs::path& folder, int dimensions, int n) {
     const std::size_t bytes = texelBytes(dimensions, n);
     if (bytes == 0 || folder.empty()) return std::nullopt;
     // Non-blocking, so that something else under that name (a pipe) cannot stop the program.
@@ -133,7 +135,7 @@ std::optional<std::vector<std::uint8_t>> loadTexels(const fs::path& folder, int 
     if (static_cast<std::uint64_t>(status.st_size) != sizeof(Header) + bytes) return std::nullopt;
 
     Header stored;
-    std::vector<std::uint8_t> texels(bytes);
+    TexelBytes texels(bytes);
     if (!readAll(file, &stored, sizeof stored) || !readAll(file, texels.data(), bytes)) return std::nullopt;
     if (stored != headerFor(dimensions, n, texels)) return std::nullopt;
     return texels;
@@ -163,12 +165,12 @@ bool storeTexels(const fs::path& folder, int dimensions, int n, std::span<const 
     return true;
 }
 
-std::vector<std::uint8_t> cachedTexels(int dimensions, int n, const fs::path& folder) {
+TexelBytes cachedTexels(int dimensions, int n, const fs::path& folder, std::size_t smallest) {
     const std::size_t bytes = texelBytes(dimensions, n);
     if (bytes == 0) return {};
-    if (bytes < kSmallestCachedBytes || folder.empty()) return compute(dimensions, n);
+    if (bytes < smallest || folder.empty()) return compute(dimensions, n);
     if (auto stored = loadTexels(folder, dimensions, n)) return std::move(*stored);
-    std::vector<std::uint8_t> texels = compute(dimensions, n);
+    TexelBytes texels = compute(dimensions, n);
     storeTexels(folder, dimensions, n,
                 texels);  // a cache that cannot be written changes nothing for the caller
     return texels;

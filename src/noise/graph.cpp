@@ -16,19 +16,21 @@ double randomOf(const GraphOptions& options, int octave, int point, int kind) {
     return static_cast<double>(hash >> 8) / 8388608.0 - 1;
 }
 
-/// Weights of height and gradient at the two ends of a cell.
+/// Weights of height, gradient and curvature at the two ends of a cell.
 struct Weights {
-    std::array<double, 2> height, gradient;
+    std::array<double, 2> height, gradient, curvature;
 };
 Weights weightsOf(Smoothness smoothness, double t) {
     const double t2 = t * t;
     const double t3 = t2 * t;
     if (smoothness == Smoothness::cubic)
-        return {{1 - 3 * t2 + 2 * t3, 3 * t2 - 2 * t3}, {t - 2 * t2 + t3, t3 - t2}};
+        return {{1 - 3 * t2 + 2 * t3, 3 * t2 - 2 * t3}, {t - 2 * t2 + t3, t3 - t2}, {0, 0}};
     const double t4 = t3 * t;
     const double t5 = t4 * t;
     const double rise = 10 * t3 - 15 * t4 + 6 * t5;
-    return {{1 - rise, rise}, {t - 6 * t3 + 8 * t4 - 3 * t5, -4 * t3 + 7 * t4 - 3 * t5}};
+    return {{1 - rise, rise},
+            {t - 6 * t3 + 8 * t4 - 3 * t5, -4 * t3 + 7 * t4 - 3 * t5},
+            {(t2 - 3 * t3 + 3 * t4 - t5) / 2, (t3 - 2 * t4 + t5) / 2}};
 }
 
 /// The lattice of one octave.
@@ -49,10 +51,18 @@ class Octave {
                 const int i = wrapped(column + static_cast<double>(a));
                 const int j = isPlane ? wrapped(row + static_cast<double>(b)) : 0;
                 const double across = isPlane ? v.height[b] : 1;
-                sum += height(i, j) * u.height[a] * across + slope(i, j, 0) * u.gradient[a] * across;
+                sum += across * (height(i, j) * u.height[a] + slope(i, j, 0) * u.gradient[a] +
+                                 curvature(i, j) * u.curvature[a]);
                 if (isPlane) sum += slope(i, j, 1) * u.height[a] * v.gradient[b];
             }
         return sum;
+    }
+
+    [[nodiscard]] GraphPoint atPoint(int index) const {
+        const int i = index % cells_;
+        const int j = index / cells_;
+        const bool isCurved = options_.smoothness == Smoothness::quintic;
+        return {height(i, j), slope(i, j, 0), isCurved ? curvature(i, j) : 0};
     }
 
   private:
@@ -79,6 +89,11 @@ class Octave {
                          : (height(i, after) - height(i, before)) / 2;
     }
 
+    [[nodiscard]] double curvature(int i, int j) const {
+        const auto set = octave_ == 0 ? options_.curvatures.find(point(i, j)) : options_.curvatures.end();
+        return set != options_.curvatures.end() ? set->second : 0;
+    }
+
     const GraphOptions& options_;
     int octave_;
     int cells_;
@@ -96,17 +111,16 @@ double graphNoise(const GraphOptions& options, double x, double y) {
     return sum;
 }
 
+GraphPoint graphPoint(const GraphOptions& options, int point) {
+    return Octave(options, 0).atPoint(point);
+}
+
 double graphRange(const GraphOptions& options) {
-    const double heights = 2 - std::ldexp(1.0, 1 - std::clamp(options.octaves, 1, kMostGraphOctaves));
-    switch (options.lattice) {
-        case Lattice::gradient:
-            return .3 * heights;
-        case Lattice::both:
-            return 1.3 * heights;
-        case Lattice::value:
-            break;
-    }
-    return heights;
+    const double octaves = 2 - std::ldexp(1.0, 1 - std::clamp(options.octaves, 1, kMostGraphOctaves));
+    const bool hasGradients = options.lattice != Lattice::value || options.slopes == Slopes::catmullRom;
+    const double gradient = options.smoothness == Smoothness::cubic ? 1 / 4. : 5 / 16.;
+    const double heights = options.lattice == Lattice::gradient ? 0 : 1;
+    return octaves * (heights + (hasGradients ? gradient * options.dimensions : 0));
 }
 
 }  // namespace glibra::noise

@@ -31,7 +31,11 @@ struct GraphOptions {
     int octaves = 1;                    ///< 1..8, each half as high and twice as often as the one before
     bool turbulence = false;            ///< the sum of absolute values
     std::map<int, double> heights{};    ///< of points of the first octave, instead of random ones in -1..1
-    std::map<int, double> gradients{};  ///< likewise, in one dimension, height a cell
+    std::map<int, double> gradients{};  ///< likewise, along x, height a cell
+    /// Second derivatives along x at points of the first octave, height a cell squared; others have 0. Only
+    /// quintics have them: a cubic is determined by heights and gradients.
+    std::map<int, double> curvatures{};
+    friend bool operator==(const GraphOptions&, const GraphOptions&) = default;
 };
 
 inline constexpr int kMostGraphOctaves = 8;
@@ -40,8 +44,15 @@ inline constexpr int kMostGraphCells = 256;
 /// The noise at x (and y) in cells of the first octave, periodic with `cells`. Point i of a 2D lattice is
 /// (i mod cells, i / cells).
 double graphNoise(const GraphOptions& options, double x, double y = 0);
-/// What graphs and pictures show: -range..range, of turbulence 0..range. The octaves' heights together;
-/// gradients alone reach .3 of that, and with heights 1.3.
+/// The first octave at one of its points, along x; gradient and curvature as they enter the curve.
+struct GraphPoint {
+    double height = 0, gradient = 0, curvature = 0;
+};
+GraphPoint graphPoint(const GraphOptions& options, int point);
+
+/// What graphs and pictures show: -range..range, of turbulence 0..range. The most that heights and gradients
+/// in -1..1 can give, all octaves together: gradients 1 and -1 at the ends of a cell lift its middle by 1/4
+/// in a cubic, by 5/16 in a quintic; in two dimensions both axes add that.
 double graphRange(const GraphOptions& options);
 
 enum class ColorScale { grey, rainbow, heated, uniform };

@@ -6,6 +6,7 @@
 // plus the noise, exactly 1/2 at lattice points, and stays well inside 0..1 (table 9.1).
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace glibra::noise {
@@ -24,12 +25,17 @@ constexpr int cellsOf(int octave) {
 double noise3(double x, double y, double z, int octave);
 double noise2(double x, double y, int octave);
 
-/// Texels of the 3D texture of size n: n*n*n RGBA bytes, x fastest, then y, then z. Texel (i, j, k) is the
-/// function at (i, j, k) * cells / n, as floor(255 * value). n is 1..kLargestSize3, else the result is empty.
-/// `threads` is the number of threads to use (0: as many as the machine has); the bytes do not depend on it.
-std::vector<std::uint8_t> noise3Texels(int n, int threads = 0);
+/// Writes the texels of the 3D texture of size n: n*n*n RGBA bytes, x fastest, then y, then z. Texel (i, j,
+/// k) is the function at (i, j, k) * cells / n, as floor(255 * value). False, and nothing is written, unless
+/// n is 1..kLargestSize3 and `texels` has exactly these bytes. `threads` is the number of threads to use (0:
+/// as many as the machine has); the bytes do not depend on it.
+bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads = 0);
 
-/// The same for the 2D texture: n*n RGBA bytes, x fastest. n is 1..kLargestSize2, else the result is empty.
+/// The same for the 2D texture: n*n RGBA bytes, x fastest, n 1..kLargestSize2.
+bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads = 0);
+
+/// The same into memory of their own; empty where n is impossible.
+std::vector<std::uint8_t> noise3Texels(int n, int threads = 0);
 std::vector<std::uint8_t> noise2Texels(int n, int threads = 0);
 
 }  // namespace glibra::noise

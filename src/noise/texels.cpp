@@ -1,103 +1,114 @@
-// Texels of the noise textures. The sum over the corners of a cell is separable: per slice the two ends along
-// z are merged into one gradient field of the plane, per row the two ends along y into one of the line, and
-// what is left a texel and octave is four products. Every slice depends on nothing but its index, so the
-// bytes are the same for any number of threads.
+// Texels of the noise textures. The sum over the corners of a cell is separable, and a row of lattice points
+// differs from another of its octave by a rotation alone: so each octave has as many different rows as cells,
+// and these are interpolated along x once for the whole texture. A slice merges two of them along z for each
+// row of the lattice, a row of texels two of those along y, in floats, with the few texels that floats cannot
+// decide computed in double. Every slice depends on nothing but its index, so the bytes are the same for any
+// number of threads.
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstring>
 #include <system_error>
 #include <thread>
+#include <vector>
 
+#include "noise/exact_texel.h"
 #include "noise/noise.h"
 #include "noise/tables.h"
-#include "noise/weights.h"
+#include "noise/texel_rows.h"
 
 namespace glibra::noise {
 namespace {
 
-constexpr std::size_t kMostCells = 32;
-using Line =
-    std::array<double, kMostCells + 1>;  // one more: the far end of the last cell is the first point again
-using Plane = std::array<Line, kMostCells>;
+/// Rows of n floats.
+class Rows {
+  public:
+    Rows(std::size_t rows, std::size_t n) : n_(n), values_(rows * n) {}
+    [[nodiscard]] float* operator[](std::size_t row) { return values_.data() + row * n_; }
+    [[nodiscard]] const float* operator[](std::size_t row) const { return values_.data() + row * n_; }
 
-/// The cell of each texel index along an axis and the weights at its place in it, for one octave.
-struct AxisWeights {
-    std::vector<std::size_t> cell;
-    std::vector<Weights> at;
-
-    AxisWeights(int n, int cells) {
-        for (int i = 0; i < n; ++i) {
-            cell.push_back(static_cast<std::size_t>(i * cells / n));
-            at.push_back(weightsAt(static_cast<double>(i * cells % n) / n));
-        }
-    }
+  private:
+    std::size_t n_;
+    std::vector<float> values_;
 };
 
-/// The terms of one octave that depend on a row: value = 1/2 + slope[I]*g0 + slope[I+1]*g1 + level[I]*n0 +
-/// level[I+1]*n1.
-struct RowTerms {
-    Line slope, level;
-};
-
-std::uint8_t byteOf(double value) {
-    return static_cast<std::uint8_t>(255 * std::clamp(value, 0., 1.));
+RowWeights inFloats(const Weights& w) {
+    return {static_cast<float>(w.n0), static_cast<float>(w.n1), static_cast<float>(w.g0),
+            static_cast<float>(w.g1)};
 }
 
-/// Writes component `octave` of one row of RGBA texels.
-void writeRow(const RowTerms& terms, const AxisWeights& along, std::size_t octave, std::uint8_t* row) {
-    const std::size_t n = along.cell.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t cell = along.cell[i];
-        const Weights& w = along.at[i];
-        const double noise = (terms.slope[cell] * w.g0 + terms.slope[cell + 1] * w.g1) +
-                             (terms.level[cell] * w.n0 + terms.level[cell + 1] * w.n1);
-        row[4 * i + octave] = byteOf(0.5 + noise);
+/// One octave of a texture of n texels a side, interpolated along x, in units: row r is what lattice points
+/// whose gradients are rotated by r give, x's slopes as values already.
+template <class Table>
+struct OctaveRows {
+    static constexpr std::size_t kAxes = std::tuple_size_v<typename decltype(Table::gradients)::value_type>;
+
+    const Table& table;
+    std::vector<AxisPlace> places;
+    std::vector<Rows> gradients;  ///< of x, y and perhaps z
+
+    OctaveRows(const Table& from, int n) : table(from), places(axisPlaces(n, from.cells)) {
+        const std::size_t rows = cells();
+        gradients.assign(kAxes, Rows(rows, places.size()));
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const Weights& w = places[i].at;
+                const auto& near = table.gradients[(places[i].cell + row) % rows];
+                const auto& far = table.gradients[(places[i].cell + 1 + row) % rows];
+                gradients[0][row][i] = static_cast<float>(kUnitsPerValue * (near[0] * w.g0 + far[0] * w.g1));
+                for (std::size_t axis = 1; axis < kAxes; ++axis)
+                    gradients[axis][row][i] =
+                        static_cast<float>(kUnitsPerValue * (near[axis] * w.n0 + far[axis] * w.n1));
+            }
+    }
+
+    [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(table.cells); }
+};
+
+template <class Table>
+std::vector<OctaveRows<Table>> octaveRows(const std::array<Table, kOctaves>& tables, int n) {
+    std::vector<OctaveRows<Table>> rows;
+    rows.reserve(kOctaves);
+    for (const Table& table : tables) rows.emplace_back(table, n);
+    return rows;
+}
+
+/// Writes a row of `n` RGBA texels. `exact(octave, i)` gives a component of texel i.
+template <class Exact>
+void writeRow(const std::array<OctaveRow, kOctaves>& octaves, std::size_t n, std::uint8_t* row,
+              const Exact& exact) {
+    TexelBlock block;
+    for (std::size_t begin = 0; begin < n; begin += kBlock) {
+        const std::size_t count = std::min(kBlock, n - begin);
+        const bool inDoubt = combineOctaves(octaves, begin, count, block);
+        std::memcpy(row + 4 * begin, block.texels.data(), 4 * count);
+        if (!inDoubt) continue;
+        for (std::size_t i = 0; i < count; ++i)
+            if (block.doubts[i] == 0)
+                for (std::size_t octave = 0; octave < octaves.size(); ++octave)
+                    row[4 * (begin + i) + octave] = exact(octave, begin + i);
     }
 }
 
-/// The gradient field of one plane z = constant: along x and y as slopes, along z already as a level.
-struct PlaneField {
-    Plane x, y, level;
+/// What a slice of one octave is made from: for each row of the lattice the level and the slope along y.
+struct SliceField {
+    Rows levels, slopes;
 };
 
-void mergeAlongZ(const tables::Octave3& table, std::size_t nearK, const Weights& w, PlaneField& field) {
-    const auto cells = static_cast<std::size_t>(table.cells);
-    const std::size_t nearShift = table.q[nearK];
-    const std::size_t farShift = table.q[(nearK + 1) % cells];
+void mergeAlongZ(const OctaveRows<tables::Octave3>& octave, const AxisPlace& place, SliceField& field) {
+    const std::size_t cells = octave.cells(), n = octave.places.size();
+    const auto& table = octave.table;
+    const std::size_t near = table.q[place.cell], far = table.q[(place.cell + 1) % cells];
+    const RowWeights weights = inFloats(place.at);
     for (std::size_t j = 0; j < cells; ++j) {
-        const std::size_t nearRow = table.p[(j + nearShift) % cells];
-        const std::size_t farRow = table.p[(j + farShift) % cells];
-        for (std::size_t i = 0; i <= cells; ++i) {
-            const auto& near = table.gradients[(i + nearRow) % cells];
-            const auto& far = table.gradients[(i + farRow) % cells];
-            field.x[j][i] = near[0] * w.n0 + far[0] * w.n1;
-            field.y[j][i] = near[1] * w.n0 + far[1] * w.n1;
-            field.level[j][i] = near[2] * w.g0 + far[2] * w.g1;
-        }
-    }
-}
-
-void mergeAlongY(const PlaneField& field, std::size_t nearJ, std::size_t cells, const Weights& w,
-                 RowTerms& terms) {
-    const std::size_t farJ = (nearJ + 1) % cells;
-    for (std::size_t i = 0; i <= cells; ++i) {
-        terms.slope[i] = field.x[nearJ][i] * w.n0 + field.x[farJ][i] * w.n1;
-        terms.level[i] = (field.y[nearJ][i] * w.g0 + field.y[farJ][i] * w.g1) +
-                         (field.level[nearJ][i] * w.n0 + field.level[farJ][i] * w.n1);
-    }
-}
-
-void mergeAlongY(const tables::Octave2& table, std::size_t nearJ, const Weights& w, RowTerms& terms) {
-    const auto cells = static_cast<std::size_t>(table.cells);
-    const std::size_t nearRow = table.p[nearJ];
-    const std::size_t farRow = table.p[(nearJ + 1) % cells];
-    for (std::size_t i = 0; i <= cells; ++i) {
-        const auto& near = table.gradients[(i + nearRow) % cells];
-        const auto& far = table.gradients[(i + farRow) % cells];
-        terms.slope[i] = near[0] * w.n0 + far[0] * w.n1;
-        terms.level[i] = near[1] * w.g0 + far[1] * w.g1;
+        const std::size_t nearRow = table.p[(j + near) % cells], farRow = table.p[(j + far) % cells];
+        const auto pair = [&](std::size_t axis) -> std::array<const float*, 2> {
+            return {octave.gradients[axis][nearRow], octave.gradients[axis][farRow]};
+        };
+        mergeRows({pair(0), pair(2), weights}, n, field.levels[j]);
+        mergeLevels({pair(1), {}, weights}, n, field.slopes[j]);
     }
 }
 
@@ -118,34 +129,70 @@ void forEachIndex(int count, int threads, const Work& work) {
     drain();
 }
 
-std::vector<AxisWeights> axesOf(int n) {
-    std::vector<AxisWeights> axes;
-    axes.reserve(kOctaves);
-    for (int octave = 0; octave < kOctaves; ++octave) axes.emplace_back(n, cellsOf(octave));
-    return axes;
+}  // namespace
+
+bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize3) return false;
+    const auto size = static_cast<std::size_t>(n);
+    if (texels.size() != 4 * size * size * size) return false;
+    const auto octaves = octaveRows(tables::kOctaves3, n);
+    forEachIndex(n, threads, [&](int slice) {
+        const auto k = static_cast<std::size_t>(slice);
+        std::vector<SliceField> fields;
+        for (const auto& octave : octaves) {
+            fields.push_back({Rows(octave.cells(), size), Rows(octave.cells(), size)});
+            mergeAlongZ(octave, octave.places[k], fields.back());
+        }
+        for (std::size_t j = 0; j < size; ++j) {
+            std::array<OctaveRow, kOctaves> rows;
+            for (std::size_t octave = 0; octave < rows.size(); ++octave) {
+                const AxisPlace& place = octaves[octave].places[j];
+                const SliceField& field = fields[octave];
+                const std::size_t next = (place.cell + 1) % octaves[octave].cells();
+                rows[octave] = {{field.levels[place.cell], field.levels[next]},
+                                {field.slopes[place.cell], field.slopes[next]},
+                                inFloats(place.at)};
+            }
+            writeRow(rows, size, texels.data() + 4 * size * (j + size * k),
+                     [&](std::size_t octave, std::size_t i) {
+                         const auto& places = octaves[octave].places;
+                         return exactByte(octaves[octave].table, places[i], places[j], places[k]);
+                     });
+        }
+    });
+    return true;
 }
 
-}  // namespace
+bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize2) return false;
+    const auto size = static_cast<std::size_t>(n);
+    if (texels.size() != 4 * size * size) return false;
+    const auto octaves = octaveRows(tables::kOctaves2, n);
+    forEachIndex(n, threads, [&](int row) {
+        const auto j = static_cast<std::size_t>(row);
+        std::array<OctaveRow, kOctaves> rows;
+        for (std::size_t octave = 0; octave < rows.size(); ++octave) {
+            const auto& from = octaves[octave];
+            const AxisPlace& place = from.places[j];
+            const std::size_t near = from.table.p[place.cell],
+                              far = from.table.p[(place.cell + 1) % from.cells()];
+            rows[octave] = {{from.gradients[0][near], from.gradients[0][far]},
+                            {from.gradients[1][near], from.gradients[1][far]},
+                            inFloats(place.at)};
+        }
+        writeRow(rows, size, texels.data() + 4 * size * j, [&](std::size_t octave, std::size_t i) {
+            const auto& places = octaves[octave].places;
+            return exactByte(octaves[octave].table, places[i], places[j]);
+        });
+    });
+    return true;
+}
 
 std::vector<std::uint8_t> noise3Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize3) return {};
     const auto size = static_cast<std::size_t>(n);
     std::vector<std::uint8_t> texels(4 * size * size * size);
-    const std::vector<AxisWeights> axes = axesOf(n);
-    forEachIndex(n, threads, [&](int slice) {
-        const auto k = static_cast<std::size_t>(slice);
-        PlaneField field;
-        RowTerms terms;
-        for (std::size_t octave = 0; octave < axes.size(); ++octave) {
-            const tables::Octave3& table = tables::kOctaves3[octave];
-            const AxisWeights& axis = axes[octave];
-            mergeAlongZ(table, axis.cell[k], axis.at[k], field);
-            for (std::size_t j = 0; j < size; ++j) {
-                mergeAlongY(field, axis.cell[j], static_cast<std::size_t>(table.cells), axis.at[j], terms);
-                writeRow(terms, axis, octave, texels.data() + 4 * size * (j + size * k));
-            }
-        }
-    });
+    writeNoise3(n, texels, threads);
     return texels;
 }
 
@@ -153,16 +200,7 @@ std::vector<std::uint8_t> noise2Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize2) return {};
     const auto size = static_cast<std::size_t>(n);
     std::vector<std::uint8_t> texels(4 * size * size);
-    const std::vector<AxisWeights> axes = axesOf(n);
-    forEachIndex(n, threads, [&](int row) {
-        const auto j = static_cast<std::size_t>(row);
-        RowTerms terms;
-        for (std::size_t octave = 0; octave < axes.size(); ++octave) {
-            const AxisWeights& axis = axes[octave];
-            mergeAlongY(tables::kOctaves2[octave], axis.cell[j], axis.at[j], terms);
-            writeRow(terms, axis, octave, texels.data() + 4 * size * j);
-        }
-    });
+    writeNoise2(n, texels, threads);
     return texels;
 }
 

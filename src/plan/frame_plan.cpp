@@ -43,7 +43,9 @@ class FramePlanner {
             for (const TextureUse& use : usesOf(draw, programOf(draw, pass))) textures.push_back(use.texture);
             return textures;
         };
-        const Needs needs = findNeeds(scene_, texturesOf, mayWriteImages, options_.everything);
+        const Needs needs = findNeeds(
+            scene_, {texturesOf, mayWriteImages, options_.everything ? OutOfSight() : options_.outOfSight},
+            options_.everything);
         for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
             if (needs.passes[pass]) planPass(scene_.passes[pass], needs.steps[pass]);
         if (options_.everything) planUndrawnPrograms();
@@ -76,11 +78,7 @@ class FramePlanner {
     }
 
     int programOf(const scene::Draw& draw, const scene::Pass& pass) {
-        ProgramVariant variant;
-        variant.program = usesBuiltin(scene_, draw) ? scene::kNone : draw.program;
-        variant.flatColors = draw.flatColors;
-        variant.colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()));
-        return programOf(variant);
+        return programOf(variantOf(scene_, draw, pass));
     }
 
     /// Index of the variant in the plan; asks for its interface the first time.
@@ -248,7 +246,7 @@ class FramePlanner {
     int meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
         const auto shape = static_cast<std::size_t>(draw.shape);
         int& mesh = meshOfShape_.at(shape);
-        if (mesh < 0) {
+        if (mesh < 0 || !options_.shareMeshes) {
             mesh = static_cast<int>(plan_.meshes.size());
             plan_.meshes.push_back({draw.shape, {}});
         }
@@ -318,6 +316,11 @@ class FramePlanner {
 };
 
 }  // namespace
+
+ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
+    return {usesBuiltin(scene, draw) ? scene::kNone : draw.program, draw.flatColors,
+            std::max<int>(1, static_cast<int>(pass.targets.size()))};
+}
 
 FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
                     const MayWriteImages& mayWriteImages, const PlanOptions& options) {

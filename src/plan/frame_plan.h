@@ -92,8 +92,15 @@ struct PlanOptions {
     std::vector<Override> overrides;
     int maxTextureUnits = 80;  ///< of the driver, all stages together
     int maxImageUnits = 8;     ///< of the driver
-    bool everything = false;   ///< glibra check: skip nothing
+    bool everything = false;   ///< glibra check, --no-skip: skip nothing
+    bool shareMeshes = true;   ///< false: a mesh for each draw
+    /// Why nothing of the draw can be seen, in words; empty: perhaps it can, or it has other effects than on
+    /// its target. Asked at most once for each draw, before its program is; not asked with `everything`.
+    std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
 };
+
+/// The program that draws it in this pass: its own, or the built-in one if that lacks a stage.
+ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
 /// Topology of the mesh that a shape will give, known from the command alone.
 geometry::Topology topologyOf(const scene::Shape& shape);

@@ -16,12 +16,8 @@ using StepIndex = std::pair<std::size_t, std::size_t>;
 
 class NeedFinder {
   public:
-    NeedFinder(const scene::Scene& scene, const TexturesOf& texturesOf, const MayWriteImages& mayWriteImages)
-        : scene_(scene),
-          texturesOf_(texturesOf),
-          mayWriteImages_(mayWriteImages),
-          visited_(scene.passes.size()),
-          read_(scene.textures.size()) {
+    NeedFinder(const scene::Scene& scene, const NeedQuestions& questions)
+        : scene_(scene), questions_(questions), visited_(scene.passes.size()), read_(scene.textures.size()) {
         needs_.passes.resize(scene.passes.size());
         needs_.textures.resize(scene.textures.size());
         for (const scene::Pass& pass : scene.passes)
@@ -63,7 +59,7 @@ class NeedFinder {
     bool mayWrite(const scene::Draw& draw) {
         if (usesBuiltin(scene_, draw)) return false;
         const auto [entry, isNew] = writes_.try_emplace(draw.program, false);
-        if (isNew) entry->second = mayWriteImages_ && mayWriteImages_(draw.program);
+        if (isNew) entry->second = questions_.mayWriteImages && questions_.mayWriteImages(draw.program);
         return entry->second;
     }
 
@@ -122,10 +118,22 @@ class NeedFinder {
         for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
             const scene::Draw* draw = drawAt({pass, step});
             if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed) continue;
-            for (const int texture : texturesOf_(*draw, scene_.passes[pass]))
+            if (isOutOfSight(*draw, scene_.passes[pass])) {
+                needs_.steps[pass][step] = StepNeed::outOfSight;
+                continue;
+            }
+            for (const int texture : questions_.texturesOf(*draw, scene_.passes[pass]))
                 if (texture >= 0) read_.at(static_cast<std::size_t>(texture)) = true;
         }
         if (!isWindow(pass) && !startsWithClearDepth(scene_.passes[pass])) keepDepthBefore(pass);
+    }
+
+    bool isOutOfSight(const scene::Draw& draw, const scene::Pass& pass) {
+        if (!questions_.outOfSight) return false;
+        std::string why = questions_.outOfSight(draw, pass);
+        if (why.empty()) return false;
+        needs_.outOfSight.emplace(&draw, std::move(why));
+        return true;
     }
 
     static bool startsWithClearDepth(const scene::Pass& pass) {
@@ -165,8 +173,7 @@ class NeedFinder {
     }
 
     const scene::Scene& scene_;
-    const TexturesOf& texturesOf_;
-    const MayWriteImages& mayWriteImages_;
+    const NeedQuestions& questions_;
     std::vector<bool> visited_;
     std::vector<bool> read_;      ///< textures that a needed draw reads
     std::map<int, bool> writes_;  ///< answers of mayWriteImages
@@ -181,9 +188,8 @@ bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
     return !program.hasStage(glsl::Stage::vertex) || !program.hasStage(glsl::Stage::fragment);
 }
 
-Needs findNeeds(const scene::Scene& scene, const TexturesOf& texturesOf, const MayWriteImages& mayWriteImages,
-                bool everything) {
-    return NeedFinder(scene, texturesOf, mayWriteImages).find(everything);
+Needs findNeeds(const scene::Scene& scene, const NeedQuestions& questions, bool everything) {
+    return NeedFinder(scene, questions).find(everything);
 }
 
 }  // namespace glibra::plan

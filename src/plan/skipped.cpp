@@ -77,6 +77,8 @@ class SkipList {
                 else
                     add("statement", "Clear: " + why, std::get<scene::Clear>(pass.steps[step]).place);
             }
+            if (needs_.steps[index][step] == StepNeed::outOfSight)
+                add("draw", draw->word + ": " + needs_.outOfSight.at(draw), draw->place);
             if (needs_.steps[index][step] == StepNeed::drawsNothing && draw != nullptr)
                 add("draw", draw->word + ": it has no size and draws nothing", draw->place);
         }

@@ -32,61 +32,113 @@ bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string
     return false;
 }
 
+/// The first draw of the planned mesh.
+const scene::Draw* drawOf(const plan::FramePlan& plan, std::size_t planned) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+                draw && static_cast<std::size_t>(draw->mesh) == planned)
+                return draw->draw;
+    return nullptr;
+}
+
+std::size_t bytesOf(const geometry::Mesh& mesh) {
+    std::size_t bytes = mesh.indices.size() * sizeof(std::uint32_t);
+    for (const geometry::Attribute& each : mesh.attributes) bytes += each.values.size() * sizeof(float);
+    return bytes;
+}
+
+std::size_t bytesOf(const DeviceMesh& mesh) {
+    std::size_t bytes = mesh.indices ? mesh.indices->size() : 0;
+    for (const DeviceMesh::Attribute& each : mesh.attributes)
+        bytes += each.floats.size() + (each.integers ? each.integers->size() : 0);
+    return bytes;
+}
+
 }  // namespace
 
 Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs) {
     Diagnostics diagnostics;
     deviceMeshes_.resize(plan.meshes.size());
     deviceMeshKeys_.resize(plan.meshes.size());
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                for (const plan::TextureUse& use : draw->textures)
+                    if (use.isImage) written_.insert(use.texture);
     for (std::size_t i = 0; i < plan.meshes.size(); ++i) append(diagnostics, upload(plan, i, programs));
     for (const int texture : plan.textures) append(diagnostics, makeTexture(texture));
     previous_ = nullptr;
     return diagnostics;
 }
 
-bool DeviceScene::takeMesh(std::size_t planned, const std::string& key) {
-    deviceMeshKeys_[planned] = key;
-    if (!previous_ || key.empty()) return false;
-    for (std::size_t i = 0; i < previous_->deviceMeshes_.size(); ++i)
-        if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key) {
-            deviceMeshes_[planned] = std::move(previous_->deviceMeshes_[i]);
-            return true;
-        }
-    return false;
-}
-
-bool DeviceScene::takeTexture(int index, const std::string& key) {
-    if (key.empty()) return false;
-    textureKeys_[index] = key;
-    if (!previous_) return false;
-    for (const auto& [known, knownKey] : previous_->textureKeys_) {
-        const auto found = previous_->textures_.find(known);
-        if (knownKey != key || found == previous_->textures_.end()) continue;
-        textures_.emplace(index, std::move(found->second));
-        previous_->textures_.erase(found);
-        return true;
-    }
-    return false;
+std::shared_ptr<const geometry::Mesh> DeviceScene::earlierMesh(const std::string& key) {
+    if (key.empty()) return nullptr;
+    if (previous_)
+        for (const auto& [shape, made] : previous_->meshes_)
+            if (made.key == key && made.mesh) return made.mesh;
+    const auto* found = shared_ ? shared_->meshes.find(key) : nullptr;
+    return found ? *found : nullptr;
 }
 
 const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics& diagnostics) {
-    const auto [entry, isNew] = meshes_.try_emplace(shape);
-    if (isNew) {
-        const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
-        if (!key.empty()) meshKeys_[shape] = key + (withTangents ? " t" : "");
-        if (previous_ && !key.empty())
-            for (auto& [known, mesh] : previous_->meshes_)
-                if (mesh && previous_->meshKeys_[known] == meshKeys_[shape]) {
-                    entry->second = std::move(mesh);
-                    mesh.reset();
-                    return &*entry->second;
-                }
-        const StageTimer timer(stats_, "geometry");
-        Result<geometry::Mesh> made = scene::makeMesh(scene_, shape, withTangents);
-        append(diagnostics, std::move(made.diagnostics));
-        entry->second = std::move(made.value);
-    }
-    return entry->second ? &*entry->second : nullptr;
+    const scene::Shape& wanted = scene_.shapes[static_cast<std::size_t>(shape)];
+    const bool isFile = wanted.file != scene::kNone;
+    const bool tangents = withTangents || !isFile;  // only models are made without
+    const auto known = meshes_.find(shape);
+    if (known != meshes_.end() && (known->second.withTangents || !tangents || !known->second.mesh))
+        return known->second.mesh.get();
+    MadeMesh& made = meshes_[shape];
+    made.withTangents = tangents;
+    made.key = reuseKey(scene_, wanted);
+    if (!made.key.empty() && tangents) made.key += " t";
+    made.mesh = earlierMesh(made.key);
+    if (made.mesh) return made.mesh.get();
+    const StageTimer timer(stats_, "geometry");
+    if (isFile) stats_.add("files read", 1);
+    Result<geometry::Mesh> result = scene::makeMesh(scene_, shape, tangents);
+    made.hasRemarks = !result.diagnostics.empty();
+    append(diagnostics, std::move(result.diagnostics));
+    if (!result) return nullptr;
+    made.mesh = std::make_shared<const geometry::Mesh>(std::move(*result));
+    if (shared_ && !made.key.empty() && !made.hasRemarks)
+        shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
+    return made.mesh.get();
+}
+
+const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics& diagnostics) {
+    const auto [entry, isNew] = bounds_.try_emplace(shape);
+    Bounds& bounds = entry->second;
+    if (!isNew) return bounds;
+    const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
+    if (shared_ && !key.empty())
+        if (const Bounds* known = shared_->bounds.find(key)) return bounds = *known;
+    const geometry::Mesh* made = mesh(shape, withTangents, diagnostics);
+    if (!made) return bounds;
+    bounds = boundsOf(*made);
+    if (shared_ && !key.empty() && !meshes_.at(shape).hasRemarks) shared_->bounds.add(key, bounds, 1);
+    return bounds;
+}
+
+const Bounds* DeviceScene::knownBounds(int shape) const {
+    const auto found = bounds_.find(shape);
+    return found == bounds_.end() ? nullptr : &found->second;
+}
+
+std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::string& key,
+                                                                 const plan::FramePlan& plan,
+                                                                 std::size_t planned) {
+    if (key.empty()) return nullptr;
+    if (previous_)
+        for (std::size_t i = 0; i < previous_->deviceMeshes_.size(); ++i)
+            if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key)
+                return previous_->deviceMeshes_[i];
+    const auto* found = shared_ ? shared_->deviceMeshes.find(key) : nullptr;
+    if (!found) return nullptr;
+    stats_.add("meshes kept", 1);
+    if (const scene::Draw* draw = drawOf(plan, planned))
+        stats_.skip("mesh", draw->word + ": it is there from an earlier scene", draw->place);
+    return *found;
 }
 
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
@@ -99,12 +151,14 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     if (!key.empty())
         for (const std::string& each : wanted.attributes)
             key += (wantsIntegers(plan, planned, each, programs) ? " i" : " ") + each;
-    if (takeMesh(planned, key)) return diagnostics;
+    deviceMeshKeys_[planned] = key;
+    deviceMeshes_[planned] = earlierDeviceMesh(key, plan, planned);
+    if (deviceMeshes_[planned]) return diagnostics;
     const geometry::Mesh* source = mesh(wanted.shape, withTangents, diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     const StageTimer timer(stats_, "upload");
-    auto uploaded = std::make_unique<DeviceMesh>();
+    auto uploaded = std::make_shared<DeviceMesh>();
     uploaded->vertexCount = source->vertexCount();
     uploaded->indexCount = static_cast<int>(source->indices.size());
     Result<gpu::Buffer> indices = gpu::Buffer::create(std::as_bytes(std::span(source->indices)));
@@ -131,6 +185,8 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     }
     stats_.add("meshes", 1);
     stats_.add("vertices stored", uploaded->vertexCount);
+    if (shared_ && !key.empty() && !meshes_.at(wanted.shape).hasRemarks)
+        shared_->deviceMeshes.add(key, uploaded, bytesOf(*uploaded));
     deviceMeshes_[planned] = std::move(uploaded);
     return diagnostics;
 }

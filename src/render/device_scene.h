@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -13,6 +14,7 @@
 #include "gpu/vertex_array.h"
 #include "plan/frame_plan.h"
 #include "render/programs.h"
+#include "render/shared_parts.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
@@ -35,11 +37,15 @@ struct DeviceMesh {
 
 class DeviceScene {
   public:
-    DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats)
-        : context_(context), scene_(scene), stats_(stats) {}
+    /// `shared`: what other scenes have made already, or null.
+    DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats,
+                SharedParts* shared = nullptr)
+        : context_(context), scene_(scene), stats_(stats), shared_(shared) {}
+    /// Statements that name the same files no longer share one texture.
+    void separateTextures() { sharesPictures_ = false; }
 
-    /// What the scene had before it was read again: prepare() takes meshes and textures that are still the
-    /// same from it. It must live until then, and cannot draw afterwards.
+    /// What the scene had before it was read again: prepare() takes over meshes and textures that are still
+    /// the same. It must live until then.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
     /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
@@ -47,6 +53,15 @@ class DeviceScene {
     /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in
     /// `diagnostics`.
     const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics& diagnostics);
+    /// Of the vertices of that mesh, which is made for it if need be.
+    const Bounds& bounds(int shape, bool withTangents, Diagnostics& diagnostics);
+    /// What bounds() has found out for the shape, or null.
+    [[nodiscard]] const Bounds* knownBounds(int shape) const;
+    /// The shape is another now.
+    void forgetMesh(int shape) {
+        meshes_.erase(shape);
+        bounds_.erase(shape);
+    }
     /// Frees the CPU's copies.
     void releaseMeshes() { meshes_.clear(); }
 
@@ -63,8 +78,16 @@ class DeviceScene {
     Result<const gpu::Target*> target(const scene::Pass& pass);
 
   private:
-    bool takeMesh(std::size_t planned, const std::string& key);
-    bool takeTexture(int index, const std::string& key);
+    struct MadeMesh {
+        std::shared_ptr<const geometry::Mesh> mesh;
+        bool withTangents = false;
+        bool hasRemarks = false;
+        std::string key;
+    };
+    std::shared_ptr<const geometry::Mesh> earlierMesh(const std::string& key);
+    std::shared_ptr<const DeviceMesh> earlierDeviceMesh(const std::string& key, const plan::FramePlan& plan,
+                                                        std::size_t planned);
+    std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
     Diagnostics upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs);
     Diagnostics makeTexture(int index);
     Result<gpu::Texture> createTexture(const scene::Texture& texture);
@@ -72,13 +95,16 @@ class DeviceScene {
     const gpu::Context& context_;
     const scene::Scene& scene_;
     Stats& stats_;
+    SharedParts* shared_;
     DeviceScene* previous_ = nullptr;
-    std::map<int, std::optional<geometry::Mesh>> meshes_;
-    std::map<int, std::string> meshKeys_;  ///< of meshes_
+    bool sharesPictures_ = true;
+    std::map<int, MadeMesh> meshes_;
+    std::map<int, Bounds> bounds_;
     std::vector<std::string> deviceMeshKeys_;
     std::map<int, std::string> textureKeys_;
-    std::vector<std::unique_ptr<DeviceMesh>> deviceMeshes_;
-    std::map<int, gpu::Texture> textures_;
+    std::vector<std::shared_ptr<const DeviceMesh>> deviceMeshes_;
+    std::map<int, std::shared_ptr<const gpu::Texture>> textures_;
+    std::set<int> written_;  ///< textures that programs may write to as images: nobody else's
     std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it
     std::map<int, int> sameTexture_;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;

@@ -1,9 +1,13 @@
 // The textures, samplers and targets of DeviceScene.
 
+#include <fmt/format.h>
 #include <glibra/diagnostic.h>
+
+#include <memory>
 
 #include "image/texture_file.h"
 #include "noise/cache.h"
+#include "plan/texture_uses.h"
 #include "render/device_scene.h"
 #include "render/reuse.h"
 
@@ -76,19 +80,24 @@ gpu::TexelType typeOf(image::Component type) {
 }
 
 /// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
-std::vector<std::uint16_t> widened(const std::vector<std::uint8_t>& bytes) {
-    std::vector<std::uint16_t> wide(bytes.size());
+std::unique_ptr<std::uint16_t[]> widened(const noise::TexelBytes& bytes) {
+    auto wide = std::make_unique_for_overwrite<std::uint16_t[]>(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
     return wide;
 }
 
-Result<std::vector<std::uint8_t>> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
-                                              const Place& place) {
+std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
+    return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+           static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
+}
+
+Result<noise::TexelBytes> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
+                                      const Place& place) {
     if (source.file == scene::kNone) return noise::cachedTexels(source.dimensions, source.size);
     const scene::FileReference& file = scene.files[static_cast<std::size_t>(source.file)];
     Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
     if (!read) return std::move(read.diagnostics);
-    std::vector<std::uint8_t> bytes(read->data.size());
+    noise::TexelBytes bytes(read->data.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
     return bytes;
 }
@@ -97,7 +106,8 @@ Result<std::vector<std::uint8_t>> noiseTexels(const scene::Scene& scene, const s
 
 Diagnostics DeviceScene::makeTexture(int index) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
-    if (const auto* picture = std::get_if<scene::PictureSource>(&texture.source)) {
+    const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
+    if (picture && sharesPictures_) {
         // Files used twice are read once: statements that name the same files share one texture.
         std::vector<int> key = picture->files;
         key.push_back(static_cast<int>(texture.target));
@@ -107,18 +117,40 @@ Diagnostics DeviceScene::makeTexture(int index) {
             return {};
         }
     }
-    if (takeTexture(index, reuseKey(scene_, texture))) return {};
+    const std::string key = reuseKey(scene_, texture);
+    textureKeys_[index] = key;
+    const bool isOwn = key.empty() || written_.contains(index);
+    if (!isOwn)
+        if (std::shared_ptr<const gpu::Texture> earlier = earlierTexture(key, texture)) {
+            textures_.emplace(index, std::move(earlier));
+            return {};
+        }
     Result<gpu::Texture> made = createTexture(texture);
-    if (made) {
-        const gpu::TextureSize size = made->size();
-        stats_.add("textures", 1);
-        stats_.add("texels", static_cast<std::uint64_t>(size.width) *
-                                 static_cast<std::uint64_t>(size.height) *
-                                 static_cast<std::uint64_t>(size.depth) *
-                                 (texture.target == scene::TextureTarget::cube ? 6U : 1U));
-        textures_.emplace(index, std::move(*made));
-    }
+    if (!made) return std::move(made.diagnostics);
+    const std::uint64_t texels = texelsOf(made->size(), texture.target);
+    stats_.add("textures", 1);
+    stats_.add("texels", texels);
+    auto kept = std::make_shared<const gpu::Texture>(std::move(*made));
+    if (shared_ && !isOwn && made.diagnostics.empty())
+        shared_->textures.add(key, kept, texels * gpu::bytesPerTexel(kept->format()));
+    textures_.emplace(index, std::move(kept));
     return std::move(made.diagnostics);
+}
+
+std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::string& key,
+                                                                const scene::Texture& texture) {
+    if (previous_)
+        for (const auto& [index, known] : previous_->textures_)
+            if (previous_->textureKeys_[index] == key && !previous_->written_.contains(index)) return known;
+    const auto* found = shared_ ? shared_->textures.find(key) : nullptr;
+    if (!found) return nullptr;
+    stats_.add("textures kept", 1);
+    const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
+    stats_.skip(isNoise ? "noise texture" : "texture",
+                fmt::format("unit {}: it is there from an earlier scene",
+                            plan::slotText(texture.unit, texture.target)),
+                texture.place);
+    return *found;
 }
 
 Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
@@ -130,15 +162,16 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
 
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const StageTimer timer(stats_, "noise");
-        Result<std::vector<std::uint8_t>> bytes = noiseTexels(scene_, *noise, texture.place);
+        if (noise->file != scene::kNone) stats_.add("files read", 1);
+        Result<noise::TexelBytes> bytes = noiseTexels(scene_, *noise, texture.place);
         Diagnostics diagnostics = noise->remarks;
         append(diagnostics, std::move(bytes.diagnostics));
         if (!bytes) return diagnostics;
-        const std::vector<std::uint16_t> wide = widened(*bytes);
+        const auto wide = widened(*bytes);
         const int depth = noise->dimensions == 3 ? noise->size : 1;
         Result<gpu::Texture> made = gpu::Texture::create(
             capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
-            {std::as_bytes(std::span(wide)), 4, gpu::TexelType::u16});
+            {std::as_bytes(std::span(wide.get(), bytes->size())), 4, gpu::TexelType::u16});
         append(diagnostics, std::move(made.diagnostics));
         made.diagnostics = std::move(diagnostics);
         return made;
@@ -154,6 +187,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
     }
     if (hasError(diagnostics)) return diagnostics;
     const StageTimer timer(stats_, "read");
+    stats_.add("files read", paths.size());
     Result<image::TexelBlock> block;
     if (texture.target == scene::TextureTarget::cube) {
         block = image::readCubeMap(paths, texture.place);
@@ -173,7 +207,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
 const gpu::Texture* DeviceScene::texture(int texture) const {
     const auto same = sameTexture_.find(texture);
     const auto found = textures_.find(same == sameTexture_.end() ? texture : same->second);
-    return found == textures_.end() ? nullptr : &found->second;
+    return found == textures_.end() ? nullptr : found->second.get();
 }
 
 const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
@@ -196,8 +230,9 @@ const gpu::Sampler& DeviceScene::sampler(bool clamp) {
 }
 
 Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
-    const auto key = std::pair(pass.targets, pass.depthBuffer);
-    if (const auto known = targets_.find(key); known != targets_.end()) return &known->second;
+    // Asked for at every frame: no key is made for it.
+    for (const auto& [key, known] : targets_)
+        if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
     std::vector<const gpu::Texture*> textures;
     for (const int each : pass.targets) textures.push_back(texture(each));
     gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
@@ -207,7 +242,7 @@ Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
         return std::move(made.diagnostics);
     }
     depth = made->depth();
-    return &targets_.emplace(key, std::move(*made)).first->second;
+    return &targets_.emplace(std::pair(pass.targets, pass.depthBuffer), std::move(*made)).first->second;
 }
 
 }  // namespace glibra::render

@@ -8,6 +8,7 @@
 
 #include "gpu/uniform.h"
 #include "plan/uniform_names.h"
+#include "render/sight.h"
 
 namespace glibra::render {
 namespace {
@@ -42,13 +43,6 @@ GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
 
-/// Fraction of the period that has passed. The remainder is exact, after any time; the largest float below 1
-/// keeps what rounds up from becoming 1.
-double timerAt(double time, double period) {
-    const double rest = std::fmod(time, period);
-    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
-}
-
 /// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
 /// in 22.3.6): beyond 65,536 of them triangles join the wrong ones. At the highest level a patch has (level +
 /// 1)^2 vertices. A program that reads the number of its patch gets all of them in one draw, since each draw
@@ -71,6 +65,12 @@ void enable(GLenum capability, bool on) {
 }
 
 }  // namespace
+
+double timerAt(double time, double period) {
+    // The remainder is exact, after any time; the largest float below 1 keeps what rounds up from becoming 1.
+    const double rest = std::fmod(time, period);
+    return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
+}
 
 FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
                          const ProgramLibrary& programs, DeviceScene& device, Stats& stats)
@@ -203,7 +203,7 @@ void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts)
     for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i)
         if (const glsl::BuiltinUniform* row = plan::suppliedBy(built.interface.uniforms[i]))
             gpu::setUniform(*built.program, built.reflected.uniforms[i],
-                            suppliedValue(row->value, facts, built.reflected.uniforms[i].arraySize));
+                            suppliedValue(row->value, facts, built.reflected.uniforms[i].arraySize).span());
 }
 
 void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
@@ -214,7 +214,8 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
         if (!supplied) continue;
         const gpu::ActiveUniform& uniform =
             built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
-        gpu::setUniform(*built.program, uniform, suppliedValue(supplied->value, facts, uniform.arraySize));
+        gpu::setUniform(*built.program, uniform,
+                        suppliedValue(supplied->value, facts, uniform.arraySize).span());
     }
     // The names below are the translator's; a program that is not tiled has no such uniforms.
     for (const gpu::ActiveUniform& uniform : built.reflected.uniforms) {
@@ -223,11 +224,12 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
             const double width = tile_.width;
             const double height = tile_.height;
             const std::array<double, 4> part{width_ / width, height_ / height,
-                                             (width_ - 2.0 * tile_.x - width) / width,
-                                             (height_ - 2.0 * tile_.y - height) / height};
+                                             (width_ - 2.0 * (tile_.x - shift_.x) - width) / width,
+                                             (height_ - 2.0 * (tile_.y - shift_.y) - height) / height};
             gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
         } else if (uniform.name == "glibra_TileOrigin") {
-            const std::array<double, 2> origin{isWindow ? tile_.x : 0.0, isWindow ? tile_.y : 0.0};
+            const std::array<double, 2> origin{isWindow ? tile_.x - shift_.x : 0.0,
+                                               isWindow ? tile_.y - shift_.y : 0.0};
             gpu::setUniform(*built.program, uniform, origin);
         }
     }
@@ -295,17 +297,53 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
 }
 
+bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
+    const Bounds* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
+    if (!bounds) return false;
+    const Lens lens =
+        lensOf(*planned.draw, planned.submission.topology, view_,
+               {width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)}, context_.capabilities());
+    return sightOf(placed(*bounds, built.interface.facts.placement), lens) != Sight::possible;
+}
+
+const BuiltProgram* FrameDrawer::ownProgramOf(const plan::PlannedDraw& planned) const {
+    const BuiltProgram* own =
+        programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    return own != nullptr && own->program ? own : nullptr;
+}
+
+const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) const {
+    if (const BuiltProgram* own = ownProgramOf(planned)) return own;
+    return fallback_ != nullptr && fallback_->program ? fallback_ : nullptr;
+}
+
+void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
+    const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
+    const GLenum mode = glMode(planned.submission.topology);
+    const int atOnce = mode == GL_PATCHES
+                           ? planned.submission.patchVertices *
+                                 patchesAtOnce(context_.capabilities(), programOf(planned)->interface.facts)
+                           : mesh.indexCount;
+    for (int first = 0; first < mesh.indexCount; first += atOnce)
+        glDrawElements(mode, std::min(atOnce, mesh.indexCount - first), GL_UNSIGNED_INT,
+                       // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
+                       reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
+}
+
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                                  double time) {
     Diagnostics diagnostics;
     const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
     if (!mesh) return diagnostics;
     const scene::Draw& draw = *planned.draw;
-    const BuiltProgram* own =
-        programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
-    const bool isUsable = own != nullptr && own->program;
-    if (!isUsable && (fallback_ == nullptr || !fallback_->program)) return diagnostics;
-    const BuiltProgram& built = isUsable ? *own : *fallback_;
+    const BuiltProgram* drawnWith = programOf(planned);
+    if (drawnWith == nullptr) return diagnostics;
+    const BuiltProgram& built = *drawnWith;
+    const bool isUsable = ownProgramOf(planned) != nullptr;
+    if (isWindow && isUsable && isOutOfTile(planned, built)) {
+        stats_.add("draws out of their tile", 1);
+        return diagnostics;
+    }
     context_.debugLog().setPlace(draw.place);
     built.program->use();
     const double aspect = isWindow ? static_cast<double>(width_) / height_
@@ -327,14 +365,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     device_.vertexArray(planned.mesh, planned.program, built).bind();
     if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     if (hook_) hook_(planned, isWindow, true);
-    const GLenum mode = glMode(planned.submission.topology);
-    const int atOnce = mode == GL_PATCHES ? planned.submission.patchVertices *
-                                                patchesAtOnce(context_.capabilities(), built.interface.facts)
-                                          : mesh->indexCount;
-    for (int first = 0; first < mesh->indexCount; first += atOnce)
-        glDrawElements(mode, std::min(atOnce, mesh->indexCount - first), GL_UNSIGNED_INT,
-                       // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
-                       reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
+    submit(planned);
     if (hook_) hook_(planned, isWindow, false);
     if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     const bool writesImages = std::any_of(planned.textures.begin(), planned.textures.end(),

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <set>
 
@@ -13,15 +14,14 @@
 #include "render/programs.h"
 #include "render/stats.h"
 #include "render/supplied.h"
+#include "render/tile.h"
 #include "render/view_matrices.h"
 #include "scene/view.h"
 
 namespace glibra::render {
 
-/// The part of the picture that the window's target shows, in pixels from the picture's lower left corner.
-struct Tile {
-    int x = 0, y = 0, width = 0, height = 0;
-};
+/// The value of Timer: the fraction of the period that has passed, 0..1, less than 1 as a float.
+double timerAt(double time, double period);
 
 class FrameDrawer {
   public:
@@ -36,10 +36,21 @@ class FrameDrawer {
     /// Called before (`begins`) and after the GL call of every draw, its program and state being bound.
     using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
     void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
+    /// The GL calls of that draw alone, with whatever program and vertex array are bound: for hooks.
+    void submit(const plan::PlannedDraw& planned) const;
+    /// What the draw's program is, or stands for it; null if nothing is drawn.
+    [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
     /// The plan's literals of this program (index into FramePlan::programs) are others than before.
     void forgetLiterals(int program);
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
+
+    /// Moves the window's pictures right and up by parts of a pixel; what shaders see as gl_FragCoord moves
+    /// with them. For programs made for tiles; others stay.
+    void setShift(double x, double y) { shift_ = {x, y}; }
+
+    /// Leaves out what provably does not reach the tile; `samples`: of the window's target.
+    void leaveOutOfTile(int samples) { windowSamples_ = samples; }
 
     /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
     /// still begin with their implicit clears.
@@ -60,12 +71,14 @@ class FrameDrawer {
         std::vector<gpu::Buffer> blocks;
     };
 
+    [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
     void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
     void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                         double time);
     void setLiterals(int program, const BuiltProgram& built);
+    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect, double time) const;
     void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
                      bool isWindow);
@@ -87,9 +100,11 @@ class FrameDrawer {
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     ViewMatrices view_;
     bool wireframe_ = false;
+    int windowSamples_ = 0;  ///< 0: all draws are drawn into all tiles
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;
     Tile tile_;
+    glm::dvec2 shift_{0.0};
     int clipDistances_ = 0;
     bool lineWidthTold_ = false;
 };

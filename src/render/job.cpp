@@ -2,102 +2,38 @@
 
 #include <fmt/format.h>
 
-#include <condition_variable>
 #include <cstdio>
-#include <deque>
-#include <mutex>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
-#include <thread>
 
+#include "gpu/call_counter.h"
 #include "image/inspect.h"
 #include "image/write.h"
 #include "render/nan_search.h"
+#include "render/picture_writer.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 
 namespace glibra::render {
 namespace {
 
-/// Encodes and writes pictures on a thread of its own, in order, while the next one is drawn. At most two
-/// wait, so that memory stays bounded when encoding is the slower part.
-class PictureWriter {
-  public:
-    explicit PictureWriter(const std::function<void(int)>& written) : written_(written) {
-        thread_ = std::jthread([this] { run(); });
-    }
-    PictureWriter(const PictureWriter&) = delete;
-    PictureWriter& operator=(const PictureWriter&) = delete;
-    ~PictureWriter() { finish(); }
-
-    /// False once a picture could not be written: there is no use in drawing more.
-    bool add(image::Image picture, std::filesystem::path file) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return waiting_.size() < 2 || failed_; });
-        if (failed_) return false;
-        waiting_.push_back({std::move(picture), std::move(file)});
-        changed_.notify_all();
-        return true;
-    }
-
-    /// Waits for all pictures; returns what went wrong.
-    Diagnostics finish() {
-        {
-            const std::scoped_lock lock(mutex_);
-            closed_ = true;
-            changed_.notify_all();
-        }
-        if (thread_.joinable()) thread_.join();
-        return std::move(problems_);
-    }
-
-  private:
-    struct Item {
-        image::Image picture;
-        std::filesystem::path file;
-    };
-
-    void run() {
-        for (int count = 1;; ++count) {
-            Item item;
-            {
-                std::unique_lock lock(mutex_);
-                changed_.wait(lock, [this] { return !waiting_.empty() || closed_; });
-                if (waiting_.empty()) return;
-                item = std::move(waiting_.front());
-                waiting_.pop_front();
-                changed_.notify_all();
-            }
-            Diagnostics problems = image::writeImage(item.picture, item.file);
-            const bool bad = hasError(problems);
-            {
-                const std::scoped_lock lock(mutex_);
-                append(problems_, std::move(problems));
-                if (bad) {
-                    failed_ = true;
-                    waiting_.clear();
-                    changed_.notify_all();
-                    return;
-                }
-            }
-            written_(count);
-        }
-    }
-
-    const std::function<void(int)>& written_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<Item> waiting_;
-    Diagnostics problems_;
-    bool closed_ = false;
-    bool failed_ = false;
-    std::jthread thread_;
-};
-
 Diagnostics writeToStandardOutput(const image::Image& picture) {
     const std::vector<std::byte> png = image::encodePng(picture);
     if (std::fwrite(png.data(), 1, png.size(), stdout) == png.size() && std::fflush(stdout) == 0) return {};
     return {error("file-E10", "cannot write to standard output")};
+}
+
+/// "; nothing is in sight: line 7, Teapot: it is behind ..." if draws were left out and none is left.
+std::string whyNothingIsSeen(const plan::FramePlan& plan) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (std::holds_alternative<plan::PlannedDraw>(step)) return {};
+    for (const plan::Skipped& each : plan.skipped)
+        if (each.what == "draw")
+            return fmt::format("; nothing is in sight: line {}, {}", each.place.line, each.why);
+    return {};
 }
 
 bool wantsFloat(const std::filesystem::path& output) {
@@ -108,11 +44,13 @@ bool wantsFloat(const std::filesystem::path& output) {
 
 }  // namespace
 
-Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene, bool isSearched) {
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      const plan::FramePlan& plan, bool isSearched) {
     Diagnostics remarks;
     const Place place{scene.string(), 1, 1};
     if (image::isOneColor(picture))
-        remarks.push_back(note("draw-N02", "the picture has only one colour", place));
+        remarks.push_back(
+            note("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
     const image::NonFinite bad = image::countNonFinite(picture);
     if (bad.nan + bad.infinite > 0 && !isSearched)
         remarks.push_back(warning(
@@ -132,58 +70,121 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
     return file;
 }
 
-JobResult runJob(gpu::Context& context, const Job& job, const std::function<void(int)>& frameWritten) {
-    JobResult result;
-    Stats stats;
-    RenderOptions options = job.options;
-    options.floatPixels = options.floatPixels || wantsFloat(job.output);
+namespace {
 
-    Result<SceneRenderer> loaded = SceneRenderer::load(context, job.scene, options, stats);
-    append(result.diagnostics, std::move(loaded.diagnostics));
-    if (!loaded) {
-        result.failed = true;
-        return result;
+/// One job under way.
+class JobRun {
+  public:
+    JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
+        options_.floatPixels = options_.floatPixels || wantsFloat(job.output);
+        if (job.explain || job.stats) counter_.emplace();
     }
-    Result<NanSearch> search;
-    if (options.checkNan) search = NanSearch::load(context, job.scene, options);
-    const auto checkNan = [&](double time) {
-        if (search) append(result.diagnostics, search->at(time));
-    };
-    // Of an animation the first frame of one colour and the first with NaN are told.
-    std::set<std::string> told;
-    const auto remark = [&](const image::Image& picture) {
-        for (Diagnostic& each : remarksOn(picture, job.scene, options.checkNan))
-            if (told.insert(each.id).second) result.diagnostics.push_back(std::move(each));
-        applyStrict(result.diagnostics, options.strict);
-        return !hasError(result.diagnostics);
-    };
-    const auto writeOne = [&](const image::Image& picture) {
-        const StageTimer timer(stats, "write");
-        return job.output == "-" ? writeToStandardOutput(picture) : image::writeImage(picture, job.output);
-    };
-    if (job.frames == 1) {
-        Result<image::Image> picture = loaded->draw(options.time, stats);
-        append(result.diagnostics, std::move(picture.diagnostics));
-        checkNan(options.time);
-        if (picture && remark(*picture)) append(result.diagnostics, writeOne(*picture));
-    } else {
-        PictureWriter writer(frameWritten);
-        for (int i = 0; i < job.frames; ++i) {
-            Result<image::Image> picture = loaded->draw(options.time + i / job.framesPerSecond, stats);
-            append(result.diagnostics, std::move(picture.diagnostics));
-            checkNan(options.time + i / job.framesPerSecond);
-            if (!picture || !remark(*picture)) break;
-            if (!writer.add(std::move(*picture), frameFile(job.output, i, job.frames))) break;
+
+    JobResult run(const std::function<void(int)>& frameWritten, SharedParts* shared) && {
+        Result<SceneRenderer> loaded = SceneRenderer::load(context_, job_.scene, options_, stats_, shared);
+        append(result_.diagnostics, std::move(loaded.diagnostics));
+        if (!loaded) {
+            result_.failed = true;
+            return std::move(result_);
         }
-        append(result.diagnostics, writer.finish());
+        if (options_.checkNan) search_ = NanSearch::load(context_, job_.scene, options_);
+        if (job_.frames == 1)
+            drawPicture(*loaded);
+        else
+            drawFrames(*loaded, frameWritten);
+        result_.failed = hasError(result_.diagnostics);
+        countCalls();
+        if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
+        if (job_.stats)
+            result_.statsJson = toJson(stats_, job_.scene.string(), loaded->width(), loaded->height(),
+                                       context_.capabilities().renderer);
+        return std::move(result_);
     }
-    result.failed = hasError(result.diagnostics);
-    stats.skipped = loaded->plan().skipped;
-    if (job.explain) result.explanation = job.scene.string() + "\n" + toText(stats);
-    if (job.stats)
-        result.statsJson = toJson(stats, job.scene.string(), loaded->width(), loaded->height(),
-                                  context.capabilities().renderer);
-    return result;
+
+  private:
+    /// Nothing if the picture is not to be written.
+    std::optional<image::Image> draw(SceneRenderer& scene, double time) {
+        Result<image::Image> picture = scene.draw(time, stats_);
+        append(result_.diagnostics, std::move(picture.diagnostics));
+        if (search_) append(result_.diagnostics, search_->at(time));
+        if (!picture || !remark(*picture, scene.plan())) return std::nullopt;
+        return std::move(picture.value);
+    }
+
+    /// Of an animation the first frame of one colour and the first with NaN are told.
+    bool remark(const image::Image& picture, const plan::FramePlan& plan) {
+        for (Diagnostic& each : remarksOn(picture, job_.scene, plan, options_.checkNan))
+            if (told_.insert(each.id).second) result_.diagnostics.push_back(std::move(each));
+        applyStrict(result_.diagnostics, options_.strict);
+        return !hasError(result_.diagnostics);
+    }
+
+    void drawPicture(SceneRenderer& scene) {
+        const std::optional<image::Image> picture = draw(scene, options_.time);
+        if (!picture) return;
+        const StageTimer timer(stats_, "write");
+        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(*picture)
+                                                       : image::writeImage(*picture, job_.output));
+    }
+
+    void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
+        PictureWriter writer(frameWritten);
+        std::map<Moment, int> drawn;  // frames by their moment
+        int copies = 0;
+        for (int i = 0; i < job_.frames; ++i) {
+            const double time = options_.time + i / job_.framesPerSecond;
+            const std::optional<Moment> moment = options_.skip ? scene.momentOf(time) : std::nullopt;
+            const std::filesystem::path file = frameFile(job_.output, i, job_.frames);
+            if (moment) {
+                const auto [known, isNew] = drawn.try_emplace(*moment, i);
+                if (!isNew) {
+                    ++copies;
+                    if (writer.addCopy(frameFile(job_.output, known->second, job_.frames), file)) continue;
+                    break;
+                }
+            }
+            std::optional<image::Image> picture = draw(scene, time);
+            if (!picture || !writer.add(std::move(*picture), file)) break;
+        }
+        append(result_.diagnostics, writer.finish());
+        if (copies == 0) return;
+        stats_.add("frames copied", static_cast<std::uint64_t>(copies));
+        stats_.skip(
+            "frames",
+            drawn.size() == 1
+                ? fmt::format("{} of {} are copies of the first: nothing that is drawn reads Timer", copies,
+                              job_.frames)
+                : fmt::format("{} of {} are copies of earlier ones with the same Timer", copies, job_.frames),
+            {job_.scene.string(), 1, 1});
+    }
+
+    void countCalls() {
+        if (!counter_) return;
+        const gpu::CallCounts& counts = counter_->counts();
+        stats_.add("GL calls", counts.calls);
+        stats_.add("GL draws", counts.draws);
+        stats_.add("programs linked", counts.programsLinked);
+        stats_.add("buffers filled", counts.buffersFilled);
+        stats_.add("textures filled", counts.texturesFilled);
+        stats_.add("bytes uploaded", counts.bytesUploaded);
+        stats_.add("pixels read", counts.pixelsRead);
+    }
+
+    gpu::Context& context_;
+    const Job& job_;
+    RenderOptions options_;
+    Stats stats_;
+    std::optional<gpu::CallCounter> counter_;
+    Result<NanSearch> search_;
+    JobResult result_;
+    std::set<std::string> told_;
+};
+
+}  // namespace
+
+JobResult runJob(gpu::Context& context, const Job& job, const std::function<void(int)>& frameWritten,
+                 SharedParts* shared) {
+    return JobRun(context, job).run(frameWritten, shared);
 }
 
 }  // namespace glibra::render

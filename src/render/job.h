@@ -9,6 +9,8 @@
 
 #include "gpu/context.h"
 #include "image/image.h"
+#include "plan/frame_plan.h"
+#include "render/shared_parts.h"
 
 namespace glibra::render {
 
@@ -30,15 +32,17 @@ struct JobResult {
     std::string statsJson;    ///< --stats
 };
 
-/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next. Called with
-/// the number of frames written so far, as soon as each is.
+/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next; frames that
+/// cannot differ are drawn and encoded once and copied. Called with the number of frames written so far, as
+/// soon as each is. `shared`: what earlier scenes have made, or null.
 JobResult runJob(gpu::Context& context, const Job& job,
-                 const std::function<void(int framesWritten)>& frameWritten);
+                 const std::function<void(int framesWritten)>& frameWritten, SharedParts* shared = nullptr);
 
-/// A picture of one colour is legal, but seldom meant (draw-N02); NaN and infinities never are (draw-W06).
-/// `isSearched` leaves NaN to checkNan's search, which names the draws.
+/// A picture of one colour is legal, but seldom meant (draw-N02, with the reason if the plan has it: all
+/// draws are out of sight); NaN and infinities never are (draw-W06). `isSearched` leaves NaN to checkNan's
+/// search, which names the draws.
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
-                      bool isSearched = false);
+                      const plan::FramePlan& plan, bool isSearched = false);
 
 /// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the
 /// last frame needs, at least four.

@@ -1,12 +1,109 @@
-// What a ProgramLibrary keeps of the one before it, when a scene is read again.
+// What a ProgramLibrary takes from others: from the one before it, when a scene is read again, and from those
+// of other scenes.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "plan/uniforms.h"
 #include "render/programs.h"
 
 namespace glibra::render {
+namespace {
+
+/// Everything that decides about a translation, but for what the translator asks for: files to include, kinds
+/// of textures.
+std::string keyOf(const glsl::ProgramRequest& asked) {
+    std::string key =
+        fmt::format("{}\n{}:{}:{} {}{}{} {} {} {} {}\n", asked.name, asked.place.file, asked.place.line,
+                    asked.place.column, asked.shim, asked.flatColors, asked.tiled, asked.colorTargets,
+                    asked.geometryInput, asked.geometryOutput, asked.geometryVerticesOut);
+    for (const glsl::StageSource& each : asked.stages)
+        key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
+    return key;
+}
+
+}  // namespace
+
+ProgramLibrary::~ProgramLibrary() {
+    if (!shared_) return;
+    for (auto& [variant, built] : programs_)
+        if (built->program && !built->key.empty() && !built->isLastGood)
+            shared_->programs.add(built->key,
+                                  SharedProgram{std::move(*built->program), std::move(built->reflected),
+                                                std::move(built->remarks)},
+                                  1);
+}
+
+bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& built) {
+    std::optional<SharedProgram> earlier = shared_ ? shared_->programs.take(built.key) : std::nullopt;
+    if (!earlier) return false;
+    built.program.emplace(std::move(earlier->program));
+    built.reflected = std::move(earlier->reflected);
+    built.remarks = std::move(earlier->remarks);
+    stats_.add("programs kept", 1);
+    const bool isBuiltin = variant.program == scene::kNone;
+    const scene::Program* program =
+        isBuiltin ? nullptr : &scene_.programs[static_cast<std::size_t>(variant.program)];
+    stats_.skip(
+        "program",
+        fmt::format("'{}': it is there from an earlier scene", isBuiltin ? "built-in" : program->name),
+        isBuiltin ? Place{scene_.path, 1, 1} : program->place);
+    return true;
+}
+
+const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::ProgramVariant& variant) {
+    for (const auto& [known, translation] : translations_)
+        if (known == variant) return *translation;
+    translations_.emplace_back(variant, std::make_unique<Translation>());
+    Translation& translation = *translations_.back().second;
+    const StageTimer timer(stats_, "translate");
+    glsl::ProgramRequest asked = request(variant, translation.diagnostics);
+    if (!hasError(translation.diagnostics)) translation.program = translate(std::move(asked));
+    return translation;
+}
+
+std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
+    if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
+    const std::string key = render::keyOf(asked);
+    if (const auto* known = shared_->translations.find(key)) {
+        stats_.add("translations kept", 1);
+        return *known;
+    }
+    bool asksMore = false;
+    if (asked.include)
+        asked.include = [&asksMore, include = std::move(asked.include)](std::string_view name,
+                                                                        std::string_view from) {
+            asksMore = true;
+            return include(name, from);
+        };
+    if (asked.samplerKindsOfTag)
+        asked.samplerKindsOfTag = [&asksMore,
+                                   kinds = std::move(asked.samplerKindsOfTag)](std::string_view tag) {
+            asksMore = true;
+            return kinds(tag);
+        };
+    auto translated = std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
+    std::size_t size = key.size();
+    for (const glsl::TranslatedStage& each : translated->stages) size += each.source.size();
+    if (!asksMore) shared_->translations.add(key, translated, size);
+    return translated;
+}
+
+glsl::Placement ProgramLibrary::placementOf(const plan::ProgramVariant& variant) {
+    const Translation& translation = translationOf(variant);
+    return translation.program && !hasError(translation.program->diagnostics) ? translation.program->placement
+                                                                              : glsl::Placement::unknown;
+}
+
+bool ProgramLibrary::mayReadTangents(const plan::ProgramVariant& variant) {
+    const Translation& translation = translationOf(variant);
+    return !translation.program ||
+           std::any_of(translation.program->stages.begin(), translation.program->stages.end(),
+                       [](const glsl::TranslatedStage& each) {
+                           return each.source.find("Tangent") != std::string::npos;
+                       });
+}
 
 std::vector<std::filesystem::path> ProgramLibrary::filesRead() const {
     std::vector<std::filesystem::path> files(included_.begin(), included_.end());
@@ -32,7 +129,12 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
         std::vector<std::string> tags;
         for (const glib::UniformSpec& each :
              scene_.programs[static_cast<std::size_t>(variant.program)].uniforms)
-            tags.push_back(fmt::format("{} {}", each.tag, each.values.size()));
+            tags.push_back(
+                fmt::format("{} {} {}", each.tag, static_cast<int>(each.form), each.values.size()));
+        for (const std::string& each : options_.set)
+            if (const Result<plan::Override> given = plan::parseOverride(each))
+                tags.push_back(fmt::format("{}:{} {} {}", given->program, given->name,
+                                           static_cast<int>(given->form), given->values.size()));
         std::sort(tags.begin(), tags.end());
         for (const std::string& each : tags) key += each + '\n';
     }

@@ -64,8 +64,8 @@ glsl::SamplerKind samplerKind(scene::TextureTarget target) {
 }  // namespace
 
 ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
-                               const RenderOptions& options, bool tiled, Stats& stats)
-    : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats) {}
+                               const RenderOptions& options, bool tiled, Stats& stats, SharedParts* shared)
+    : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats), shared_(shared) {}
 
 const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
     const auto [entry, isNew] = sources_.try_emplace(file);
@@ -75,6 +75,7 @@ const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
     source.diagnostics = reference.remarks;
     source.path = reference.path.string();
     if (reference.path.empty()) return source;
+    stats_.add("files read", 1);
     auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
     append(source.diagnostics, std::move(bytes.diagnostics));
     if (bytes) source.text = asText(*bytes);
@@ -123,6 +124,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
         const scene::FileReference found =
             scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
         if (found.path.empty()) return std::nullopt;
+        stats_.add("files read", 1);
         const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
         included_.insert(found.path);
         if (!bytes) return std::nullopt;
@@ -166,12 +168,11 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
 }
 
 void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
-    Diagnostics diagnostics;
+    const Translation& translation = translationOf(variant);
+    Diagnostics diagnostics = translation.diagnostics;
     glsl::TranslatedProgram translated;
-    {
-        const StageTimer timer(stats_, "translate");
-        const glsl::ProgramRequest asked = request(variant, diagnostics);
-        if (!hasError(diagnostics)) translated = glsl::translate(asked);
+    if (translation.program) {
+        translated = *translation.program;
         append(diagnostics, std::move(translated.diagnostics));
     }
     if (!hasError(diagnostics)) {
@@ -180,7 +181,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
             built.program = std::exchange(earlier->program, std::nullopt);
             built.reflected = std::move(earlier->reflected);
             built.remarks = std::move(earlier->remarks);
-        } else {
+        } else if (!borrow(variant, built)) {
             if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
         }
         append(diagnostics, built.remarks);

@@ -15,6 +15,7 @@
 #include "gpu/program.h"
 #include "gpu/reflection.h"
 #include "plan/frame_plan.h"
+#include "render/shared_parts.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
@@ -34,9 +35,13 @@ struct BuiltProgram {
 
 class ProgramLibrary {
   public:
-    /// `tiled`: programs are made so that a part of a larger picture can be drawn.
+    /// `tiled`: programs are made so that a part of a larger picture can be drawn. `shared`: programs that
+    /// other scenes needed, or null; they are borrowed from there, and what was built goes there in the end.
     ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
-                   bool tiled, Stats& stats);
+                   bool tiled, Stats& stats, SharedParts* shared = nullptr);
+    ProgramLibrary(const ProgramLibrary&) = delete;
+    ProgramLibrary& operator=(const ProgramLibrary&) = delete;
+    ~ProgramLibrary();
 
     /// What the scene had before it was read again, with a scene that is still there. interfaceOf takes
     /// programs from it that are still the same, and for those that now fail the last good state;
@@ -45,6 +50,10 @@ class ProgramLibrary {
     void forgetPrevious() { previous_ = nullptr; }
     /// Every file that was read for a program, includes among them.
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+    /// How the program places its vertices; it is translated for that, not compiled.
+    glsl::Placement placementOf(const plan::ProgramVariant& variant);
+    /// True if a source of the variant speaks of tangents.
+    bool mayReadTangents(const plan::ProgramVariant& variant);
     /// What became of that line of a source in the programs that the driver refused: of the first stage that
     /// has the line. Nothing if no refused program has it.
     [[nodiscard]] std::vector<glsl::EmittedLine> refusedLines(const Place& place) const;
@@ -62,7 +71,15 @@ class ProgramLibrary {
         std::string path;
         Diagnostics diagnostics;
     };
+    /// Null if a source is missing, for the reasons given.
+    struct Translation {
+        std::shared_ptr<const glsl::TranslatedProgram> program;
+        Diagnostics diagnostics;
+    };
     const SourceFile& sourceFile(int file);
+    const Translation& translationOf(const plan::ProgramVariant& variant);
+    std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
+    bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);
     [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(int program, std::string_view tag) const;
     void build(const plan::ProgramVariant& variant, BuiltProgram& built);
@@ -80,9 +97,11 @@ class ProgramLibrary {
     const RenderOptions& options_;
     bool tiled_;
     Stats& stats_;
+    SharedParts* shared_;
     ProgramLibrary* previous_ = nullptr;
     std::map<int, SourceFile> sources_;
     std::set<std::filesystem::path> included_;
+    std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
 };
 

@@ -6,96 +6,36 @@
 #include <cctype>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
-#include <tuple>
 
+#include "budget/budget.h"
 #include "gpu/readback.h"
-#include "image/file.h"
 #include "render/axes.h"
 #include "render/frame.h"
+#include "render/sight.h"
 #include "render/tiles.h"
-#include "scene/interpret.h"
 #include "scene/view.h"
 
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestScene = 4ULL << 20;
 /// Larger pictures are drawn in tiles, so that the device's memory stays bounded: 8192 x 8192.
 constexpr std::int64_t kMostPixelsAtOnce = std::int64_t{1} << 26;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
 
-/// The scene's text, or glib-E14 and glib-E15 in place of the ids of files that a scene names.
-Result<std::string> readScene(const std::filesystem::path& path) {
-    const Place place{path.string(), 1, 1};
-    std::error_code failure;
-    // An empty scene is legal, unlike every other empty file.
-    if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
-        return std::string();
-    const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
-    if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    const Diagnostic& why = bytes.diagnostics.front();
-    return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
-}
-
-/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
-void removeRepeats(Diagnostics& diagnostics) {
-    std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
-    std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        const bool byPlace = each.id == "glib-W15";
-        return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
-                             byPlace ? "" : each.text)
-                    .second;
-    });
-}
-
 }  // namespace
-
-Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
-                                   Stats& stats) {
-    Result<std::string> text = readScene(path);
-    if (!text) return std::move(text.diagnostics);
-    glib::Script script;
-    {
-        const StageTimer timer(stats, "parse");
-        script = glib::parse(*text, path.string());
-    }
-    const StageTimer timer(stats, "interpret");
-    scene::Scene scene = scene::interpret(script, {options.libraryRoots});
-    Diagnostics diagnostics = std::move(script.diagnostics);
-    append(diagnostics, std::move(scene.diagnostics));
-    scene.diagnostics.clear();
-    return {std::move(scene), std::move(diagnostics)};
-}
-
-Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {
-    Result<std::vector<plan::Override>> overrides{std::vector<plan::Override>{}};
-    for (const std::string& each : set) {
-        Result<plan::Override> parsed = plan::parseOverride(each);
-        append(overrides.diagnostics, std::move(parsed.diagnostics));
-        if (parsed) overrides->push_back(std::move(*parsed));
-    }
-    if (hasError(overrides.diagnostics)) overrides.value.reset();
-    return overrides;
-}
-
-void applyStrict(Diagnostics& diagnostics, bool strict) {
-    removeRepeats(diagnostics);
-    if (!strict) return;
-    for (Diagnostic& each : diagnostics)
-        if (each.severity == Severity::warning) each.severity = Severity::error;
-}
 
 /// Everything that refers to something else here lies on the heap behind one pointer, in the order of
 /// dependence.
 struct SceneRenderer::State {
     State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled,
-          Stats& stats)
+          Stats& stats, SharedParts* shared)
         : context(usedContext),
           options(std::move(usedOptions)),
           scene(std::move(interpreted)),
-          programs(context, scene, options, tiled, stats),
-          device(context, scene, stats) {}
+          programs(context, scene, options, tiled, stats, shared),
+          device(context, scene, stats, shared) {}
 
     gpu::Context& context;
     RenderOptions options;
@@ -110,11 +50,47 @@ struct SceneRenderer::State {
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
     ViewMatrices view;
+    bool isStateful = false;  ///< remembersFrames()
 
+    [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
     Diagnostics preparePlan(Stats& stats, bool everything);
+    Diagnostics keepBudget(const plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
+    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics& diagnostics);
+    [[nodiscard]] bool mayShowEarlierFrames();
     Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
 };
+
+plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
+    return plan::planFrame(
+        scene,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+}
+
+/// Counts are chosen for what a plan needs; with the shapes as they are then, it is planned again.
+Diagnostics SceneRenderer::State::keepBudget(const plan::PlanOptions& planOptions, Stats& stats) {
+    const plan::FramePlan first = planScene(planOptions);
+    if (hasError(first.diagnostics)) return {};
+    const StageTimer timer(stats, "budget");
+    budget::Choice choice =
+        budget::choose(scene, first,
+                       {.maxError = options.maxError,
+                        .overrideCounts = options.overrideCounts,
+                        .width = width,
+                        .height = height,
+                        .areSamplesFree = options.samples == 0,
+                        .mostSamples = context.capabilities().maxSamples,
+                        .clipFromModel = [&](const scene::Draw& draw, double aspect) {
+                            return view.projection(draw.projection, aspect) * view.modelView(draw);
+                        }});
+    if (options.samples == 0) options.samples = choice.samples;
+    for (const int shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    stats.decisions = std::move(choice.decisions);
+    return std::move(choice.diagnostics);
+}
 
 Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
@@ -122,18 +98,72 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     plan::PlanOptions planOptions;
     planOptions.overrides = std::move(*overrides);
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
-    planOptions.everything = everything;
-    plan = plan::planFrame(
-        scene,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
-    Diagnostics diagnostics = std::move(plan.diagnostics);
+    planOptions.everything = everything || !options.skip;
+    planOptions.shareMeshes = options.skip;
+    if (!options.skip) device.separateTextures();
+    Diagnostics diagnostics;
+    if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
+    options.samples = std::max(1, options.samples);
+    Diagnostics meshDiagnostics;
+    if (!planOptions.everything)
+        planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
+            return outOfSight(draw, pass, meshDiagnostics);
+        };
+    plan = planScene(planOptions);
+    stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+    append(diagnostics, std::move(plan.diagnostics));
     plan.diagnostics.clear();
+    append(diagnostics, std::move(meshDiagnostics));
     if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
-    stats.skipped = plan.skipped;
     return diagnostics;
+}
+
+std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
+                                             Diagnostics& diagnostics) {
+    const geometry::Topology topology = plan::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
+    const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
+    const glsl::Placement placement = programs.placementOf(variant);
+    if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
+    Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
+    if (!pass.targets.empty()) {
+        const scene::Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+        const auto* size = std::get_if<scene::EmptySource>(&target.source);
+        if (!size) return {};
+        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, false};
+    }
+    const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), diagnostics);
+    const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());
+    return std::string(describe(sightOf(placed(bounds, placement), lens)));
+}
+
+/// A target that is neither cleared nor drawn to before it is drawn to or read shows the frame before.
+bool SceneRenderer::State::mayShowEarlierFrames() {
+    const bool writesImages =
+        std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
+            return each.variant.program != scene::kNone && programs.mayWriteImages(each.variant.program);
+        });
+    if (writesImages) return true;
+    std::set<int> targets;
+    for (const plan::PlannedPass& pass : plan.passes)
+        targets.insert(pass.pass->targets.begin(), pass.pass->targets.end());
+    std::set<int> fresh;        // targets with content of this frame
+    std::set<int> freshDepths;  // depth buffers likewise
+    for (const plan::PlannedPass& pass : plan.passes) {
+        const auto& steps = pass.steps;
+        const bool isCleared = !steps.empty() && std::holds_alternative<const scene::Clear*>(steps.front());
+        for (std::size_t i = 0; i < pass.pass->targets.size(); ++i)
+            if (isCleared || pass.pass->clearColors[i]) fresh.insert(pass.pass->targets[i]);
+        if (isCleared || pass.pass->clearDepth) freshDepths.insert(pass.pass->depthBuffer);
+        const auto isOld = [&](int texture) { return targets.contains(texture) && !fresh.contains(texture); };
+        if (std::any_of(pass.pass->targets.begin(), pass.pass->targets.end(), isOld) ||
+            (!pass.pass->targets.empty() && !freshDepths.contains(pass.pass->depthBuffer)))
+            return true;
+        for (const auto& step : steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                for (const plan::TextureUse& use : draw->textures)
+                    if (isOld(use.texture)) return true;
+    }
+    return false;
 }
 
 Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
@@ -148,7 +178,6 @@ Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
         append(diagnostics, move.diagnostics);
     }
     view = ViewMatrices(options.viewState, scene.view, eyeDistance);
-    drawer->setView(view);
     return diagnostics;
 }
 
@@ -166,23 +195,44 @@ const plan::FramePlan& SceneRenderer::plan() const {
 int SceneRenderer::width() const {
     return state_->width;
 }
+void SceneRenderer::setShift(double x, double y) {
+    state_->drawer->setShift(x, y);
+}
 int SceneRenderer::height() const {
     return state_->height;
 }
 
 bool SceneRenderer::remembersFrames() const {
-    const auto& passes = state_->scene.passes;
-    const auto& programs = state_->plan.programs;
-    return std::any_of(passes.begin(), passes.end(),
-                       [](const auto& each) { return !each.targets.empty(); }) ||
-           std::any_of(programs.begin(), programs.end(), [this](const auto& each) {
-               return each.variant.program != scene::kNone &&
-                      state_->programs.mayWriteImages(each.variant.program);
-           });
+    return state_->isStateful;
+}
+
+std::optional<Moment> SceneRenderer::momentOf(double time) const {
+    if (remembersFrames()) return std::nullopt;
+    std::map<double, double> timers;  // by period
+    for (const plan::PlannedPass& pass : state_->plan.passes)
+        for (const auto& step : pass.steps) {
+            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+            if (!draw) continue;
+            const plan::PlannedProgram& program =
+                state_->plan.programs[static_cast<std::size_t>(draw->program)];
+            for (const plan::UniformBinding& each : program.values) {
+                const auto* supplied = std::get_if<plan::Supplied>(&each.value);
+                if (!supplied || supplied->value != glsl::Builtin::timer) continue;
+                const bool isFloat =
+                    program.interface->uniforms[static_cast<std::size_t>(each.uniform)].type.base ==
+                    plan::BaseType::floating;
+                const double timer = timerAt(time, draw->draw->timerPeriod);
+                timers[draw->draw->timerPeriod] =
+                    isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
+            }
+        }
+    Moment moment;
+    for (const auto& [period, timer] : timers) moment.push_back(timer);
+    return moment;
 }
 
 Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
-                                          const RenderOptions& options, Stats& stats) {
+                                          const RenderOptions& options, Stats& stats, SharedParts* shared) {
     const auto refuse = [&](Diagnostics diagnostics) {
         applyStrict(diagnostics, options.strict);
         return Result<SceneRenderer>(std::move(diagnostics));
@@ -205,24 +255,28 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
     const TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
 
-    auto state =
-        std::make_unique<State>(context, options, std::move(*interpreted), grid.tiles.size() > 1, stats);
+    auto state = std::make_unique<State>(context, options, std::move(*interpreted),
+                                         grid.tiles.size() > 1 || options.tileSize > 0, stats,
+                                         options.skip ? shared : nullptr);
     state->width = width;
     state->height = height;
     state->tiles = grid.tiles;
     state->parts = grid.parts;
+    append(diagnostics, state->placeEye(stats));
     append(diagnostics, state->preparePlan(stats, false));
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
 
     state->drawer.emplace(context, state->scene, state->plan, state->programs, state->device, stats);
+    state->isStateful = state->mayShowEarlierFrames();
     state->drawer->setPictureSize(width, height);
-    append(diagnostics, state->placeEye(stats));
+    state->drawer->setView(state->view);
+    if (options.skip && grid.tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
     state->device.releaseMeshes();
 
     Result<gpu::Target> window = gpu::Target::window(
         capabilities, state->tiles.front().width, state->tiles.front().height,
-        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, options.samples);
+        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, state->options.samples);
     append(diagnostics, std::move(window.diagnostics));
     if (!window) return refuse(std::move(diagnostics));
     state->window = std::move(window.value);
@@ -358,7 +412,7 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
         // A scene with errors in its text is checked further as far as it goes: its shaders may be wrong too.
-        SceneRenderer::State state(context, options, std::move(*interpreted), false, stats);
+        SceneRenderer::State state(context, options, std::move(*interpreted), false, stats, nullptr);
         append(result.diagnostics, state.preparePlan(stats, true));
         result.shaders = translatedShaders(state.scene, state.plan);
     }

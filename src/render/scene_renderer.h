@@ -6,21 +6,31 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "gpu/context.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
+#include "render/shared_parts.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
 
+/// What a picture depends on besides its scene: the values of Timer that its programs read, one a period.
+using Moment = std::vector<double>;
+
 class SceneRenderer {
   public:
     /// Parses, interprets, plans, compiles and uploads what a picture needs. Diagnostics of all that are in
-    /// the result; with an error among them (or a warning, if strict) there is no value.
+    /// the result; with an error among them (or a warning, if strict) there is no value. What `shared` (or
+    /// null) has from earlier scenes is used, unless the options say to skip nothing; it must outlive the
+    /// renderer.
     static Result<SceneRenderer> load(gpu::Context& context, const std::filesystem::path& scene,
-                                      const RenderOptions& options, Stats& stats);
+                                      const RenderOptions& options, Stats& stats,
+                                      SharedParts* shared = nullptr);
 
     /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
@@ -30,6 +40,10 @@ class SceneRenderer {
     /// floats. For searches.
     Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
 
+    /// Moves the pictures that follow right and up by parts of a pixel: many of them average to one of many
+    /// samples. Textures that the scene draws stay. Needs options.tileSize > 0, even of one tile.
+    void setShift(double x, double y);
+
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
@@ -37,6 +51,8 @@ class SceneRenderer {
     /// True if a picture may show what an earlier one left behind: rendered textures, or images that a shader
     /// writes to. Otherwise the pictures of one load are those of a load each.
     [[nodiscard]] bool remembersFrames() const;
+    /// Pictures of equal moments are equal. Nothing if it remembers frames.
+    [[nodiscard]] std::optional<Moment> momentOf(double time) const;
 
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;

@@ -25,6 +25,10 @@ void Stats::add(std::string_view count, std::uint64_t value) {
     counts.push_back({std::string(count), value});
 }
 
+void Stats::skip(std::string_view what, std::string why, const Place& place) {
+    skipped.push_back({std::string(what), std::move(why), place});
+}
+
 std::string toJson(const Stats& stats, std::string_view scene, int width, int height,
                    std::string_view driver) {
     nlohmann::ordered_json json;
@@ -38,6 +42,11 @@ std::string toJson(const Stats& stats, std::string_view scene, int width, int he
     json["skipped"] = nlohmann::ordered_json::array();
     for (const plan::Skipped& each : stats.skipped)
         json["skipped"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
+    if (!stats.decisions.empty()) {
+        json["chosen"] = nlohmann::ordered_json::array();
+        for (const budget::Decision& each : stats.decisions)
+            json["chosen"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
+    }
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -51,6 +60,9 @@ std::string toText(const Stats& stats) {
     text += fmt::format("  {:<12} {:9.2f} ms\nmade and drawn\n", "together", total);
     for (const Stats::Count& each : stats.counts)
         text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
+    if (!stats.decisions.empty()) text += "chosen\n";
+    for (const budget::Decision& each : stats.decisions)
+        text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
     text += stats.skipped.empty() ? "skipped: nothing\n" : "skipped\n";
     for (const plan::Skipped& each : stats.skipped)
         text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);

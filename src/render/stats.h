@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "budget/budget.h"
 #include "plan/frame_plan.h"
 
 namespace glibra::render {
@@ -24,9 +25,11 @@ struct Stats {
     std::vector<Stage> stages;  ///< in order of their first use
     std::vector<Count> counts;
     std::vector<plan::Skipped> skipped;
+    std::vector<budget::Decision> decisions;  ///< of RenderOptions::maxError
 
     void addTime(std::string_view stage, double milliseconds);
     void add(std::string_view count, std::uint64_t value);
+    void skip(std::string_view what, std::string why, const Place& place);
 };
 
 /// Adds the time from its construction to its end to one stage.

@@ -6,24 +6,28 @@ namespace glibra::render {
 namespace {
 
 template <int N>
-std::vector<double> numbers(const glm::mat<N, N, double>& matrix) {
-    std::vector<double> values;
+void addMatrix(const glm::mat<N, N, double>& matrix, SuppliedNumbers& to) {
     for (int column = 0; column < N; ++column)
-        for (int row = 0; row < N; ++row) values.push_back(matrix[column][row]);
+        for (int row = 0; row < N; ++row) to.add(matrix[column][row]);
+}
+
+template <int N>
+SuppliedNumbers numbers(const glm::mat<N, N, double>& matrix) {
+    SuppliedNumbers values;
+    addMatrix(matrix, values);
     return values;
 }
 
 /// The first texture matrix is the window's, the others are the identity.
-std::vector<double> textureMatrices(const glm::dmat4& first, int elements) {
-    std::vector<double> values = numbers<4>(first);
-    const std::vector<double> one = numbers<4>(glm::dmat4(1.0));
-    for (int i = 1; i < elements; ++i) values.insert(values.end(), one.begin(), one.end());
+SuppliedNumbers textureMatrices(const glm::dmat4& first, int elements) {
+    SuppliedNumbers values = numbers<4>(first);
+    for (int i = 1; i < elements; ++i) addMatrix(glm::dmat4(1.0), values);
     return values;
 }
 
 }  // namespace
 
-std::vector<double> suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements) {
+SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements) {
     using glsl::Builtin;
     // In floats a matrix whose inverse they cannot hold is a singular one.
     const auto inverse = [](const glm::dmat4& m) {

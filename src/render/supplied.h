@@ -1,9 +1,11 @@
 #pragma once
 // The values that shaders get without asking (language, section 6), for one draw.
 
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
-#include <vector>
+#include <initializer_list>
+#include <span>
 
 #include "glsl/builtins.h"
 
@@ -18,7 +20,26 @@ struct DrawFacts {
     glm::dmat4 texture{1.0};  ///< gl_TextureMatrix[0]
 };
 
-/// The value as numbers, column by column; arrays of matrices (the texture matrices) have `elements` of them.
-std::vector<double> suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements);
+/// Up to eight matrices of numbers, kept in place: these are made for every uniform of every draw.
+class SuppliedNumbers {
+  public:
+    static constexpr std::size_t kMost = std::size_t{8} * 16;
+    SuppliedNumbers() = default;
+    SuppliedNumbers(std::initializer_list<double> numbers) {
+        for (const double each : numbers) add(each);
+    }
+    /// What is beyond kMost is left out.
+    void add(double number) {
+        if (count_ < kMost) numbers_.at(count_++) = number;
+    }
+    [[nodiscard]] std::span<const double> span() const { return {numbers_.data(), count_}; }
+
+  private:
+    std::array<double, kMost> numbers_;
+    std::size_t count_ = 0;
+};
+
+/// The value, column by column; arrays of matrices (the texture matrices) have `elements` of them, 8 at most.
+SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements);
 
 }  // namespace glibra::render

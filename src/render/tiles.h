@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/frame.h"
+#include "render/tile.h"
 
 namespace glibra::render {
 

@@ -136,6 +136,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     made.sampling = state.sampling;
     made.slots = currentSlots(in);
     made.timerPeriod = state.timerPeriod;
+    made.givenNumbers = command.givenNumbers;
     if (in.scene.verbose) {
         const std::string program =
             state.program == kNone

@@ -105,10 +105,11 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
     if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
         texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
         texture.source = NoiseSource{
-            noise->dimensions,
-            noise->size,
-            kNone,
-            {warning("file-W09", fmt::format("'{}' not found, built-in noise used", command.text), place)}};
+            .dimensions = noise->dimensions,
+            .size = noise->size,
+            .isSizeGiven = true,
+            .remarks = {warning("file-W09", fmt::format("'{}' not found, built-in noise used", command.text),
+                                place)}};
         return texture;
     }
     texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
@@ -118,6 +119,7 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
 
 void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t index) {
     if (!command.numbers.empty()) in.noiseSizes[index] = static_cast<int>(command.numbers[0]);
+    in.areNoiseSizesGiven[index] = in.areNoiseSizesGiven[index] || command.givenNumbers > 0;
 }
 
 }  // namespace
@@ -174,6 +176,7 @@ void finishNoise(Interpreter& in) {
         NoiseSource noise;
         noise.dimensions = index == kNoise2Texture ? 2 : 3;
         noise.size = in.noiseSizes[index];
+        noise.isSizeGiven = in.areNoiseSizesGiven[index];
         FileReference file =
             noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
         noise.remarks = std::move(file.remarks);

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "geometry/arrow.h"
 #include "geometry/box.h"
@@ -51,6 +52,10 @@ class Arguments {
         constexpr double kMost = kMostCommandVertices;
         return static_cast<int>(std::clamp(number(index), static_cast<double>(least), kMost));
     }
+    /// A count that no scene states; `fixed` is the language's.
+    [[nodiscard]] int count(std::size_t index, int least, int fixed) const {
+        return index < numbers_.size() ? count(index, least) : fixed;
+    }
     [[nodiscard]] std::uint32_t seed(std::size_t index) const {
         return static_cast<std::uint32_t>(
             static_cast<std::int64_t>(std::clamp(number(index), -0x1p31, 0x1p32 - 1)));
@@ -87,10 +92,11 @@ constexpr PrimitiveRow kPrimitives[] = {
     {CommandId::torus, Topology::triangles, kFirstTwo,
      [](A a) { return geo::torusCounts(a.count(2, 3), a.count(3, 3)); },
      [](A a) { return geo::torus(a.size(0), a.size(1), a.count(2, 3), a.count(3, 3)); }},
-    {CommandId::teapot, Topology::triangles, kNone3, [](A) { return geo::teapotCounts(); },
-     [](A) { return geo::teapot(); }},
-    {CommandId::soccerball, Topology::triangles, kFirst, [](A) { return geo::soccerballCounts(); },
-     [](A a) { return geo::soccerball(a.size(0)); }},
+    {CommandId::teapot, Topology::triangles, kNone3, [](A a) { return geo::teapotCounts(a.count(0, 2, 16)); },
+     [](A a) { return geo::teapot(a.count(0, 2, 16)); }},
+    {CommandId::soccerball, Topology::triangles, kFirst,
+     [](A a) { return geo::soccerballCounts(a.count(1, 1, 8)); },
+     [](A a) { return geo::soccerball(a.size(0), a.count(1, 1, 8)); }},
     {CommandId::diskXY, Topology::triangles, kSecond,
      [](A a) { return geo::diskXYCounts(a.count(2, 3), a.count(3)); },
      [](A a) { return geo::diskXY(a.number(0), a.size(1), a.count(2, 3), a.count(3)); }},
@@ -105,8 +111,9 @@ constexpr PrimitiveRow kPrimitives[] = {
      [](A a) { return geo::quadYZ(a.number(0), a.size(1), a.count(2), a.count(3)); }},
     {CommandId::quadBox, Topology::triangles, kNone3, [](A a) { return geo::quadBoxCounts(a.count(0)); },
      [](A a) { return geo::quadBox(a.count(0)); }},
-    {CommandId::xarrow, Topology::triangles, kNone3, [](A a) { return geo::xarrowCounts(a.count(0, 2)); },
-     [](A a) { return geo::xarrow(a.count(0, 2)); }},
+    {CommandId::xarrow, Topology::triangles, kNone3,
+     [](A a) { return geo::xarrowCounts(a.count(0, 2), a.count(1, 3, 24)); },
+     [](A a) { return geo::xarrow(a.count(0, 2), a.count(1, 3, 24)); }},
     {CommandId::pointCloud, Topology::points, kNone3,
      [](A a) { return geo::cloudCounts(a.count(0), a.count(1), a.count(2)); },
      [](A a) { return geo::pointCloud(a.count(0), a.count(1), a.count(2)); }},
@@ -170,22 +177,23 @@ Mesh objMesh(CommandId command, const geo::ObjModel& model, bool withTangents) {
 }
 
 /// The content of a model file as a mesh.
-Result<Mesh> parseModel(CommandId command, std::span<const std::byte> bytes, const std::string& path,
+Result<Mesh> parseModel(CommandId command, std::vector<std::byte> bytes, const std::string& path,
                         bool withTangents) {
     if (command == CommandId::shp) return geo::parseShp(bytes, path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     Result<geo::ObjModel> model = geo::parseObj(text, path);
     if (!model) return std::move(model.diagnostics);
+    std::vector<std::byte>().swap(bytes);  // a large text need not stand beside the mesh
     return {objMesh(command, *model, withTangents), std::move(model.diagnostics)};
 }
 
 Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withTangents) {
     Diagnostics diagnostics = file.remarks;
     if (file.path.empty()) return diagnostics;
-    const auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
+    auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
     append(diagnostics, bytes.diagnostics);
     if (!bytes) return diagnostics;
-    Result<Mesh> mesh = parseModel(shape.command, *bytes, file.path.string(), withTangents);
+    Result<Mesh> mesh = parseModel(shape.command, std::move(*bytes), file.path.string(), withTangents);
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {

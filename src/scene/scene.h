@@ -39,8 +39,10 @@ struct FileReference {
 /// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
 struct Shape {
     glib::CommandId command{};
-    std::vector<double> numbers;  ///< arguments, defaults filled in
-    int file = kNone;             ///< index into Scene::files
+    /// Arguments, defaults filled in. Behind them may stand a count that the language fixes and no scene
+    /// states: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an Xarrow.
+    std::vector<double> numbers;
+    int file = kNone;  ///< index into Scene::files
     std::shared_ptr<const geometry::Mesh>
         list;  ///< the mesh itself where the scene's text gives the vertices
 };
@@ -63,7 +65,9 @@ struct EmptySource {
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
-    int file = kNone;  ///< index into Scene::files
+    bool isSizeGiven = false;  ///< the scene states it
+    int bits = 8;              ///< of a component: 8, as the language has it, or 16
+    int file = kNone;          ///< index into Scene::files
     Diagnostics remarks;
 };
 
@@ -143,6 +147,8 @@ struct Draw {
     Sampling sampling;
     int slots = 0;  ///< index into Scene::slotTables
     double timerPeriod = 10;
+    std::size_t givenNumbers =
+        0;  ///< how many of the shape's numbers the scene states; the rest are defaults
 };
 
 /// Clears colour (all targets) and depth of the pass. A Clear that only repeats the pass's implicit clear is

@@ -89,6 +89,7 @@ struct Interpreter {
     std::uint64_t vertices = 0;      ///< of all geometry commands
     std::uint64_t textureBytes = 0;  ///< of all empty textures
     int noiseSizes[2] = {64, 64};    ///< 2D, 3D
+    bool areNoiseSizesGiven[2] = {false, false};
     std::optional<std::pair<int, int>> windowSize;
 
     [[nodiscard]] Place place(const glib::Command& command) const { return script.place(command.position); }

@@ -12,6 +12,7 @@
 #include "image/format.h"
 #include "image/png_writer.h"
 #include "image/read.h"
+#include "suite/hash.h"
 #include "suite/results_file.h"
 #include "suite/utf8.h"
 
@@ -27,11 +28,20 @@ constexpr std::int64_t kMostPixels = std::int64_t{4096} * 4096;
 
 const char* const kFolders[] = {"pictures", "pixels"};
 
-/// "00012.got.png", "00012.js": names that only a report has given.
+/// "00012-5f0c82aa": number and content. A new report's files stand beside those of an old one, whose page
+/// stays whole until the new page takes its place.
+std::string nameOf(std::size_t number, std::span<const std::byte> content) {
+    constexpr std::size_t kDigits = 8;
+    return fmt::format("{:05}-{}", number, toText(hashOf(content)).substr(0, kDigits));
+}
+
+/// "00012-5f0c82aa.got.png", "00012.js": names that only a report has given.
 bool isOurs(std::string_view name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == std::string_view::npos || digits < 5) return false;
-    const std::string_view rest = name.substr(digits);
+    std::string_view rest = name.substr(digits);
+    if (rest.starts_with('-'))
+        rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of("0123456789abcdef", 1)));
     return rest == ".js" || rest == ".got.png" || rest == ".expected.png" || rest == ".difference.png";
 }
 
@@ -75,8 +85,8 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
             warning("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
-ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot,
-                                          const std::string& name, bool wantsPixels, ShownShot& shown) {
+ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
+                                          std::string_view ending, bool wantsPixels, ShownShot& shown) {
     if (picture.empty()) return {};
     const fs::path file = located(picture, resultsFolder_);
     Result<std::vector<std::byte>> bytes = image::readFile(file, {picture.string(), {}});
@@ -95,12 +105,12 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
         if (!isPng) *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
         copy.pixels = std::move(*decoded);
     }
-    const std::string to = "pictures/" + name + ".png";
+    const std::string to = fmt::format("pictures/{}.{}.png", nameOf(number, *bytes), ending);
     if (write(to, *bytes)) copy.file = to;
     return copy;
 }
 
-std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, const std::string& name,
+std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, std::size_t number,
                                    ShownShot& shown) {
     std::string members;
     for (const auto& [key, copy] :
@@ -114,7 +124,7 @@ std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, const 
         members += fmt::format("{}\"{}\":{}", members.empty() ? "" : ",", key, packedPixels(copy.pixels));
     }
     if (members.empty()) return {};
-    const std::string file = "pixels/" + name + ".js";
+    const std::string file = fmt::format("pixels/{}.js", nameOf(number, std::as_bytes(std::span(members))));
     const std::string script = fmt::format("glibraPixels(\"{}\",{{{}}});\n", file, members);
     return write(file, std::as_bytes(std::span(script))) ? file : std::string();
 }
@@ -139,21 +149,20 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
 
 ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
     ShownShot shown;
-    const std::string name = fmt::format("{:05}", number);
     const auto add = [&](const fs::path& picture, const char* ending, bool wantsPixels = false) {
-        return addPicture(picture, shot, name + ending, wantsPixels, shown);
+        return addPicture(picture, shot, number, ending, wantsPixels, shown);
     };
     if (isPlain(shot)) {
         const bool same = shot.exact || shot.got.empty() || shot.expected.empty();
-        shown.got = add(shot.got.empty() ? shot.expected : shot.got, ".got").file;
-        shown.expected = same ? shown.got : add(shot.expected, ".expected").file;
+        shown.got = add(shot.got.empty() ? shot.expected : shot.got, "got").file;
+        shown.expected = same ? shown.got : add(shot.expected, "expected").file;
         return shown;
     }
-    const Copy expected = add(shot.expected, ".expected", true), got = add(shot.got, ".got", true);
+    const Copy expected = add(shot.expected, "expected", true), got = add(shot.got, "got", true);
     shown.expected = expected.file;
     shown.got = got.file;
-    shown.difference = add(shot.difference, ".difference").file;
-    shown.pixels = addPixels(expected, got, name, shown);
+    shown.difference = add(shot.difference, "difference").file;
+    shown.pixels = addPixels(expected, got, number, shown);
     addSource(shot.script, shown);
     for (const Diagnostic& each : shot.diagnostics) addSource(each.place.file, shown);
     return shown;

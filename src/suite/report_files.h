@@ -53,9 +53,9 @@ class ReportFiles {
         std::string file;
         image::Image pixels;
     };
-    Copy addPicture(const std::filesystem::path& picture, const ShotResult& shot, const std::string& name,
-                    bool wantsPixels, ShownShot& shown);
-    std::string addPixels(const Copy& expected, const Copy& got, const std::string& name, ShownShot& shown);
+    Copy addPicture(const std::filesystem::path& picture, const ShotResult& shot, std::size_t number,
+                    std::string_view ending, bool wantsPixels, ShownShot& shown);
+    std::string addPixels(const Copy& expected, const Copy& got, std::size_t number, ShownShot& shown);
     void addSource(const std::filesystem::path& file, ShownShot& shown);
     bool write(const std::string& name, std::span<const std::byte> bytes);
     void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);

@@ -25,13 +25,14 @@ struct ShotReference {
 
 struct RunOptions {
     Driver driver = Driver::automatic;
-    int jobs = 0;                        ///< worker processes; 0: defaultJobs()
-    std::optional<double> timeout;       ///< seconds for every shot, instead of its own; 0: no limit
-    bool update = false;                 ///< what differs from its golden becomes it
-    bool force = false;                  ///< ... even pictures of one colour or with NaN
-    bool variant = false;                ///< ... for this family of drivers alone
-    std::filesystem::path goldens{};     ///< folder with a folder a suite, instead of the suites' own
-    std::filesystem::path results{};     ///< folder for the pictures of failures
+    int jobs = 0;                     ///< worker processes; 0: defaultJobs()
+    std::optional<double> timeout;    ///< seconds for every shot, instead of its own; 0: no limit
+    bool update = false;              ///< what differs from its golden becomes it
+    bool force = false;               ///< ... even pictures of one colour or with NaN
+    bool skip = true;                 ///< false: what the pictures do not need is made and drawn all the same
+    bool variant = false;             ///< ... for this family of drivers alone
+    std::filesystem::path goldens{};  ///< folder with a folder a suite, instead of the suites' own
+    std::filesystem::path results{};  ///< folder for the pictures of failures
     std::filesystem::path onlyRender{};  ///< if not empty: no goldens, pictures are written here by name
 };
 

@@ -120,36 +120,63 @@ Rendering ShotWorker::render(const Shot& shot) {
     Rendering rendering;
     RenderOptions options = shot.options;
     options.time = 0;
+    options.skip = plan_.options.skip;
     if (!loaded_ || loaded_->script != shot.script || loaded_->options != options ||
         loaded_->renderer.remembersFrames()) {
         loaded_.reset();
         auto stats = std::make_unique<render::Stats>();
         Result<render::SceneRenderer> renderer =
-            render::SceneRenderer::load(*context_, shot.script, options, *stats);
+            render::SceneRenderer::load(*context_, shot.script, options, *stats, &shared_);
         if (!renderer) {
             rendering.diagnostics = std::move(renderer.diagnostics);
             return rendering;
         }
-        loaded_.emplace(Loaded{shot.script, options, std::move(stats), std::move(*renderer),
-                               std::move(renderer.diagnostics)});
+        loaded_.emplace(Loaded{shot.script,
+                               options,
+                               std::move(stats),
+                               std::move(*renderer),
+                               std::move(renderer.diagnostics),
+                               std::nullopt,
+                               {}});
     }
     rendering.diagnostics = loaded_->diagnostics;
-    Result<image::Image> picture = loaded_->renderer.draw(shot.options.time, *loaded_->stats);
+    Result<image::Image> picture = draw(shot.options.time);
     append(rendering.diagnostics, std::move(picture.diagnostics));
     rendering.picture = std::move(picture.value);
     if (rendering.picture) {
-        append(rendering.diagnostics, render::remarksOn(*rendering.picture, shot.script));
+        append(rendering.diagnostics,
+               render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
     }
     return rendering;
 }
 
+/// Draws with the scene that is loaded, or gives its last picture once more.
+Result<image::Image> ShotWorker::draw(double time) {
+    const std::optional<render::Moment> moment =
+        plan_.options.skip ? loaded_->renderer.momentOf(time) : std::nullopt;
+    if (moment && loaded_->picture && loaded_->moment == *moment) return *loaded_->picture;
+    Result<image::Image> picture = loaded_->renderer.draw(time, *loaded_->stats);
+    loaded_->picture.reset();
+    // A picture with remarks is drawn again: the next shot is to hear them too.
+    if (moment && picture && picture.diagnostics.empty()) {
+        loaded_->picture = *picture;
+        loaded_->moment = *moment;
+    }
+    return picture;
+}
+
+void ShotWorker::forget() {
+    loaded_.reset();
+    shared_ = {};
+}
+
 Rendering ShotWorker::tryRender(const Shot& shot) {
     const Clock::time_point start = Clock::now();
     Rendering rendering;
     const auto fail = [&](const char* id, const char* text) {
-        loaded_.reset();
+        forget();
         rendering = {};
         rendering.diagnostics.push_back(error(id, text, {shot.script.string(), 1, 1}));
     };
@@ -222,7 +249,7 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
     const auto renderRecalled = [&] {
         while (const std::optional<Recalls::Recall> recall = recalls.next()) {
             tell(Begins{recall->reference});
-            loaded_.reset();
+            forget();
             const Attempt again = attempt(recall->reference);
             const Clock::time_point start = Clock::now();
             report(recall->reference, judges_[recall->reference.suite].second(*recall->attempt, again),

@@ -41,11 +41,17 @@ class ShotWorker {
         std::unique_ptr<render::Stats> stats;  ///< the renderer writes to it as long as it lives
         render::SceneRenderer renderer;
         Diagnostics diagnostics;
+        /// The picture drawn last, if others may be the same.
+        std::optional<image::Image> picture;
+        render::Moment moment;  ///< of that picture
     };
 
     /// Empty if there is a context.
     std::string openContext();
     Rendering render(const Shot& shot);
+    Result<image::Image> draw(double time);
+    /// The next shot is made from nothing.
+    void forget();
     Rendering tryRender(const Shot& shot);
     Attempt attempt(const ShotReference& reference);
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
@@ -55,7 +61,9 @@ class ShotWorker {
     std::optional<gpu::Context> context_;
     std::string driver_;
     std::vector<ShotJudge> judges_;
-    std::optional<Loaded> loaded_;  ///< after the context: it has to go first
+    // After the context: they have to go first.
+    render::SharedParts shared_;
+    std::optional<Loaded> loaded_;
 };
 
 }  // namespace glibra::suite

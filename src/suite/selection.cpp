@@ -65,12 +65,13 @@ bool isMeant(const Shot& shot, std::string_view pattern) {
     return fits(pattern, shot.name) || fits(pattern, beforeSweep(shot.name));
 }
 
-std::vector<std::size_t> select(const Suite& suite, std::span<const std::string> onlyPatterns, Shard shard) {
+std::vector<std::size_t> select(const Suite& suite, std::span<const std::string> onlyPatterns, Shard shard,
+                                bool withNamed) {
     std::vector<bool> marked(suite.shots.size(), onlyPatterns.empty());
     for (std::size_t i = 0; i < marked.size(); ++i)
         for (const std::string& pattern : onlyPatterns)
             if (isMeant(suite.shots[i], pattern)) marked[i] = true;
-    if (!onlyPatterns.empty()) markNamed(suite, marked);
+    if (!onlyPatterns.empty() && withNamed) markNamed(suite, marked);
     const std::vector<std::string_view> names = shardNames(suite);
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < marked.size(); ++i)

@@ -47,6 +47,16 @@ std::string whyNotAName(std::string_view name) {
     }
 }
 
+std::string_view shotOfVariant(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos) return {};
+    std::string_view family = name.substr(dot + 1);
+    constexpr std::string_view kOsmesa = "osmesa-";
+    if (family.starts_with(kOsmesa)) family.remove_prefix(kOsmesa.size());
+    const bool isWord = !family.empty() && std::all_of(family.begin(), family.end(), glib::isLetter);
+    return isWord || family == "d3d12" ? name.substr(0, dot) : std::string_view();
+}
+
 std::string nameOfScene(std::string_view path) {
     const std::size_t slash = path.rfind('/');
     const std::size_t dot = path.rfind('.');

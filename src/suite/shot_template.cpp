@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kLargestSide = 65536;
 constexpr double kLongestTime = 1e9;
+constexpr double kLeastError = 1e-9, kMostError = 1e6;  ///< pixels
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 struct Context {
@@ -243,11 +244,12 @@ void readName(const Context& in, const toml::node& node) {
 
 template <bool RenderOptions::*field>
 void readFlag(const Context& in, const toml::node& node) {
-    constexpr std::string_view kWord = field == &RenderOptions::axes          ? "axes"
-                                       : field == &RenderOptions::alpha       ? "alpha"
-                                       : field == &RenderOptions::floatPixels ? "float"
-                                       : field == &RenderOptions::strict      ? "strict"
-                                                                              : "shim";
+    constexpr std::string_view kWord = field == &RenderOptions::axes             ? "axes"
+                                       : field == &RenderOptions::alpha          ? "alpha"
+                                       : field == &RenderOptions::floatPixels    ? "float"
+                                       : field == &RenderOptions::strict         ? "strict"
+                                       : field == &RenderOptions::overrideCounts ? "override-counts"
+                                                                                 : "shim";
     if (const auto value = in.reader.truth(node, kWord)) in.to.shot.options.*field = *value;
 }
 
@@ -266,7 +268,7 @@ struct Key {
 };
 
 /// Every key of [[shot]] and [defaults].
-constexpr std::array<Key, 29> kKeys{{
+constexpr std::array<Key, 31> kKeys{{
     {"script", false, readScript},
     {"except", false, readExceptions},
     {"name", false, readName<&ShotTemplate::name>},
@@ -278,6 +280,12 @@ constexpr std::array<Key, 29> kKeys{{
      [](const Context& in, const toml::node& node) {
          if (const auto value = in.reader.whole(node, "samples", 1, 64)) in.to.shot.options.samples = *value;
      }},
+    {"max-error", true,
+     [](const Context& in, const toml::node& node) {
+         if (const auto value = in.reader.number(node, "max-error", kLeastError, kMostError))
+             in.to.shot.options.maxError = *value;
+     }},
+    {"override-counts", true, readFlag<&RenderOptions::overrideCounts>},
     {"view", true, readView},
     {"scene-transform", true, readTransform<&ViewState::scene>},
     {"eye-transform", true, readTransform<&ViewState::eye>},

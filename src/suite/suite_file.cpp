@@ -142,12 +142,7 @@ class SuiteBuilder {
     /// driver.
     void checkVariants() {
         for (const Shot& shot : suite_.shots) {
-            const std::size_t dot = shot.name.rfind('.');
-            if (dot == std::string::npos || dot + 1 == shot.name.size() ||
-                !std::all_of(shot.name.begin() + static_cast<std::ptrdiff_t>(dot) + 1, shot.name.end(),
-                             [](char c) { return glib::isLetter(c); }))
-                continue;
-            const auto other = byName_.find(shot.name.substr(0, dot));
+            const auto other = byName_.find(std::string(shotOfVariant(shot.name)));
             if (other != byName_.end())
                 reader_.error("suite-E06",
                               fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
@@ -226,6 +221,13 @@ Result<Suite> readFolder(const fs::path& folder) {
         else
             suite.shots.push_back(std::move(shot));
     }
+    for (const Shot& shot : suite.shots)
+        if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
+            problems.push_back(
+                error("suite-E06",
+                      fmt::format("the golden of {} would be a variant of that of {}; rename one",
+                                  glib::quoted(shot.script.string()), glib::quoted(other->second)),
+                      place));
     if (hasError(problems)) return problems;
     return suite;
 }

@@ -11,6 +11,7 @@
 #include "glib/number.h"
 #include "glib/suggest.h"
 #include "glib/text.h"
+#include "suite/utf8.h"
 
 namespace glibra::suite {
 namespace {
@@ -27,7 +28,7 @@ bool beginsCharacter(char c) {
 std::string syntaxMessage(std::string_view said, std::string_view rest) {
     constexpr std::string_view kPreamble = "Error while parsing ";
     if (said.starts_with(kPreamble)) said.remove_prefix(kPreamble.size());
-    std::string text = fmt::format("not TOML: {}", said);
+    std::string text = fmt::format("not TOML: {}", printableText(said));
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     if (rest.size() > 1 && rest[0] == '.' && isDigit(rest[1]))
         text += "; a number needs a digit before its point, as 0.5";

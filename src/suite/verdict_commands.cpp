@@ -44,7 +44,9 @@ std::string reproduceCommand(const Shot& shot) {
     if (options.time != 0) command += fmt::format(" --time {}", options.time);
     for (const std::string& each : options.set) command += " --set " + shellWord(each);
     if (options.view == ViewPolicy::glman) command += " --view glman";
-    if (options.samples != 1) command += fmt::format(" --samples {}", options.samples);
+    if (options.samples > 0) command += fmt::format(" --samples {}", options.samples);
+    if (options.maxError > 0) command += fmt::format(" --max-error {}px", options.maxError);
+    if (options.overrideCounts) command += " --override-counts";
     if (options.axes) command += " --axes";
     if (options.alpha) command += " --alpha";
     if (options.strict) command += " --strict";

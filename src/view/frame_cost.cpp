@@ -21,13 +21,35 @@ void drawOnce(Session& session) {
                                  true);
 }
 
+/// Index of the pass that the draw belongs to.
+int passOf(const plan::FramePlan& plan, const plan::PlannedDraw& draw) {
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        for (const auto& step : plan.passes[pass].steps)
+            if (std::get_if<plan::PlannedDraw>(&step) == &draw) return static_cast<int>(pass);
+    return 0;
+}
+
+std::vector<PassCost> passesOf(const LiveScene& live) {
+    std::vector<PassCost> passes;
+    for (const plan::PlannedPass& each : live.plan().passes) {
+        PassCost pass{"window", each.pass->place.line, 0};
+        std::string units;
+        for (const int target : each.pass->targets)
+            units += (units.empty() ? "" : ", ") +
+                     std::to_string(live.scene().textures[static_cast<std::size_t>(target)].unit);
+        if (!units.empty()) pass.target = (each.pass->targets.size() > 1 ? "units " : "unit ") + units;
+        passes.push_back(std::move(pass));
+    }
+    return passes;
+}
+
 /// One frame with a timer around every draw, added to `draws`.
 void timeDraws(Session& session, std::vector<DrawCost>& draws) {
     std::vector<gpu::Timer> timers;
     std::vector<DrawCost> found;
-    session.live().drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
+    session.live().drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
         if (!begins) return timers.back().stop();
-        found.push_back({draw.draw->word, draw.draw->place.line, isWindow, 0});
+        found.push_back({draw.draw->word, draw.draw->place.line, passOf(session.live().plan(), draw), 0});
         timers.emplace_back().start();
     });
     drawOnce(session);
@@ -75,7 +97,11 @@ FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities,
     cost.millisecondsAFrame = seconds(start) * kMillisecondsInSecond / cost.frames;
     constexpr int kTimedFrames = 5;
     for (int i = 0; i < kTimedFrames; ++i) timeDraws(session, cost.draws);
-    for (DrawCost& each : cost.draws) each.milliseconds /= kTimedFrames;
+    cost.passes = passesOf(session.live());
+    for (DrawCost& each : cost.draws) {
+        each.milliseconds /= kTimedFrames;
+        cost.passes[static_cast<std::size_t>(each.pass)].milliseconds += each.milliseconds;
+    }
     cost.counts = countOnce(session, capabilities);
     session.setNeedsFrame();
     return cost;

@@ -13,8 +13,14 @@ namespace glibra::view {
 struct DrawCost {
     std::string word;  ///< the command
     int line = 0;
-    bool isWindow = true;     ///< else into textures
+    int pass = 0;             ///< index into FrameCost::passes
     double milliseconds = 0;  ///< of the device, mean of all repeats
+};
+
+struct PassCost {
+    std::string target;       ///< "window", "unit 6" or "units 6, 7"
+    int line = 0;             ///< of the statement that begins it; 0: none does
+    double milliseconds = 0;  ///< all its draws together
 };
 
 /// Counts of one frame by the driver's pipeline statistics.
@@ -27,6 +33,7 @@ struct PipelineCounts {
 struct FrameCost {
     int frames = 0;
     double millisecondsAFrame = 0;  ///< real time, the device idle before and after
+    std::vector<PassCost> passes;
     std::vector<DrawCost> draws;
     std::optional<PipelineCounts> counts;  ///< nothing if the driver has no such queries
 };

@@ -1,5 +1,6 @@
 #include "view/history.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glibra::view {
@@ -11,9 +12,18 @@ History::State History::stateOf(const Session& session) {
     return state;
 }
 
+bool History::isPresent(const Session& session) const {
+    if (states_.empty() || states_[at_].view != session.view()) return false;
+    return std::equal(states_[at_].values.begin(), states_[at_].values.end(), session.knobs().begin(),
+                      session.knobs().end(), [](const Value& value, const Knob& knob) {
+                          return value.program == knob.program && value.tag == knob.tag &&
+                                 value.values == knob.current;
+                      });
+}
+
 void History::record(const Session& session) {
+    if (isPresent(session)) return;
     State state = stateOf(session);
-    if (!states_.empty() && states_[at_] == state) return;
     if (!states_.empty()) states_.resize(at_ + 1);
     states_.push_back(std::move(state));
     if (states_.size() > kMost) states_.erase(states_.begin());

@@ -33,6 +33,7 @@ class History {
         ViewState view;
         friend bool operator==(const State&, const State&) = default;
     };
+    [[nodiscard]] bool isPresent(const Session& session) const;
     static State stateOf(const Session& session);
     void restore(Session& session) const;
 

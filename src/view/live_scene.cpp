@@ -33,6 +33,8 @@ struct LiveScene::State {
     render::ViewMatrices view;
     std::optional<double> eyeAspect;  ///< for which eyeDistance holds
     double eyeDistance = 0;
+    bool isViewSet = false;     ///< `view` is the drawer's,
+    double setEyeDistance = 0;  ///< with this
 
     Diagnostics prepare(State* previous);
     void prepareFallback();
@@ -155,8 +157,13 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     Diagnostics diagnostics;
     const double aspect = static_cast<double>(target.width()) / target.height();
     state.placeEye(aspect, diagnostics);
-    state.view = render::ViewMatrices(view, state.scene.view, state.eyeDistance);
-    state.drawer->setView(state.view);
+    // Copying the transforms of objects takes memory, which a frame of the same view does not need.
+    if (!state.isViewSet || view != state.view.state() || state.setEyeDistance != state.eyeDistance) {
+        state.view = render::ViewMatrices(view, state.scene.view, state.eyeDistance);
+        state.drawer->setView(state.view);
+        state.setEyeDistance = state.eyeDistance;
+        state.isViewSet = true;
+    }
     state.drawer->setPictureSize(target.width(), target.height());
     const render::Tile whole{0, 0, target.width(), target.height()};
     append(diagnostics, state.drawer->draw(target, whole, time, true));
@@ -179,6 +186,16 @@ double LiveScene::eyeDistance() const {
 }
 render::FrameDrawer& LiveScene::drawer() {
     return *state_->drawer;
+}
+const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
+    const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
+    const bool withTangents = std::find(planned.attributes.begin(), planned.attributes.end(),
+                                        geometry::kTangent) != planned.attributes.end();
+    Diagnostics alreadyTold;
+    return state_->device.mesh(planned.shape, withTangents, alreadyTold);
+}
+const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
+    return state_->device.deviceMesh(draw.mesh);
 }
 const gpu::Texture* LiveScene::texture(int index) const {
     return state_->device.texture(index);

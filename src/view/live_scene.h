@@ -58,6 +58,9 @@ class LiveScene {
     [[nodiscard]] double eyeDistance() const;
     /// For looking at single draws; see FrameDrawer.
     render::FrameDrawer& drawer();
+    /// The vertices of a draw in memory, and on the device; null if there are none.
+    const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
+    [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
     /// Null if it is not on the device.
     [[nodiscard]] const gpu::Texture* texture(int index) const;
 

@@ -115,6 +115,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         else
             picked_.reset();
     }
+    lensView_.reset();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
     knobs_ = live_->knobs();
@@ -255,6 +256,24 @@ void Session::setWireframe(bool on) {
     if (live_) live_->drawer().setWireframe(on);
 }
 
+void Session::setLens(Lens lens) {
+    isStale_ = isStale_ || lens != lens_;
+    lens_ = lens;
+}
+
+void Session::setNormalLength(double length) {
+    constexpr double kShortest = .005;
+    if (!(length > 0)) return;
+    length = std::clamp(length, kShortest, 1.0);
+    isStale_ = isStale_ || (length != normalLength_ && lens_ == Lens::normals);
+    normalLength_ = length;
+}
+
+const TexelImage& Session::lensNumbers() const {
+    static const TexelImage kNone;
+    return lensView_ && lens_ != Lens::picture ? lensView_->numbers() : kNone;
+}
+
 void Session::setClock(const Clock& clock) {
     isStale_ = isStale_ || (clock.time() != clock_.time() && live_ && live_->isAnimated());
     clock_ = clock;
@@ -276,6 +295,12 @@ void Session::resize(int width, int height) {
     height_ = height;
 }
 
+Diagnostics Session::drawShown() {
+    if (lens_ == Lens::picture) return live_->draw(*target_, view_, clock_.time(), axes_);
+    if (!lensView_) lensView_.emplace(context_, *live_);
+    return lensView_->draw(*target_, view_, {lens_, normalLength_, clock_.time(), axes_});
+}
+
 bool Session::drawIfNeeded() {
     if (!needsFrame()) return false;
     if (!target_ || target_->width() != width_ || target_->height() != height_) {
@@ -289,8 +314,7 @@ bool Session::drawIfNeeded() {
         }
         target_ = std::move(made.value);
     }
-    for (Diagnostic& each : live_->draw(*target_, view_, clock_.time(), axes_))
-        addOnce(diagnostics_, std::move(each));
+    for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
     isStale_ = false;
     ++framesDrawn_;
     return true;
@@ -299,6 +323,8 @@ bool Session::drawIfNeeded() {
 void Session::pickAt(int x, int y) {
     drawIfNeeded();
     if (live_ && target_) picked_ = pick(*live_, *target_, clock_.time(), x, y);
+    // Picking draws the pixel as it is without a lens.
+    if (lens_ != Lens::picture) isStale_ = true;
 }
 
 void Session::clearPick() {

@@ -15,6 +15,7 @@
 #include "gpu/target.h"
 #include "view/clock.h"
 #include "view/knobs.h"
+#include "view/lens_view.h"
 #include "view/live_scene.h"
 #include "view/pick.h"
 #include "view/transforms.h"
@@ -62,6 +63,14 @@ class Session {
     void setAxes(bool on);
     [[nodiscard]] bool wireframe() const { return wireframe_; }
     void setWireframe(bool on);
+    /// What is shown instead of the picture; `glibra render` and hardcopies know nothing of it.
+    [[nodiscard]] Lens lens() const { return lens_; }
+    void setLens(Lens lens);
+    /// As a part of half the picture's height, 0.005 to 1.
+    [[nodiscard]] double normalLength() const { return normalLength_; }
+    void setNormalLength(double length);
+    /// What the lens showed last, bottom row first; empty without one that shows numbers.
+    [[nodiscard]] const TexelImage& lensNumbers() const;
 
     [[nodiscard]] const Clock& clock() const { return clock_; }
     void setClock(const Clock& clock);
@@ -97,6 +106,7 @@ class Session {
 
   private:
     void take(LiveScene::Loading loading, bool sameScene);
+    Diagnostics drawShown();
     void applyValue(std::size_t knob);
     [[nodiscard]] Surroundings surroundings(TransformMode mode) const;
     [[nodiscard]] const scene::Draw* pickedDraw() const;
@@ -111,6 +121,9 @@ class Session {
     ViewState view_;
     Clock clock_;
     bool axes_ = false, wireframe_ = false;
+    Lens lens_ = Lens::picture;
+    double normalLength_ = kUsualNormalLength;
+    std::optional<LensView> lensView_;  ///< of live_
     int width_ = 600, height_ = 600;
     std::optional<gpu::Target> target_;
     bool isStale_ = true;

@@ -76,6 +76,7 @@ nlohmann::ordered_json stateOf(const Session& session) {
               {"moving", session.isMoving()},
               {"axes", session.axes()},
               {"wireframe", session.wireframe()},
+              {"lens", nameOf(session.lens())},
               {"width", session.width()},
               {"height", session.height()},
               {"view", viewJson(session.view())},

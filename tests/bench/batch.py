@@ -5,8 +5,8 @@ alone takes, in turn, in one run.
 usage: tests/bench/batch.py [GLIBRA] [SHOTS] [ROUNDS]      (default: build/release/glibra 200 5)
 
 A batch is drawn by one worker and one rasteriser thread ("one"), and by a worker a processor ("all"). The sum of
-drawing is the time of the stages draw and readback that a single worker measures itself while it draws the same shots,
-each loaded anew (render --stats). Prints ratios, round by round: minimum, median, maximum. The first round warms Mesa's
+drawing is the time of the stages draw and readback that a single worker measures itself while it draws the same shots
+(render --stats). Prints ratios, round by round: minimum, median, maximum. The first round warms Mesa's
 shader cache and is not counted.
 """
 import glob
@@ -58,14 +58,13 @@ def main():
         for _ in range(rounds + 1):
             one = wall(batch + ["--jobs", "1"], 1)
             everyone = wall(batch)
-            stages = drawing(glibra, scripts[:len(scenes)], folder)
-            scale = count / len(scenes)
+            stages = drawing(glibra, scripts, folder)
             single = sum(wall([glibra, "render", each, "--size", "128x128", "-o", os.path.join(folder, "x.png")])
                          for each in scripts)
-            drawn = scale * (stages["draw"] + stages["readback"])
+            drawn = stages["draw"] + stages["readback"]
             rows.append({"one s": one, "all s": everyone, "single processes s": single, "drawing s": drawn,
                          "single / all": single / everyone, "one / drawing": one / drawn, "all / drawing": everyone / drawn,
-                         "one / all stages": one / (scale * sum(stages.values()))})
+                         "one / all stages": one / sum(stages.values())})
     print(f"{count} shots of 128 x 128 pixels")
     for name in rows[0]:
         values = [each[name] for each in rows[1:]]

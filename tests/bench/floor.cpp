@@ -1,5 +1,7 @@
 // The yardstick: the least that a program can do to draw one lit sphere into a PNG, with nothing of glibra in
-// it. EGL without a surface, one program, one draw, one readback, one file. Use: floor OUT.png
+// it. EGL without a surface, one program, one draw, one readback, one file.
+// Use: floor OUT.png [SIDE [FRAMES]]. With several frames all are drawn and read back, and the last is
+// written: what an animation takes without its encoding.
 //
 // The sphere has 60 x 60 cells and the vertices of the language's Sphere: south pole t = 0, seam at -x, a
 // vertex a slice at each pole. Needs libEGL and libdeflate.
@@ -19,7 +21,7 @@
 
 namespace {
 
-constexpr int kSize = 600;
+constexpr int kSide = 600;
 constexpr int kSlices = 60;
 constexpr int kStacks = 60;
 constexpr double kPi = 3.14159265358979323846;
@@ -43,11 +45,12 @@ constexpr const char* kFragmentShader = R"(#version 450 core
 in vec3 vNormal;
 in vec3 vPosition;
 out vec4 fColor;
+layout(location = 2) uniform float uTimer;
 const vec3 kLight = vec3(3, 5, 10);
 const vec3 kOrange = vec3(1, .5, 0);
 void main() {
     float diffuse = max(0., dot(normalize(vNormal), normalize(kLight - vPosition)));
-    fColor = vec4((.2 + .8 * diffuse) * kOrange, 1);
+    fColor = vec4((1. - .5 * uTimer) * (.2 + .8 * diffuse) * kOrange, 1);
 }
 )";
 
@@ -131,8 +134,8 @@ void openContext() {
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("eglMakeCurrent");
 }
 
-/// Draws into an RGBA picture, bottom row first.
-std::vector<std::uint8_t> draw(const Mesh& mesh) {
+/// Draws into an RGBA picture of `side` times `side` pixels, bottom row first; the last of several frames.
+std::vector<std::uint8_t> draw(const Mesh& mesh, int side, int frames) {
     PFNGLCREATESHADERPROC createShader;
     PFNGLSHADERSOURCEPROC shaderSource;
     PFNGLCOMPILESHADERPROC compileShader;
@@ -142,6 +145,7 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     PFNGLGETPROGRAMIVPROC getProgramiv;
     PFNGLUSEPROGRAMPROC useProgram;
     PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv;
+    PFNGLUNIFORM1FPROC uniform1f;
     PFNGLGENVERTEXARRAYSPROC genVertexArrays;
     PFNGLBINDVERTEXARRAYPROC bindVertexArray;
     PFNGLGENBUFFERSPROC genBuffers;
@@ -170,6 +174,7 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     load(getProgramiv, "glGetProgramiv");
     load(useProgram, "glUseProgram");
     load(uniformMatrix4fv, "glUniformMatrix4fv");
+    load(uniform1f, "glUniform1f");
     load(genVertexArrays, "glGenVertexArrays");
     load(bindVertexArray, "glBindVertexArray");
     load(genBuffers, "glGenBuffers");
@@ -210,10 +215,10 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     bindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     genRenderbuffers(2, storage);
     bindRenderbuffer(GL_RENDERBUFFER, storage[0]);
-    renderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
+    renderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, side, side);
     framebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, storage[0]);
     bindRenderbuffer(GL_RENDERBUFFER, storage[1]);
-    renderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kSize, kSize);
+    renderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, side, side);
     framebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, storage[1]);
 
     GLuint vertexArray = 0;
@@ -244,13 +249,18 @@ std::vector<std::uint8_t> draw(const Mesh& mesh) {
     uniformMatrix4fv(0, 1, GL_FALSE, projection);
     uniformMatrix4fv(1, 1, GL_FALSE, modelView);
 
-    viewport(0, 0, kSize, kSize);
+    viewport(0, 0, side, side);
     enable(GL_DEPTH_TEST);
     clearColor(18 / 255.F, 27 / 255.F, 33 / 255.F, 1);
-    clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_SHORT, nullptr);
-    std::vector<std::uint8_t> pixels(std::size_t{4} * kSize * kSize);
-    readPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    std::vector<std::uint8_t> pixels(std::size_t{4} * static_cast<std::size_t>(side) *
+                                     static_cast<std::size_t>(side));
+    for (int frame = 0; frame < frames; ++frame) {
+        // The language's Timer: 30 frames a second, 10 seconds a period.
+        uniform1f(2, static_cast<float>(frame % 300) / 300.F);
+        clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        drawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_SHORT, nullptr);
+        readPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    }
     return pixels;
 }
 
@@ -259,15 +269,15 @@ void putBigEndian(std::uint8_t* at, std::uint32_t value) {
 }
 
 /// Opaque RGB, every row as the difference to the row above.
-void writePng(const char* name, const std::vector<std::uint8_t>& pixels) {
-    constexpr std::size_t kRow = 1 + 3 * kSize;
-    std::vector<std::uint8_t> filtered(kRow * kSize);
-    for (std::size_t y = 0; y < kSize; ++y) {
-        const std::uint8_t* from = &pixels[(kSize - 1 - y) * 4 * kSize];
-        const std::uint8_t* above = y > 0 ? from + std::size_t{4} * kSize : nullptr;
-        std::uint8_t* to = &filtered[y * kRow];
+void writePng(const char* name, const std::vector<std::uint8_t>& pixels, std::size_t side) {
+    const std::size_t rowBytes = 1 + 3 * side;
+    std::vector<std::uint8_t> filtered(rowBytes * side);
+    for (std::size_t y = 0; y < side; ++y) {
+        const std::uint8_t* from = &pixels[(side - 1 - y) * 4 * side];
+        const std::uint8_t* above = y > 0 ? from + 4 * side : nullptr;
+        std::uint8_t* to = &filtered[y * rowBytes];
         *to++ = 2;
-        for (std::size_t x = 0; x < kSize; ++x)
+        for (std::size_t x = 0; x < side; ++x)
             for (std::size_t c = 0; c < 3; ++c)
                 *to++ = static_cast<std::uint8_t>(from[4 * x + c] - (above ? above[4 * x + c] : 0));
     }
@@ -283,8 +293,8 @@ void writePng(const char* name, const std::vector<std::uint8_t>& pixels) {
         return start + 12 + length;
     };
     std::memcpy(file.data(), "\x89PNG\r\n\x1a\n", 8);
-    putBigEndian(&file[16], kSize);
-    putBigEndian(&file[20], kSize);
+    putBigEndian(&file[16], static_cast<std::uint32_t>(side));
+    putBigEndian(&file[20], static_cast<std::uint32_t>(side));
     file[24] = 8;
     file[25] = 2;
     std::size_t at = finishChunk(8, 13, "IHDR");
@@ -302,8 +312,10 @@ void writePng(const char* name, const std::vector<std::uint8_t>& pixels) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2) fail("use: floor OUT.png");
+    const int side = count > 2 ? std::atoi(arguments[2]) : kSide;  // NOLINT(cert-err34-c)
+    const int frames = count > 3 ? std::atoi(arguments[3]) : 1;    // NOLINT(cert-err34-c)
+    if (count < 2 || count > 4 || side < 1 || frames < 1) fail("use: floor OUT.png [SIDE [FRAMES]]");
     openContext();
-    writePng(arguments[1], draw(sphere()));
+    writePng(arguments[1], draw(sphere(), side, frames), static_cast<std::size_t>(side));
     return 0;
 }

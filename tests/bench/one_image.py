@@ -7,14 +7,10 @@ Prints both wall times and their ratio, pair by pair: minimum, median, maximum. 
 is not counted.
 """
 import os
-import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-BUILD = os.path.join(ROOT, "build", "bench")
+from processes import FLOOR, GLIBRA, pairs, ratios, spread, wall
 
 SCENE = """WindowSize 600 600
 Perspective 50 .1 1000
@@ -40,34 +36,31 @@ FRAGMENT = """#version 450 core
 in vec3 vN, vL;
 in vec4 vColor;
 out vec4 fColor;
+uniform float Timer;
 void main() {
     float d = max(0., dot(normalize(vN), normalize(vL)));
-    fColor = vec4((.2 + .8 * d) * vColor.rgb, 1.);
+    fColor = vec4((1. - .5 * Timer) * (.2 + .8 * d) * vColor.rgb, 1.);
 }
 """
 
 
-def wall(command):
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return time.perf_counter() - start
+def write_scene(folder):
+    """The sphere of floor.cpp as a scene; returns its path."""
+    for name, text in (("lit.glib", SCENE), ("lit.vert", VERTEX), ("lit.frag", FRAGMENT)):
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+    return os.path.join(folder, "lit.glib")
 
 
 def main():
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 25
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in (("lit.glib", SCENE), ("lit.vert", VERTEX), ("lit.frag", FRAGMENT)):
-            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-                file.write(text)
-        floor = [os.path.join(BUILD, "tests", "bench", "glibra_floor"), os.path.join(folder, "floor.png")]
-        glibra = [os.path.join(BUILD, "glibra"), "render", os.path.join(folder, "lit.glib"), "-o",
-                  os.path.join(folder, "glibra.png")]
-        pairs = [(wall(floor), wall(glibra)) for _ in range(runs + 1)][1:]
-    for name, values in (("floor", [a for a, _ in pairs]), ("glibra", [b for _, b in pairs]),
-                         ("ratio", [b / a for a, b in pairs])):
-        unit = 1 if name == "ratio" else 1000
-        print(f"{name:7} min {min(values) * unit:8.3f}  median {statistics.median(values) * unit:8.3f}  "
-              f"max {max(values) * unit:8.3f}{'' if name == 'ratio' else ' ms'}")
+        scene = write_scene(folder)
+        floor, glibra = pairs(lambda: wall([FLOOR, os.path.join(folder, "floor.png")]),
+                              lambda: wall([GLIBRA, "render", scene, "-o", os.path.join(folder, "glibra.png")]), runs)
+    for name, values, unit in (("floor", floor, 1000), ("glibra", glibra, 1000), ("ratio", ratios(glibra, floor), 1)):
+        least, median, most = (each * unit for each in spread(values))
+        print(f"{name:7} min {least:8.3f}  median {median:8.3f}  max {most:8.3f}{'' if name == 'ratio' else ' ms'}")
 
 
 if __name__ == "__main__":

@@ -46,6 +46,27 @@ TEST_F(BadInput, WrongArgument) {
     expectRefused("Perspective 190\n", {"scene.glib:1:", "190", "[glib-E05]"});
 }
 
+TEST_F(BadInput, BoundThatIsNone) {
+    folder.write("scene.glib", "Sphere\n");
+    for (const char* bound : {"0", "-1", "nan", "inf", "1e-10", "1e7", "px", "''", "1mm", "0x1p3", "1,5"}) {
+        const Finished run = glibra(folder.path(), std::string("render scene.glib --max-error=") + bound);
+        EXPECT_EQ(run.status, 2) << bound << run.err;
+        EXPECT_NE(run.err.find("is not a number of pixels from 1e-9 to 1e6, as 0.25px"), std::string::npos)
+            << bound << run.err;
+    }
+    EXPECT_EQ(glibra(folder.path(), "render scene.glib --override-counts").status, 2);
+    EXPECT_EQ(folder.listing(), "scene.glib\n");
+}
+
+TEST_F(BadInput, BoundThatNothingCanKeepIsSaidAndDrawn) {
+    folder.write("scene.glib", "LookAt 0 0 4 0 0 0 0 1 0\nSphere\n");
+    const Finished run = glibra(folder.path(), "render scene.glib --size 64x64 --max-error 1e-9px");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("scene.glib:1:1: warning: the driver has"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("scene.glib:2:1: warning: Sphere with"), std::string::npos) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "scene.png"));
+}
+
 TEST_F(BadInput, MissingScene) {
     const Finished run = glibra(folder.path(), "render nowhere.glib");
     EXPECT_EQ(run.status, 3);

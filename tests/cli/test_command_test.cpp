@@ -179,5 +179,32 @@ TEST_F(TestCommand, AFolderOfScenesIsASuite) {
     EXPECT_EQ(run("scenes").status, 0);
 }
 
+TEST_F(TestCommand, AFolderWithAnotherScenesVariantIsRefused) {
+    fs::create_directories(folder / "scenes");
+    folder.write("scenes/a.glib", "Sphere 1\n");
+    folder.write("scenes/a.llvmpipe.glib", "Sphere 1\n");
+    const Finished refused = run("scenes --update");
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_TRUE(contains(refused.err, "would be a variant of that of")) << refused.err;
+    fs::rename(folder / "scenes/a.llvmpipe.glib", folder / "scenes/a.v2.glib");
+    EXPECT_EQ(run("scenes --update").status, 0);
+}
+
+TEST_F(TestCommand, UpdateOfOneShotLeavesTheOnesItIsComparedWithAlone) {
+    folder.write("s.toml",
+                 "goldens = \"golden\"\n[defaults]\nsize = [64, 48]\n[[shot]]\nname = "
+                 "\"left\"\nscript = \"a.glib\"\nset = { uKd = 0.4 }\n[[shot]]\nname = \"right\"\nscript = "
+                 "\"a.glib\"\nset = { uKd = 1 }\ndiffer = "
+                 "\"left\"\n");
+    accept();
+    const std::string left = readFile(folder / "golden/left.png");
+    const std::string right = readFile(folder / "golden/right.png");
+    light(".5");
+    EXPECT_EQ(run("s.toml --only right --update").status, 0);
+    EXPECT_TRUE(readFile(folder / "golden/left.png") == left);
+    EXPECT_FALSE(readFile(folder / "golden/right.png") == right);
+    EXPECT_EQ(run("s.toml --only right").status, 1) << "without --update the other one is judged too";
+}
+
 }  // namespace
 }  // namespace glibra::test

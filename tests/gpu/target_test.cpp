@@ -1,6 +1,7 @@
 #include "gpu/target.h"
 
 #include <cmath>
+#include <utility>
 
 #include "fixture.h"
 #include "gpu/vertex_array.h"
@@ -97,6 +98,38 @@ TEST_F(TargetTest, ClearedBytesAreRoundedToNearest) {
                     .empty());
     EXPECT_EQ(wide[0], 18 * 257);
     EXPECT_EQ(wide[3], 65535);
+}
+
+TEST_F(TargetTest, ThreeComponentsAreTheFirstOfFour) {
+    // Every pixel has its own colour. The larger size takes several parts.
+    constexpr const char* kNumbered = R"(#version 410 core
+out vec4 fColor;
+void main() {
+    int x = int(gl_FragCoord.x), y = int(gl_FragCoord.y);
+    fColor = vec4(ivec4(x, y, x / 256 * 16 + y / 256, 255 - x) & 255) / 255.;
+}
+)";
+    const auto program = build(test::kCoverAll, kNumbered);
+    ASSERT_TRUE(program);
+    Capabilities without = driver();
+    without.packInvert = false;
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(7, 5), std::pair(3001, 1500)}) {
+        const auto target = Target::window(driver(), width, height, TexelFormat::rgba8);
+        ASSERT_TRUE(target);
+        target->bind();
+        cover(*program);
+        const PixelRectangle all{0, 0, width, height};
+        const auto four = readPixels(driver(), target->readable(), 0, all, {4, TexelType::u8});
+        ASSERT_TRUE(four);
+        for (const Capabilities& used : {driver(), without}) {
+            const auto three = readPixels(used, target->readable(), 0, all, {3, TexelType::u8});
+            ASSERT_TRUE(three);
+            std::size_t wrong = 0;
+            for (std::size_t i = 0; i < three->size(); ++i)
+                wrong += (*three)[i] != (*four)[i / 3 * 4 + i % 3];
+            EXPECT_EQ(wrong, 0U) << width;
+        }
+    }
 }
 
 TEST_F(TargetTest, FloatTargetsKeepWhatIsBeyondOne) {

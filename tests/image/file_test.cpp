@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <thread>
+
 #include "image/compare.h"
 #include "image/write.h"
 #include "support.h"
@@ -169,6 +172,22 @@ TEST_F(WriteImage, AnUnknownSuffixOrAnEmptyPictureIsRefused) {
     EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.tex")), "file-E10");
     EXPECT_EQ(idsOf(writeImage({}, folder / "a.png")), "file-E10");
     EXPECT_EQ(fileCount(), 0U);
+}
+
+TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
+    GLIBRA_NEED_MODULE();
+    const Image image = testing::noisyImage(33, 21, 3, Component::f32);
+    const std::vector<std::string> suffixes{".exr", ".tif", ".tga", ".hdr"};
+    for (const std::string& suffix : suffixes)
+        EXPECT_TRUE(writeImage(image, folder / ("first" + suffix)).empty()) << suffix;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates count whole seconds
+    for (const std::string& suffix : suffixes) {
+        EXPECT_TRUE(writeImage(image, folder / ("second" + suffix)).empty()) << suffix;
+        const auto first = readFile(folder / ("first" + suffix), kLabel);
+        const auto second = readFile(folder / ("second" + suffix), kLabel);
+        ASSERT_TRUE(first && second) << suffix;
+        EXPECT_EQ(*first, *second) << suffix;
+    }
 }
 
 TEST_F(WriteImage, AFormatThatCanOnlyBeReadIsRefusedAndNothingIsLeft) {

@@ -17,6 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A threshold that leaves textures in the cache which a test makes quickly: 512 x 512 texels.
+constexpr std::size_t kSmall = std::size_t{1} << 20;
+
+TexelBytes asTexelBytes(const std::vector<std::uint8_t>& texels) {
+    return {texels.begin(), texels.end()};
+}
+TexelBytes computed2(int n) {
+    return asTexelBytes(noise2Texels(n));
+}
+TexelBytes computed3(int n) {
+    return asTexelBytes(noise3Texels(n));
+}
+
 class NoiseCache : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -45,7 +58,7 @@ void overwriteByte(const fs::path& path, std::streamoff at, char by) {
 }
 
 TEST_F(NoiseCache, GivesBackWhatWasStored) {
-    const auto texels = noise3Texels(20);
+    const auto texels = computed3(20);
     EXPECT_FALSE(loadTexels(folder, 3, 20));
     ASSERT_TRUE(storeTexels(folder, 3, 20, texels));
     EXPECT_EQ(loadTexels(folder, 3, 20), texels);
@@ -54,19 +67,19 @@ TEST_F(NoiseCache, GivesBackWhatWasStored) {
 }
 
 TEST_F(NoiseCache, LeavesOneFileAndNoTemporaryName) {
-    ASSERT_TRUE(storeTexels(folder, 2, 30, noise2Texels(30)));
-    ASSERT_TRUE(storeTexels(folder, 2, 30, noise2Texels(30)));
+    ASSERT_TRUE(storeTexels(folder, 2, 30, computed2(30)));
+    ASSERT_TRUE(storeTexels(folder, 2, 30, computed2(30)));
     EXPECT_EQ(onlyFile().extension(), ".texels");
 }
 
 TEST_F(NoiseCache, MakesItsFolder) {
-    const auto texels = noise2Texels(8);
+    const auto texels = computed2(8);
     ASSERT_TRUE(storeTexels(folder / "a" / "b", 2, 8, texels));
     EXPECT_EQ(loadTexels(folder / "a" / "b", 2, 8), texels);
 }
 
 TEST_F(NoiseCache, RefusesAFileWithOneChangedByteAnywhere) {
-    const auto texels = noise2Texels(16);
+    const auto texels = computed2(16);
     for (const std::streamoff at : {0, 9, 16, 21, 26, 40, 500, -1}) {
         ASSERT_TRUE(storeTexels(folder, 2, 16, texels));
         overwriteByte(onlyFile(), at, '\x01');
@@ -75,7 +88,7 @@ TEST_F(NoiseCache, RefusesAFileWithOneChangedByteAnywhere) {
 }
 
 TEST_F(NoiseCache, RefusesAFileOfAnotherLength) {
-    ASSERT_TRUE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    ASSERT_TRUE(storeTexels(folder, 2, 16, computed2(16)));
     const fs::path file = onlyFile();
     const auto length = fs::file_size(file);
     fs::resize_file(file, length - 1);
@@ -87,49 +100,50 @@ TEST_F(NoiseCache, RefusesAFileOfAnotherLength) {
 }
 
 TEST_F(NoiseCache, RefusesToStoreTexelsOfAnotherSize) {
-    EXPECT_FALSE(storeTexels(folder, 3, 16, noise2Texels(16)));
-    EXPECT_FALSE(storeTexels(folder, 4, 16, noise2Texels(16)));
+    EXPECT_FALSE(storeTexels(folder, 3, 16, computed2(16)));
+    EXPECT_FALSE(storeTexels(folder, 4, 16, computed2(16)));
     EXPECT_FALSE(storeTexels(folder, 2, 0, {}));
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
 TEST_F(NoiseCache, AnUnusableFolderChangesNothing) {
     std::ofstream(folder / "file") << "not a folder";
-    EXPECT_FALSE(storeTexels(folder / "file", 2, 8, noise2Texels(8)));
+    EXPECT_FALSE(storeTexels(folder / "file", 2, 8, computed2(8)));
     EXPECT_FALSE(loadTexels(folder / "file", 2, 8));
-    EXPECT_EQ(cachedTexels(2, 2048, folder / "file"), noise2Texels(2048));
-    EXPECT_EQ(cachedTexels(2, 2048, fs::path()), noise2Texels(2048));
+    EXPECT_EQ(cachedTexels(2, 512, folder / "file", kSmall), computed2(512));
+    EXPECT_EQ(cachedTexels(2, 512, fs::path(), kSmall), computed2(512));
 }
 
 TEST_F(NoiseCache, SomethingElseUnderTheNameIsNotRead) {
-    ASSERT_TRUE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    ASSERT_TRUE(storeTexels(folder, 2, 16, computed2(16)));
     const fs::path name = onlyFile();
     fs::remove(name);
     fs::create_directory(name);
     EXPECT_FALSE(loadTexels(folder, 2, 16));
-    EXPECT_FALSE(storeTexels(folder, 2, 16, noise2Texels(16)));
+    EXPECT_FALSE(storeTexels(folder, 2, 16, computed2(16)));
     EXPECT_EQ(onlyFile(), name);
 }
 
 TEST_F(NoiseCache, ReplacesADamagedFile) {
-    const auto texels = cachedTexels(2, 2048, folder);
+    const auto texels = cachedTexels(2, 512, folder, kSmall);
     const fs::path file = onlyFile();
     overwriteByte(file, 5000, '\x01');
-    EXPECT_FALSE(loadTexels(folder, 2, 2048));
-    EXPECT_EQ(cachedTexels(2, 2048, folder), texels);
-    EXPECT_EQ(loadTexels(folder, 2, 2048), texels);
+    EXPECT_FALSE(loadTexels(folder, 2, 512));
+    EXPECT_EQ(cachedTexels(2, 512, folder, kSmall), texels);
+    EXPECT_EQ(loadTexels(folder, 2, 512), texels);
 }
 
 TEST_F(NoiseCache, IsUsedWhenWhole) {
     // A file that is consistent but holds other texels shows where they came from.
-    std::vector<std::uint8_t> marked = noise2Texels(2048);
+    TexelBytes marked = computed2(512);
     marked[0] = 3;
-    ASSERT_TRUE(storeTexels(folder, 2, 2048, marked));
-    EXPECT_EQ(cachedTexels(2, 2048, folder), marked);
+    ASSERT_TRUE(storeTexels(folder, 2, 512, marked));
+    EXPECT_EQ(cachedTexels(2, 512, folder, kSmall), marked);
 }
 
 TEST_F(NoiseCache, SmallTexturesAreNotStored) {
-    EXPECT_EQ(cachedTexels(3, 64, folder), noise3Texels(64));
+    EXPECT_EQ(cachedTexels(3, 64, folder), computed3(64));
+    EXPECT_EQ(cachedTexels(2, 511, folder, kSmall), computed2(511));
     EXPECT_TRUE(fs::is_empty(folder));
     EXPECT_TRUE(cachedTexels(3, 401, folder).empty());
     EXPECT_TRUE(cachedTexels(5, 64, folder).empty());

@@ -62,6 +62,58 @@ TEST(GraphNoise, OfQuinticsHasNoCurvatureAtThePointsAndOfCubicsHas) {
     EXPECT_GT(std::abs(curvature(Smoothness::cubic)), .5);
 }
 
+TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) {
+    GraphOptions options;
+    options.lattice = Lattice::both;
+    options.heights = {{3, .25}};
+    options.gradients = {{3, -.5}};
+    options.curvatures = {{3, 6}};
+    constexpr double kWide = 1e-4;
+    const double here = graphNoise(options, 3);
+    EXPECT_EQ(here, .25);
+    EXPECT_NEAR(slopeAt(options, 3), -.5, 1e-4);
+    EXPECT_NEAR(
+        (graphNoise(options, 3 + kWide) - 2 * here + graphNoise(options, 3 - kWide)) / (kWide * kWide), 6,
+        .01);
+    // The quintic between two points that are 0 but for the curvature c of the first: c/2 t^2 (1 - t)^3.
+    GraphOptions one;
+    one.heights = {{0, 0}, {1, 0}};
+    one.curvatures = {{0, 10}};
+    EXPECT_NEAR(graphNoise(one, .4), 10 / 2. * .4 * .4 * .6 * .6 * .6, 1e-12);
+    EXPECT_EQ(graphPoint(options, 3).curvature, 6);
+    EXPECT_EQ(graphPoint(options, 2).curvature, 0);
+    options.smoothness = Smoothness::cubic;
+    GraphOptions without = options;
+    without.curvatures.clear();
+    EXPECT_EQ(graphNoise(options, 3.3), graphNoise(without, 3.3));
+    EXPECT_EQ(graphPoint(options, 3).curvature, 0);
+}
+
+TEST(GraphNoise, ReachesItsRangeAndNoMore) {
+    // Heights and gradients at their limits, one period of them.
+    GraphOptions options;
+    options.cells = 4;
+    options.heights = {{0, 1}, {1, 1}, {2, -1}, {3, -1}};
+    options.gradients = {{0, 1}, {1, -1}, {2, -1}, {3, 1}};
+    const auto highest = [&] {
+        double found = 0;
+        for (double x = 0; x < 4; x += 1 / 64.) found = std::max(found, std::abs(graphNoise(options, x)));
+        return found;
+    };
+    for (const Smoothness smoothness : {Smoothness::cubic, Smoothness::quintic}) {
+        options.smoothness = smoothness;
+        options.lattice = Lattice::both;
+        EXPECT_DOUBLE_EQ(highest(), graphRange(options));
+        GraphOptions natural = options;
+        natural.lattice = Lattice::value;
+        natural.gradients.clear();
+        natural.slopes = Slopes::catmullRom;
+        std::swap(natural, options);
+        EXPECT_DOUBLE_EQ(highest(), graphRange(options));
+        std::swap(natural, options);
+    }
+}
+
 TEST(GraphNoise, OfOctavesIsTheSumOfHalvedCopies) {
     GraphOptions one;
     one.lattice = Lattice::both;
@@ -82,6 +134,7 @@ TEST(GraphNoise, StaysInsideWhatGraphsShow) {
             GraphOptions options;
             options.lattice = lattice;
             options.seed = seed;
+            if (seed % 2 == 1) options.slopes = Slopes::catmullRom;
             options.octaves = 1 + static_cast<int>(seed) % 4;
             double highest = 0;
             for (double x = 0; x < 8; x += .02) highest = std::max(highest, std::abs(graphNoise(options, x)));
@@ -98,6 +151,21 @@ TEST(GraphNoise, OfTwoDimensionsIsPeriodicAndContinuous) {
     EXPECT_NEAR(graphNoise(options, 1.3, 2.6), graphNoise(options, 9.3, -5.4), 1e-12);
     EXPECT_NEAR(graphNoise(options, 3 - 1e-9, 2.6), graphNoise(options, 3 + 1e-9, 2.6), 1e-7);
     EXPECT_NEAR(graphNoise(options, 1.3, 4 - 1e-9), graphNoise(options, 1.3, 4 + 1e-9), 1e-7);
+}
+
+TEST(GraphNoise, OfOneDimensionIsTheLowerEdgeOfTwo) {
+    GraphOptions line;
+    line.lattice = Lattice::both;
+    line.octaves = 3;
+    line.heights = {{1, .5}};
+    line.curvatures = {{2, 3}};
+    GraphOptions plane = line;
+    plane.dimensions = 2;
+    for (double x = 0; x < 8; x += .3) EXPECT_NEAR(graphNoise(plane, x, 0), graphNoise(line, x), 1e-12);
+    double highest = 0;
+    for (double x = 0; x < 8; x += .1)
+        for (double y = 0; y < 8; y += .1) highest = std::max(highest, std::abs(graphNoise(plane, x, y)));
+    EXPECT_LE(highest, graphRange(plane));
 }
 
 TEST(ColorScale, EndsWhereItSaysAndTheUniformOneGrowsLighter) {

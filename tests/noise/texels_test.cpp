@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "noise/noise.h"
+#include "noise/texel_rows.h"
 
 namespace glibra::noise {
 namespace {
@@ -84,7 +87,7 @@ bool isByteOf(std::uint8_t byte, double value) {
 }
 
 TEST(NoiseTexels, AreTheFunctionAtTexelIndicesForAnySize) {
-    for (const int n : {1, 5, 7, 32, 33, 50}) {
+    for (const int n : {1, 5, 7, 32, 33, 50, 70}) {
         const auto texels = noise3Texels(n);
         ASSERT_EQ(texels.size(), static_cast<std::size_t>(4 * n * n * n));
         std::size_t at = 0, wrong = 0;
@@ -100,7 +103,7 @@ TEST(NoiseTexels, AreTheFunctionAtTexelIndicesForAnySize) {
 }
 
 TEST(NoiseTexels, AreTheFunctionAtTexelIndicesIn2D) {
-    for (const int n : {1, 4, 9, 64, 100}) {
+    for (const int n : {1, 4, 9, 64, 100, 333}) {
         const auto texels = noise2Texels(n);
         ASSERT_EQ(texels.size(), static_cast<std::size_t>(4 * n * n));
         std::size_t at = 0, wrong = 0;
@@ -150,12 +153,37 @@ TEST(NoiseTexels, DoNotDependOnTheNumberOfThreads) {
     for (const int threads : {0, 2, 5, 200}) EXPECT_EQ(noise2Texels(130, threads), flat) << threads;
 }
 
+TEST(NoiseTexels, ThatFloatsCannotDecideAreMarked) {
+    // Rows of one value in units of 1/4096 byte above the half: next to a byte's ends, and in its middle.
+    constexpr float kToWhole = (1 << kFractionBits) / 2;
+    for (const auto& [units, inDoubt] :
+         {std::pair(kToWhole, true), std::pair(kToWhole + .75F, true), std::pair(kToWhole - .75F, true),
+          std::pair(kToWhole + 1.5F, false), std::pair(kToWhole - 1.5F, false), std::pair(0.F, false)}) {
+        const std::array<float, 2> zero{};
+        const std::array<float, 2> level{units, 0};
+        const OctaveRow plain{{zero.data(), zero.data()}, {zero.data(), zero.data()}, {1, 0, 0, 0}};
+        for (std::size_t octave = 0; octave < 4; ++octave) {
+            std::array<OctaveRow, 4> rows{plain, plain, plain, plain};
+            rows[octave].levels[0] = level.data();
+            TexelBlock block{};
+            EXPECT_EQ(combineOctaves(rows, 0, 2, block), inDoubt) << units;
+            EXPECT_EQ(block.doubts[0] == 0, inDoubt) << units;
+            EXPECT_NE(block.doubts[1], 0U);
+        }
+    }
+}
+
 TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
     EXPECT_TRUE(noise3Texels(0).empty());
     EXPECT_TRUE(noise3Texels(-5).empty());
     EXPECT_TRUE(noise3Texels(kLargestSize3 + 1).empty());
     EXPECT_TRUE(noise2Texels(0).empty());
     EXPECT_TRUE(noise2Texels(kLargestSize2 + 1).empty());
+    std::vector<std::uint8_t> texels(4 * 8 * 8 * 8, 9);
+    EXPECT_FALSE(writeNoise3(7, texels));
+    EXPECT_FALSE(writeNoise2(8, texels));
+    EXPECT_FALSE(writeNoise3(0, texels));
+    EXPECT_EQ(texels, std::vector<std::uint8_t>(texels.size(), 9));
 }
 
 }  // namespace

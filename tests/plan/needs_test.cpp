@@ -330,6 +330,67 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     EXPECT_EQ(plan.meshes[0].attributes, (Words{"position", "tangent"}));
 }
 
+/// Says that shapes of that command are out of sight; counts the questions.
+struct Blinkers {
+    glib::CommandId unseen{};
+    int asked = 0;
+    PlanOptions options(const scene::Scene& scene) {
+        PlanOptions result;
+        result.outOfSight = [this, &scene](const scene::Draw& draw, const scene::Pass&) {
+            ++asked;
+            const bool isUnseen = scene.shapes.at(static_cast<std::size_t>(draw.shape)).command == unseen;
+            return isUnseen ? std::string("it is behind a wall") : std::string();
+        };
+        return result;
+    }
+};
+
+TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindIt) {
+    SceneByHand hand;
+    Programs programs;
+    const int target = hand.emptyTexture(6);
+    plain(hand, programs, "Inner");
+    hand.target({target});
+    hand.sphere();
+    hand.window();
+    sampling(hand, programs, "Outer", 6);
+    hand.teapot();
+    hand.currentProgram = scene::kNone;
+    hand.sphere();
+    Blinkers blinkers{glib::CommandId::teapot};
+    const FramePlan plan = programs.plan(hand.scene, blinkers.options(hand.scene));
+    EXPECT_EQ(drawn(plan), " | Sphere");
+    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{scene::kNone});
+    EXPECT_TRUE(plan.textures.empty());
+    EXPECT_EQ(plan.meshes.size(), 1U);
+    EXPECT_EQ(skipped(plan, "draw"), Words{"Teapot: it is behind a wall"});
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(blinkers.asked, 2) << "nobody asks of a draw that is not needed anyway";
+}
+
+TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
+    SceneByHand hand;
+    Programs programs;
+    hand.teapot();
+    Blinkers blinkers{glib::CommandId::teapot};
+    PlanOptions options = blinkers.options(hand.scene);
+    options.everything = true;
+    EXPECT_EQ(drawn(programs.plan(hand.scene, options)), "Teapot");
+    EXPECT_EQ(blinkers.asked, 0);
+}
+
+TEST(Needs, AMeshForEachDrawIsPlannedOnRequestOnly) {
+    SceneByHand hand;
+    Programs programs;
+    for (int i = 0; i < 3; ++i) hand.sphere();
+    EXPECT_EQ(programs.plan(hand.scene).meshes.size(), 1U);
+    PlanOptions options;
+    options.shareMeshes = false;
+    const FramePlan plan = programs.plan(hand.scene, options);
+    ASSERT_EQ(plan.meshes.size(), 3U);
+    EXPECT_EQ(plan.meshes[1].attributes, plan.meshes[0].attributes);
+}
+
 TEST(Needs, CheckSkipsNothing) {
     SceneByHand hand;
     Programs programs;

@@ -59,6 +59,8 @@ size = [320, 240]
 time = 1.5
 set = { uKd = 0.5, uColor = [1, 0.5, 0], uOn = true, uCount = 3, uRange = "<0 .5 1>", light = { pos = [1, 2, 3] } }
 samples = 4
+max-error = 0.25
+override-counts = true
 view = "glman"
 axes = true
 alpha = true
@@ -91,6 +93,8 @@ match = "left/one"
     EXPECT_EQ(options.set, (Strings{"uKd=0.5", "uColor=1,0.5,0", "uOn=true", "uCount=3", "uRange=<0 .5 1>",
                                     "light.pos=1,2,3"}));
     EXPECT_EQ(options.samples, 4);
+    EXPECT_EQ(options.maxError, .25);
+    EXPECT_TRUE(options.overrideCounts);
     EXPECT_EQ(options.view, ViewPolicy::glman);
     EXPECT_TRUE(options.axes && options.alpha && options.floatPixels && options.strict && !options.shim);
     EXPECT_EQ(options.tileSize, 64);

@@ -47,6 +47,8 @@ std::string shot(const std::string& line) {
 INSTANTIATE_TEST_SUITE_P(
     All, SuiteMistake,
     testing::Values(
+        Mistake{"HalfAWord", "[[shot]]\nx = tru\n",
+                "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '\n"},
         Mistake{"Syntax", "[[shot]\n", "1:8 suite-E01 not TOML: table header: expected ']', saw '\\n'\n"},
         Mistake{"PointWithoutDigit", shot("set = { uKd = .5 }"),
                 "3:15 suite-E01 not TOML: floating-point: expected decimal digit, saw '.'; a number needs a "
@@ -95,6 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
                 "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+        Mistake{"WrongBound", shot("max-error = 0\noverride-counts = 1"),
+                "3:13 suite-E04 max-error: 0 is not between 1e-09 and 1e+06\n"
+                "4:19 suite-E03 override-counts: true or false is wanted, not the number 1\n"},
         Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
                 "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
@@ -147,6 +152,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "NameOfAVariant", shot("") + shot("name = 'teapot.nvidia'"),
             "6:8 suite-E06 the golden of 'teapot.nvidia' would be a variant of that of 'teapot' on line 2\n"},
+        Mistake{
+            "NameOfAVariantThatIsNotLettersAlone", shot("") + shot("name = 'teapot.osmesa-llvmpipe'"),
+            "6:8 suite-E06 the golden of 'teapot.osmesa-llvmpipe' would be a variant of that of 'teapot' on "
+            "line 2\n"},
         Mistake{"UnknownShot", shot("") + shot("name = 'b'\nmatch = 'teapto'"),
                 "7:9 suite-E07 match: there is no shot 'teapto'; did you mean 'teapot'?\n"},
         Mistake{"SweepNamedAsOne", shot("sweep = { uA = [1, 2] }") + shot("name = 'b'\ndiffer = 'teapot'"),

@@ -108,9 +108,15 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_GT(cost.millisecondsAFrame, 0);
     ASSERT_EQ(cost.draws.size(), 2U);
     EXPECT_EQ(cost.draws[0].line, 8);
-    EXPECT_FALSE(cost.draws[0].isWindow);
+    ASSERT_EQ(cost.passes.size(), 2U);
+    EXPECT_EQ(cost.passes[0].target, "unit 6");
+    EXPECT_EQ(cost.passes[0].line, 4);
+    EXPECT_EQ(cost.passes[1].target, "window");
+    EXPECT_EQ(cost.draws[0].pass, 0);
+    EXPECT_EQ(cost.draws[1].pass, 1);
+    EXPECT_EQ(cost.passes[0].milliseconds, cost.draws[0].milliseconds);
+    EXPECT_GT(cost.passes[0].milliseconds + cost.passes[1].milliseconds, 0);
     EXPECT_EQ(cost.draws[1].line, 12);
-    EXPECT_TRUE(cost.draws[1].isWindow);
     if (cost.counts) {
         EXPECT_EQ(cost.counts->primitives, 2U * 2 * 4 * 4) << "two quads of 4 x 4 cells";
         EXPECT_GE(cost.counts->fragments, 20U * 10 + 8 * 4);

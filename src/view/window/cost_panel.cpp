@@ -7,6 +7,32 @@
 #include "view/window/ui.h"
 
 namespace glibra::view {
+namespace {
+
+/// A bar a pass, and below it one a draw; the whole width is the longest pass.
+void bars(Ui& ui, const FrameCost& cost) {
+    double longest = 0;
+    for (const PassCost& each : cost.passes) longest = std::max(longest, each.milliseconds);
+    const auto bar = [&](double milliseconds, const std::string& text) {
+        const float part = longest > 0 ? static_cast<float>(milliseconds / longest) : 0;
+        ImGui::ProgressBar(part, {-1, 0}, fmt::format("{}: {:.3f} ms", text, milliseconds).c_str());
+    };
+    for (std::size_t pass = 0; pass < cost.passes.size(); ++pass) {
+        const PassCost& each = cost.passes[pass];
+        const std::string line = each.line > 0 ? fmt::format(" ({})", each.line) : "";
+        bar(each.milliseconds, fmt::format("pass {} into {}{}", pass + 1, each.target, line));
+        mark(ui, "cost/pass/{}", pass);
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+        ImGui::Indent();
+        for (const DrawCost& draw : cost.draws)
+            if (draw.pass == static_cast<int>(pass))
+                bar(draw.milliseconds, fmt::format("{} ({})", draw.word, draw.line));
+        ImGui::Unindent();
+        ImGui::PopStyleColor();
+    }
+}
+
+}  // namespace
 
 void costPanel(Ui& ui) {
     const bool isOpen = ImGui::CollapsingHeader("Frame rate");
@@ -28,14 +54,7 @@ void costPanel(Ui& ui) {
                     static_cast<unsigned long long>(cost.counts->vertices),
                     static_cast<unsigned long long>(cost.counts->primitives),
                     static_cast<unsigned long long>(cost.counts->fragments));
-    double longest = 0;
-    for (const DrawCost& each : cost.draws) longest = std::max(longest, each.milliseconds);
-    for (const DrawCost& each : cost.draws) {
-        const std::string text = fmt::format("{} ({}){}: {:.3f} ms", each.word, each.line,
-                                             each.isWindow ? "" : " into textures", each.milliseconds);
-        ImGui::ProgressBar(longest > 0 ? static_cast<float>(each.milliseconds / longest) : 0, {-1, 0},
-                           text.c_str());
-    }
+    bars(ui, cost);
 }
 
 }  // namespace glibra::view

@@ -34,6 +34,17 @@ void addPanels(nlohmann::ordered_json& state, const Ui& ui) {
     state["question"] = ui.shared.question.has_value();
     state["takesText"] = ImGui::GetIO().WantTextInput;
     state["suiteMessage"] = ui.suite.message;
+    state["lensWords"] = ui.lensWords;
+    if (const NoiseWindow& noise = ui.shared.noise; noise.isOpen)
+        state["noise"] = {{"command", noiseCommand(noise.noise, noise.file.data())},
+                          {"point", noise.chosen},
+                          {"message", noise.message}};
+    if (!ui.cost) return;
+    Json passes = Json::array();
+    for (const PassCost& each : ui.cost->passes)
+        passes.push_back({{"target", each.target}, {"milliseconds", each.milliseconds}});
+    state["cost"] = {
+        {"frames", ui.cost->frames}, {"milliseconds", ui.cost->millisecondsAFrame}, {"passes", passes}};
 }
 
 }  // namespace glibra::view

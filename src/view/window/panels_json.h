@@ -7,7 +7,7 @@
 
 namespace glibra::view {
 
-/// Adds tabs, source panel, examples, dialogs and what the last actions said.
+/// Adds tabs, source panel, examples, dialogs, noise, costs and what the last actions said.
 void addPanels(nlohmann::ordered_json& state, const Ui& ui);
 
 }  // namespace glibra::view

@@ -26,7 +26,7 @@ void message(Ui& ui, const Diagnostic& each, int index) {
         ImGui::PushStyleColor(ImGuiCol_Text, isError ? kErrorColor : kWarningColor);
     ImGui::TextWrapped("%s", toString(each).c_str());
     if (each.severity != Severity::note) ImGui::PopStyleColor();
-    mark(ui, fmt::format("message/{}", index));
+    mark(ui, "message/{}", index);
     if (!each.place.file.empty()) {
         const std::string line = sourceLine(each.place);
         if (!line.empty()) {
@@ -39,7 +39,7 @@ void message(Ui& ui, const Diagnostic& each, int index) {
         if (isError || each.severity == Severity::warning) {
             if (ui.session.hasScene()) {
                 if (ImGui::SmallButton("Show")) showSource(ui, each.place);
-                mark(ui, fmt::format("message/{}/show", index));
+                mark(ui, "message/{}/show", index);
                 ImGui::SameLine();
             }
             if (ImGui::SmallButton("Edit")) ui.notice = openInEditor(each.place);

@@ -12,6 +12,7 @@
 #include "view/edited_file.h"
 #include "view/folder_list.h"
 #include "view/window/example_browser.h"
+#include "view/window/noise_window.h"
 #include "view/window/settings.h"
 
 namespace glibra::view {
@@ -53,9 +54,11 @@ struct Shared {
     std::map<std::filesystem::path, EditedFile> sources;  ///< every file that was shown in a source panel
     FileDialog dialog;
     ExampleBrowser examples;
+    NoiseWindow noise;
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;
-    bool tabChanged = false;  ///< the bar has to follow
+    bool marksWidgets = false;  ///< somebody asks where widgets stand
+    bool tabChanged = false;    ///< the bar has to follow
     std::optional<Question> question;
     std::optional<Answer> answer;
 };

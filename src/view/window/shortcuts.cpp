@@ -66,6 +66,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_P, false, "P", "orthographic or perspective", toggleProjection},
     {GLFW_KEY_A, false, "A", "axes", [](Ui& ui) { ui.session.setAxes(!ui.session.axes()); }},
     {GLFW_KEY_W, false, "W", "wireframe", [](Ui& ui) { ui.session.setWireframe(!ui.session.wireframe()); }},
+    {GLFW_KEY_V, false, "V", "normals, facing, overdraw, depth ... instead of the picture", nextLens},
     {GLFW_KEY_L, false, "L", "values over the picture", [](Ui& ui) { ui.showLabels = !ui.showLabels; }},
     {GLFW_KEY_T, false, "T", "light or dark",
      [](Ui& ui) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
@@ -90,6 +91,8 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "tab before", [](Ui& ui) { goToTab(ui, -1); }, true},
     {GLFW_KEY_I, false, "I", "look into textures and targets",
      [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
+    {GLFW_KEY_N, false, "N", "the noise functions",
+     [](Ui& ui) { ui.shared.noise.isOpen = !ui.shared.noise.isOpen; }},
     {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }, true},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
 });

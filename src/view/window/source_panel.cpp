@@ -151,7 +151,7 @@ void messages(Ui& ui, const std::vector<const Diagnostic*>& all, CodeView& view)
         const ImVec2 size =
             ImGui::CalcTextSize(text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x);
         if (ImGui::Selectable("##message", false, 0, {0, size.y})) view.goTo = each->place.line;
-        mark(ui, fmt::format("source/message/{}", index));
+        mark(ui, "source/message/{}", index);
         ImGui::SetCursorPos(at);
         ImGui::TextWrapped("%s", text.c_str());
         ImGui::PopStyleColor();

@@ -32,7 +32,7 @@ void tabBar(Ui& ui, Rectangle& free) {
             const bool isChosen =
                 ImGui::BeginTabItem(fmt::format("{}###{}", each.label, each.id).c_str(), &stays, flags);
             if (each.hasError) ImGui::PopStyleColor();
-            mark(ui, fmt::format("tab/{}", i));
+            mark(ui, "tab/{}", i);
             if (ImGui::IsItemHovered() && !each.path.empty()) ImGui::SetTooltip("%s", each.path.c_str());
             if (isChosen) ImGui::EndTabItem();
             if (isChosen && !isShown && !ui.shared.tabChanged) ui.requests.showTab = i;

@@ -121,19 +121,21 @@ bool Tabs::noteChanged(const std::vector<fs::path>& files) {
 }
 
 void Tabs::writeTitles() {
-    shared_.tabs.clear();
+    shared_.tabs.resize(tabs_.size());
     shared_.shownTab = shown_;
-    for (const std::unique_ptr<Tab>& tab : tabs_) {
-        const Session& session = tab->session;
-        TabTitle title;
-        title.id = tab->id;
-        title.label = session.hasScene() ? session.path().stem().string() : "empty";
-        title.path = session.path().string();
+    for (std::size_t i = 0; i < tabs_.size(); ++i) {
+        const Session& session = tabs_[i]->session;
+        TabTitle& title = shared_.tabs[i];
+        title.id = tabs_[i]->id;
+        // This is done at every frame; a path that stays is not copied.
+        if (title.label.empty() || title.path != session.path().native()) {
+            title.label = session.hasScene() ? session.path().stem().string() : "empty";
+            title.path = session.path().string();
+        }
         title.hasError = hasError(session.diagnostics());
         title.isUnsaved = std::any_of(shared_.sources.begin(), shared_.sources.end(), [&](const auto& each) {
-            return each.second.isChanged() && uses(*tab, each.first);
+            return each.second.isChanged() && uses(*tabs_[i], each.first);
         });
-        shared_.tabs.push_back(std::move(title));
     }
 }
 

@@ -6,11 +6,11 @@
 
 namespace glibra::view {
 
-void mark(Ui& ui, const std::string& name) {
-    if (!ImGui::IsItemVisible()) return;
+void mark(Ui& ui, std::string_view name) {
+    if (!ui.shared.marksWidgets || !ImGui::IsItemVisible()) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
-    ui.widgets[name] = {low.x, low.y, size.x, size.y};
+    ui.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
 }
 
 namespace {
@@ -62,11 +62,13 @@ void showAll(Ui& ui) {
     ui.picture[2] = std::max(1.F, ui.picture[2]);
     ui.picture[3] = std::max(1.F, ui.picture[3]);
     inspectorWindow(ui);
+    noiseWindow(ui);
     exampleWindow(ui);
     fileDialog(ui);
     questionDialog(ui);
     helpWindow(ui);
     pictureInput(ui);
+    lensUnderMouse(ui);
 }
 
 }  // namespace glibra::view

@@ -1,12 +1,16 @@
 #pragma once
 // What the panels share: the session, what is being done to it, and where each widget stands.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/context.h"
@@ -102,14 +106,21 @@ struct Ui {
     int dragButton = -1;   ///< mouse button that drags the picture
     float dragLength = 0;  ///< pixels so far
     Inspector inspector;
+    std::string lensWords;  ///< of the pixel under the mouse
     std::optional<FrameCost> cost;
     std::vector<Display::KeyPress> pressed;
     std::string notice;                        ///< what the last action did, for the status line
     std::map<std::string, Rectangle> widgets;  ///< of this frame, by name
 };
 
-/// Remembers where the widget made last stands, under a name for tests and scripts.
-void mark(Ui& ui, const std::string& name);
+/// Remembers where the widget made last stands, under a name for tests and scripts, if somebody asks for it.
+void mark(Ui& ui, std::string_view name);
+/// The same; the name is only put together when it is wanted.
+template <class... Arguments>
+requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Arguments...> format,
+                                             Arguments&&... arguments) {
+    if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
+}
 
 // The panels, each drawn into the current ImGui window.
 void scenePanel(Ui& ui);
@@ -121,6 +132,12 @@ void hardcopyPanel(Ui& ui);
 void costPanel(Ui& ui);
 void suitePanel(Ui& ui);
 void inspectorWindow(Ui& ui);
+void noiseWindow(Ui& ui);
+void noiseGraph(Ui& ui, float width, float height);
+/// The choice of a lens, a part of the view panel; the next one; what it says of the pixel under the mouse.
+void lensControls(Ui& ui);
+void nextLens(Ui& ui);
+void lensUnderMouse(Ui& ui);
 void exampleWindow(Ui& ui);
 void fileDialog(Ui& ui);
 /// Asks before text that is not saved would be lost.

@@ -17,69 +17,89 @@ namespace {
 constexpr int kMostInRow = 4;
 constexpr const char* kNumberFormat = "%.4g";
 
-std::string nameOf(const Knob& knob) {
-    return "uniform/" + knob.title + "/" + knob.tag;
+/// A component of a knob. Its widget needs no name of its own in a row with an identity.
+struct Part {
+    std::size_t index = 0, component = 0;
+};
+
+/// What the widget is called for tests, scripts and Ui::typing.
+std::string nameOf(const Knob& knob, std::size_t component) {
+    std::string name = "uniform/" + knob.title + "/" + knob.tag;
+    return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, component);
+}
+
+void markPart(Ui& ui, const Part& part) {
+    if (ui.shared.marksWidgets) mark(ui, nameOf(ui.session.knobs()[part.index], part.component));
+}
+
+void setPart(Ui& ui, const Part& part, double value) {
+    std::vector<double> values = ui.session.knobs()[part.index].current;
+    values[part.component] = value;
+    ui.session.setValue(part.index, std::move(values));
 }
 
 /// An entry field for any value, also beyond the range, in place of the slider.
-void entry(Ui& ui, std::size_t index, std::size_t component, const std::string& name) {
+void entry(Ui& ui, const Part& part) {
     const bool begins = std::exchange(ui.typingBegins, false);
-    if (begins) ui.typed = ui.session.knobs()[index].current[component];
+    if (begins) ui.typed = ui.session.knobs()[part.index].current[part.component];
     if (begins) ImGui::SetKeyboardFocusHere();
-    ImGui::InputDouble(("##entry/" + name).c_str(), &ui.typed, 0, 0, "%.9g",
+    ImGui::InputDouble("##entry", &ui.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
-    mark(ui, name);
+    markPart(ui, part);
     // The value changes when the entry is complete, not with each digit.
     if (!ImGui::IsItemDeactivated()) return;
-    std::vector<double> values = ui.session.knobs()[index].current;
-    values[component] = ui.typed;
-    ui.session.setValue(index, std::move(values));
+    setPart(ui, part, ui.typed);
     ui.typing.clear();
 }
 
-void slider(Ui& ui, std::size_t index, std::size_t component, const std::string& name) {
-    if (ui.typing == name) return entry(ui, index, component, name);
-    const Knob& knob = ui.session.knobs()[index];
-    std::vector<double> values = knob.current;
+/// ImGui's integers are of 32 bits.
+int shownInteger(double value) {
+    return static_cast<int>(std::clamp(value, -2147483648.0, 2147483647.0));
+}
+
+void slider(Ui& ui, const Part& part) {
+    const Knob& knob = ui.session.knobs()[part.index];
+    if (!ui.typing.empty() && ui.typing == nameOf(knob, part.component)) return entry(ui, part);
+    double value = knob.current[part.component];
     bool changed = false;
     if (knob.isInteger()) {
-        auto value = static_cast<int>(std::clamp(values[component], -2147483648.0, 2147483647.0));
-        changed = ImGui::SliderInt(("##" + name).c_str(), &value, static_cast<int>(std::ceil(knob.minimum)),
+        int integer = shownInteger(value);
+        changed = ImGui::SliderInt("##slider", &integer, static_cast<int>(std::ceil(knob.minimum)),
                                    static_cast<int>(std::floor(knob.maximum)));
-        values[component] = value;
+        value = integer;
     } else {
-        changed = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &values[component],
-                                      &knob.minimum, &knob.maximum, kNumberFormat);
+        changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &knob.minimum, &knob.maximum,
+                                      kNumberFormat);
     }
-    mark(ui, name);
+    markPart(ui, part);
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (ImGui::IsItemActivated() && !isSecondClick) ui.valuesBeforeClick = knob.current;
     if (ImGui::IsItemHovered() && isSecondClick) {
         // The first click of the two has moved the slider.
-        ui.session.setValue(index, ui.valuesBeforeClick);
-        ui.typing = name;
+        ui.typing = nameOf(knob, part.component);
         ui.typingBegins = true;
+        ui.session.setValue(part.index, ui.valuesBeforeClick);
     } else if (changed) {
-        ui.session.setValue(index, std::move(values));
+        setPart(ui, part, value);
     }
 }
 
-void number(Ui& ui, std::size_t index, std::size_t component, const std::string& name) {
-    const Knob& knob = ui.session.knobs()[index];
-    std::vector<double> values = knob.current;
-    const auto speed =
-        static_cast<float>(knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[component]) * .005));
+void number(Ui& ui, const Part& part) {
+    const Knob& knob = ui.session.knobs()[part.index];
+    double value = knob.current[part.component];
+    const auto speed = static_cast<float>(
+        knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[part.component]) * .005));
     bool changed = false;
     if (knob.isInteger()) {
-        auto value = static_cast<int>(std::clamp(values[component], -2147483648.0, 2147483647.0));
-        changed = ImGui::DragInt(("##" + name).c_str(), &value, speed);
-        values[component] = value;
+        int integer = shownInteger(value);
+        changed = ImGui::DragInt("##number", &integer, speed);
+        value = integer;
     } else {
-        changed = ImGui::DragScalar(("##" + name).c_str(), ImGuiDataType_Double, &values[component], speed,
-                                    nullptr, nullptr, kNumberFormat);
+        changed = ImGui::DragScalar("##number", ImGuiDataType_Double, &value, speed, nullptr, nullptr,
+                                    kNumberFormat);
     }
-    mark(ui, name);
-    if (changed) ui.session.setValue(index, std::move(values));
+    markPart(ui, part);
+    if (changed) setPart(ui, part, value);
 }
 
 /// The components side by side, a matrix's columns and an array's elements below one another.
@@ -95,20 +115,21 @@ void components(Ui& ui, std::size_t index) {
     for (std::size_t i = 0; i < count; ++i) {
         if (i % inRow != 0) ImGui::SameLine(0, space);
         ImGui::SetNextItemWidth(std::max(20.F, each));
-        const std::string name = count == 1 ? nameOf(knob) : fmt::format("{}/{}", nameOf(knob), i);
+        ImGui::PushID(static_cast<int>(i));
         if (knob.widget == Widget::slider)
-            slider(ui, index, i, name);
+            slider(ui, {index, i});
         else
-            number(ui, index, i, name);
+            number(ui, {index, i});
+        ImGui::PopID();
     }
 }
 
 void checkBox(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
     bool on = knob.current.front() != 0;
-    if (ImGui::Checkbox(("##" + nameOf(knob)).c_str(), &on))
+    if (ImGui::Checkbox("##on", &on))
         ui.session.setValue(index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
-    mark(ui, nameOf(knob));
+    mark(ui, "uniform/{}/{}", knob.title, knob.tag);
 }
 
 void color(Ui& ui, std::size_t index) {
@@ -119,11 +140,10 @@ void color(Ui& ui, std::size_t index) {
     const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel |
                                       ImGuiColorEditFlags_AlphaPreviewHalf | ImGuiColorEditFlags_HDR;
     ImGui::SetNextItemWidth(-1);
-    const std::string label = "##" + nameOf(knob);
-    const bool changed =
-        count == 4 ? ImGui::ColorEdit4(label.c_str(), rgba.data(), flags | ImGuiColorEditFlags_AlphaBar)
-                   : ImGui::ColorEdit3(label.c_str(), rgba.data(), flags);
-    mark(ui, nameOf(knob));
+    const bool changed = count == 4
+                             ? ImGui::ColorEdit4("##color", rgba.data(), flags | ImGuiColorEditFlags_AlphaBar)
+                             : ImGui::ColorEdit3("##color", rgba.data(), flags);
+    mark(ui, "uniform/{}/{}", knob.title, knob.tag);
     if (!changed) return;
     std::vector<double> values(count);
     // Shown with three digits, so kept with no more.
@@ -134,7 +154,7 @@ void color(Ui& ui, std::size_t index) {
 
 void contextMenu(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
-    if (!ImGui::BeginPopupContextItem(("menu/" + nameOf(knob)).c_str())) return;
+    if (!ImGui::BeginPopupContextItem("menu")) return;
     ImGui::TextDisabled("%s", knob.placeOfUniform.c_str());
     if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.session.resetValue(index);
     if (ImGui::MenuItem("Copy as part of the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
@@ -151,7 +171,7 @@ void row(Ui& ui, std::size_t index) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::Selectable(knob.tag.c_str(), false, ImGuiSelectableFlags_AllowItemOverlap);
-    mark(ui, "label/" + knob.title + "/" + knob.tag);
+    mark(ui, "label/{}/{}", knob.title, knob.tag);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s\n%s:%d\nright click for more", knob.placeOfUniform.c_str(),
                           knob.place.file.c_str(), knob.place.line);
@@ -172,7 +192,7 @@ void row(Ui& ui, std::size_t index) {
     ImGui::TableNextColumn();
     if (ui.session.knobs()[index].isChanged()) {
         if (ImGui::SmallButton("reset")) ui.session.resetValue(index);
-        mark(ui, "reset/" + knob.title + "/" + knob.tag);
+        mark(ui, "reset/{}/{}", knob.title, knob.tag);
     }
     ImGui::PopID();
 }
@@ -192,7 +212,7 @@ void section(Ui& ui, int program) {
     ImGui::EndTable();
     if (ImGui::SmallButton("Copy Program line"))
         ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
-    mark(ui, fmt::format("copy/{}", program));
+    mark(ui, "copy/{}", program);
 }
 
 }  // namespace
@@ -227,16 +247,15 @@ void uniformsPanel(Ui& ui) {
         if (first.program == last) continue;
         last = first.program;
         ImGui::PushID(last);
-        const std::string title =
-            first.title +
-            (ui.session.live().showsEarlierProgram(last) ? " (last good version)###program" : "###program");
+        const char* state = ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
         ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-        if (ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth)) {
-            mark(ui, "section/" + first.title);
+        if (ImGui::TreeNodeEx("program", ImGuiTreeNodeFlags_SpanAvailWidth, "%s%s", first.title.c_str(),
+                              state)) {
+            mark(ui, "section/{}", first.title);
             section(ui, last);
             ImGui::TreePop();
         } else {
-            mark(ui, "section/" + first.title);
+            mark(ui, "section/{}", first.title);
         }
         ImGui::PopID();
     }

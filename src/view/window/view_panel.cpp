@@ -26,7 +26,7 @@ void modes(Ui& ui) {
     for (const ModeRow& each : kModes) {
         if (each.mode != TransformMode::scene) ImGui::SameLine();
         if (ImGui::RadioButton(each.label, ui.mode == each.mode)) ui.mode = each.mode;
-        mark(ui, std::string("mode/") + each.label);
+        mark(ui, "mode/{}", each.label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", each.help);
     }
 }
@@ -34,7 +34,7 @@ void modes(Ui& ui) {
 bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
     const bool changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
-    mark(ui, std::string("transform/") + label);
+    mark(ui, "transform/{}", label);
     return changed;
 }
 
@@ -79,6 +79,10 @@ void projection(Ui& ui) {
     ImGui::Checkbox("Textures", &ui.inspector.isOpen);
     mark(ui, "view/inspector");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
+    ImGui::SameLine();
+    ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
+    mark(ui, "view/noise");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The noise functions as graphs (N)");
 
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
@@ -107,6 +111,7 @@ void viewPanel(Ui& ui) {
     modes(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
     numbers(ui);
+    lensControls(ui);
     ImGui::PopItemWidth();
     projection(ui);
 }

@@ -118,6 +118,7 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
     gui_.emplace(display, display.contentScale(), lightTheme_);
+    shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
 }
@@ -342,7 +343,6 @@ void Window::writeState() {
     state["hardcopyMessage"] = ui.hardcopy.message;
     state["lightTheme"] = lightTheme_;
     state["inspected"] = ui.inspector.hovered;
-    if (ui.cost) state["cost"] = {{"frames", ui.cost->frames}, {"milliseconds", ui.cost->millisecondsAFrame}};
     state["waiting"] = framesWanted_ <= 0 && !session().isMoving() && replayed_ >= replay_.size();
     timespec cpu{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);

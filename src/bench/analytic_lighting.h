@@ -1,0 +1,38 @@
+#pragma once
+// Light on a sphere and a torus, evaluated in double at the point that a pixel's ray meets: what drawn
+// lighting is compared with.
+//
+// Eye space: rays run along -z through (x, y), the viewer's direction is (0, 0, 1) everywhere.
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+namespace glibra::bench {
+
+enum class LitSurface { sphere, torus };
+
+inline constexpr double kRingRadius = .7, kTubeRadius = .3;
+/// How the torus is turned out of its plane XY, to eye space.
+glm::dmat3 torusRotation();
+
+/// The unit normal where the ray through (x, y) first meets the unit sphere or the torus (of kRingRadius and
+/// kTubeRadius, turned by torusRotation); nothing if it passes by.
+std::optional<glm::dvec3> normalAt(LitSurface surface, double x, double y);
+
+enum class Highlight {
+    reflection,  ///< Phong 1975: the reflected light against the viewer
+    halfVector   ///< Blinn 1977: the normal against the middle of light and viewer
+};
+
+/// Ambient .1, diffuse .5, highlight .4: 0..1.
+inline constexpr double kAmbient = .1, kDiffuse = .5, kSpecular = .4;
+
+/// max(0, cosine)^exponent; 0 where the light is behind the surface. `light` points to the light, unit
+/// length.
+double highlight(Highlight model, const glm::dvec3& normal, const glm::dvec3& light, double exponent);
+
+/// Ambient + diffuse + highlight.
+double intensity(Highlight model, const glm::dvec3& normal, const glm::dvec3& light, double exponent);
+
+}  // namespace glibra::bench

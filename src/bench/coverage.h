@@ -1,0 +1,19 @@
+#pragma once
+// Exact areas of triangles in pixels.
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace glibra::bench {
+
+/// Corners in pixels; (0, 0) is the upper left corner of the picture.
+using FlatTriangle = std::array<glm::dvec2, 3>;
+
+/// The share of each pixel, 0..1, that triangles cover which do not overlap: each triangle is clipped by the
+/// pixel's square (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping, 1974) in double. Rows from the
+/// top.
+std::vector<double> coverage(std::span<const FlatTriangle> triangles, int width, int height);
+
+}  // namespace glibra::bench

@@ -1,0 +1,37 @@
+#pragma once
+// A logarithmic axis of a diagram: its range, ticks, and where a value lies on it.
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glibra::bench {
+
+struct Tick {
+    double place = 0;   ///< 0..1 along the axis
+    std::string label;  ///< empty for a line without a number
+};
+
+class LogAxis {
+  public:
+    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. Ranges below 2.5 decades
+    /// get ticks at 1, 2 and 5, longer ones at powers of ten, at most about `mostLabels` of them with a
+    /// label.
+    LogAxis(std::span<const double> values, int mostLabels);
+
+    /// 0..1 for a value of the range; values at or below 0 lie at 0.
+    [[nodiscard]] double place(double value) const;
+    [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+
+  private:
+    void addDecades(int mostLabels);
+    void addSteps();
+
+    double low_ = 0, high_ = 1;  ///< decimal logarithms
+    std::vector<Tick> ticks_;
+};
+
+/// "0.001", "20", "5000"; beyond 1e-3 .. 1e5 as a power of ten with a raised exponent (an SVG tspan).
+std::string tickLabel(double value);
+
+}  // namespace glibra::bench

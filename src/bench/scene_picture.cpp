@@ -1,0 +1,86 @@
+#include "bench/scene_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "image/flip.h"
+#include "render/scene_renderer.h"
+
+namespace glibra::bench {
+namespace {
+
+/// Components in 0..1, limited to it; NaN is 0.
+std::vector<float> limited(const image::Image& picture) {
+    std::vector<float> values;
+    if (picture.type == image::Component::u8) {
+        for (const std::byte each : picture.data)
+            values.push_back(static_cast<float>(std::to_integer<int>(each)) / 255.F);
+        return values;
+    }
+    values.resize(picture.data.size() / sizeof(float));
+    std::memcpy(values.data(), picture.data.data(), values.size() * sizeof(float));
+    for (float& value : values) value = value > 0 ? std::min(value, 1.F) : 0.F;
+    return values;
+}
+
+}  // namespace
+
+Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::path& scene,
+                                  const RenderOptions& options) {
+    render::Stats stats;
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(context, scene, options, stats);
+    if (!loaded) return std::move(loaded.diagnostics);
+    return loaded->draw(0, stats);
+}
+
+Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem::path& scene,
+                                    RenderOptions options, int side) {
+    constexpr int kOneTile = 1 << 14;  // larger than any picture here
+    options.tileSize = kOneTile;
+    options.floatPixels = true;
+    options.samples = 1;
+    render::Stats stats;
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(context, scene, options, stats);
+    if (!loaded) return std::move(loaded.diagnostics);
+    std::vector<double> sums;
+    image::Image picture;
+    for (int i = 0; i < side * side; ++i) {
+        const int column = i % side, row = i / side;
+        loaded->setShift((column + .5) / side - .5, (row + .5) / side - .5);
+        Result<image::Image> sample = loaded->draw(0, stats);
+        if (!sample) return sample;
+        const std::vector<float> values = limited(*sample);
+        sums.resize(values.size());
+        for (std::size_t k = 0; k < values.size(); ++k) sums[k] += static_cast<double>(values[k]);
+        picture = std::move(*sample);
+    }
+    std::vector<float> means;
+    means.reserve(sums.size());
+    for (const double sum : sums) means.push_back(static_cast<float>(sum / (side * side)));
+    std::memcpy(picture.data.data(), means.data(), means.size() * sizeof(float));
+    return picture;
+}
+
+PictureError pictureError(const image::Image& reference, const image::Image& picture) {
+    constexpr float kVisible = 8.F / 255;
+    const std::vector<float> wanted = limited(reference), got = limited(picture);
+    double sum = 0;
+    std::size_t differing = 0;
+    for (std::size_t pixel = 0; 3 * pixel < wanted.size(); ++pixel) {
+        float largest = 0;
+        for (std::size_t k = 3 * pixel; k < 3 * pixel + 3; ++k) {
+            const float difference = std::abs(got[k] - wanted[k]);
+            largest = std::max(largest, difference);
+            sum += static_cast<double>(difference) * static_cast<double>(difference);
+        }
+        if (largest > kVisible) ++differing;
+    }
+    const auto count = static_cast<double>(wanted.size());
+    return {.rootMeanSquare = std::sqrt(sum / count),
+            .differing = 3 * static_cast<double>(differing) / count,
+            .flip = image::flip(reference, picture).mean};
+}
+
+}  // namespace glibra::bench

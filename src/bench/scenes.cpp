@@ -1,0 +1,186 @@
+#include "bench/scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "bench/fit.h"
+#include "bench/scene_picture.h"
+#include "bench/shipped_scenes.h"
+
+namespace glibra::bench {
+namespace {
+
+/// A way to draw a scene.
+struct Way {
+    std::string_view name;
+    int samples = 1;      ///< 0: as the bound needs
+    double maxError = 0;  ///< pixels; 0: the counts of the scene and of the language
+    bool overrideCounts = false;
+};
+constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
+                                    {"2 samples", 2},
+                                    {"4 samples", 4},
+                                    {"--max-error 0.25", 0, .25},
+                                    {"--max-error 0.25 --override-counts", 0, .25, true}}};
+constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
+
+/// Far below the eighths of pixels that the reference's samples are apart.
+constexpr double kFinestError = 1. / 64;
+
+/// One scene in each of the ways.
+struct Measured {
+    const ShippedScene* scene = nullptr;
+    int width = 0, height = 0;
+    std::array<PictureError, kWays.size()> errors{};
+    std::array<Timing, kWays.size()> times{};
+};
+
+Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
+    RenderOptions options;
+    if (bench.isQuick()) options.width = options.height = 64;
+    RenderOptions best = options;
+    best.set = scene.finest;
+    best.maxError = kFinestError;
+    best.overrideCounts = true;
+    const Result<image::Image> reference = sampledPicture(context, scene.path, best, bench.isQuick() ? 4 : 8);
+    if (!reference) return reference.diagnostics;
+    Measured measured{.scene = &scene, .width = reference->width, .height = reference->height};
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        options.samples = kWays[i].samples;
+        options.maxError = kWays[i].maxError;
+        options.overrideCounts = kWays[i].overrideCounts;
+        Result<image::Image> picture = scenePicture(context, scene.path, options);
+        if (!picture) return std::move(picture.diagnostics);
+        measured.errors[i] = pictureError(*reference, *picture);
+        measured.times[i] = bench.time([&] { picture = scenePicture(context, scene.path, options); });
+    }
+    return measured;
+}
+
+std::string sizeText(const Measured& each) {
+    return fmt::format("{} x {}", each.width, each.height);
+}
+
+/// Scenes by one measure of their error, largest first; a curve for each way.
+Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const PictureError&)) {
+    std::ranges::sort(all, std::ranges::greater(),
+                      [&](const Measured& each) { return errorOf(each.errors.front()); });
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        Curve curve{.name = std::string(kWays[i].name), .points = {}};
+        for (std::size_t rank = 0; rank < all.size(); ++rank)
+            curve.points.push_back({.setting = static_cast<double>(rank + 1),
+                                    .label = all[rank].scene->name,
+                                    .error = errorOf(all[rank].errors[i]),
+                                    .time = all[rank].times[i],
+                                    .memory = {}});
+        figure.curves.push_back(std::move(curve));
+    }
+    constexpr std::size_t kTold = 10;
+    for (std::size_t rank = 0; rank < std::min(kTold, all.size()); ++rank) {
+        const Measured& each = all[rank];
+        figure.findings.push_back(fmt::format(
+            "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
+            numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
+            secondsText(each.times[kPlain].median), secondsText(each.times[kFourSamples].median)));
+    }
+    return figure;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
+}
+
+/// What a way brings and costs against one sample and the scene's own counts.
+std::string comparison(const std::vector<Measured>& all, std::size_t way) {
+    std::vector<double> better, longer;
+    std::size_t faster = 0;
+    for (const Measured& each : all) {
+        const double ratio = each.times[way].median / each.times[kPlain].median;
+        if (each.errors[kPlain].rootMeanSquare > 0)
+            better.push_back(each.errors[way].rootMeanSquare / each.errors[kPlain].rootMeanSquare);
+        longer.push_back(ratio);
+        if (ratio < 1) ++faster;
+    }
+    return fmt::format(
+        "{}: {:.2f} of the error in {:.2f} of the time of one sample (medians over the scenes); {} of {} "
+        "scenes are faster",
+        kWays[way].name, median(better), median(longer), faster, all.size());
+}
+
+/// How long scenes take, and what the ways bring.
+std::vector<std::string> overall(const std::vector<Measured>& all) {
+    std::vector<double> times;
+    for (const Measured& each : all) times.push_back(each.times[kPlain].median);
+    const auto slowest =
+        std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
+    return {
+        fmt::format(
+            "{} scenes; of half of them the picture takes less than {} (parse, plan, upload, draw, read), "
+            "the longest takes {}: {}",
+            all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
+            slowest->scene->name),
+        comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
+}
+
+}  // namespace
+
+Result<std::vector<Figure>> measureScenes(Bench& bench) {
+    const Result<gpu::Context*> context = bench.context();
+    if (!context) return context.diagnostics;
+    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
+    if (!scenes) return scenes.diagnostics;
+    std::vector<Measured> all;
+    std::vector<std::string> failures;
+    Diagnostics reasons;
+    for (const ShippedScene& scene : *scenes) {
+        Result<Measured> measured = measure(bench, **context, scene);
+        if (measured) {
+            all.push_back(*measured);
+            continue;
+        }
+        failures.push_back(
+            fmt::format("{} cannot be drawn: {}", scene.name, toString(measured.diagnostics.front())));
+        append(reasons, std::move(measured.diagnostics));
+    }
+    if (all.empty()) return reasons;
+    const std::string reference = fmt::format(
+        "the mean of {} pictures shifted by parts of a pixel, with the finest tessellation of the "
+        "scene's sliders and meshes within 1/64 of a pixel of their surfaces",
+        bench.isQuick() ? 16 : 64);
+    const auto figure = [&](std::string name, std::string title, std::string error) {
+        return Figure{.name = std::move(name),
+                      .title = std::move(title),
+                      .settingName = "rank of the scene",
+                      .errorName = std::move(error),
+                      .errorUnit = "",
+                      .reference = reference,
+                      .curves = {},
+                      .findings = {}};
+    };
+    std::vector<Figure> figures{
+        ranked(all,
+               figure("root-mean-square", "Shipped scenes: error of the picture, largest first",
+                      "root mean square"),
+               [](const PictureError& each) { return each.rootMeanSquare; }),
+        ranked(all,
+               figure("pixels", "Shipped scenes: pixels that are visibly off, largest share first",
+                      "share of pixels off by more than 8/255"),
+               [](const PictureError& each) { return each.differing; }),
+        ranked(all,
+               figure("flip", "Shipped scenes: difference that a person sees, largest first", "mean FLIP"),
+               [](const PictureError& each) { return each.flip; })};
+    std::vector<std::string>& first = figures.front().findings;
+    const std::vector<std::string> summary = overall(all);
+    first.insert(first.begin(), summary.begin(), summary.end());
+    first.insert(first.end(), failures.begin(), failures.end());
+    return figures;
+}
+
+}  // namespace glibra::bench

@@ -1,0 +1,52 @@
+#include "budget/program_facts.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "geometry/mesh.h"
+#include "glsl/builtins.h"
+
+namespace glibra::budget {
+namespace {
+
+bool isWordCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool hasWord(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !isWordCharacter(text[at - 1])) &&
+            (end == text.size() || !isWordCharacter(text[end])))
+            return true;
+    }
+    return false;
+}
+
+bool showsPrimitives(std::string_view source) {
+    constexpr std::array kWords{"flat", "gl_PrimitiveID", "gl_VertexID"};
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](const char* each) { return hasWord(source, each); }) ||
+           (hasWord(source, "dFdx") && hasWord(source, "cross"));
+}
+
+}  // namespace
+
+ProgramFacts programFacts(const plan::ProgramInterface& program) {
+    ProgramFacts facts;
+    facts.isBuiltin = program.isBuiltin;
+    facts.placesByMatrix = program.isBuiltin || program.facts.placement != glsl::Placement::unknown;
+    for (const plan::ActiveInput& each : program.inputs)
+        if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(each.name); row != nullptr)
+            facts.readsTexCoord = facts.readsTexCoord || row->attribute == geometry::kTexCoord;
+    for (const glsl::TranslatedStage& each : program.facts.stages) {
+        facts.worksOnPrimitives = facts.worksOnPrimitives ||
+                                  (each.stage != glsl::Stage::vertex && each.stage != glsl::Stage::fragment);
+        facts.showsPrimitives = facts.showsPrimitives || showsPrimitives(each.source);
+    }
+    return facts;
+}
+
+}  // namespace glibra::budget

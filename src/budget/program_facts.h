@@ -1,0 +1,20 @@
+#pragma once
+// What of a program decides how fine the meshes have to be that it draws.
+
+#include "plan/program_interface.h"
+
+namespace glibra::budget {
+
+struct ProgramFacts {
+    bool isBuiltin = false;       ///< one colour: nothing is computed at the vertices but their places
+    bool placesByMatrix = false;  ///< by the model-view-projection alone, as its text proves
+    bool readsTexCoord = false;
+    bool worksOnPrimitives = false;  ///< has a tessellation or geometry stage
+    /// Something is flat on a triangle, counts triangles or vertices, or takes a normal from derivatives, as
+    /// far as the words in its text say: with other counts it would show something else.
+    bool showsPrimitives = false;
+};
+
+ProgramFacts programFacts(const plan::ProgramInterface& program);
+
+}  // namespace glibra::budget

@@ -1,0 +1,77 @@
+#pragma once
+// Decimal numbers as model files write them, read several digits at a time.
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace glibra::geometry {
+
+/// Digits in front of a number's text, at most eight: their value and how many they are.
+struct Digits {
+    std::uint64_t value = 0;
+    std::size_t count = 0;
+};
+
+/// The run of digits at `at`, of which at least eight bytes must be readable; a longer run is cut after
+/// eight. All eight bytes are looked at together (Lemire, Quickly parsing eight digits, 2018), so that the
+/// time does not depend on where the run ends.
+inline Digits digitsAt(const char* at) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, at, sizeof bytes);
+    if constexpr (std::endian::native == std::endian::big) bytes = __builtin_bswap64(bytes);
+    const std::uint64_t values = bytes ^ 0x3030303030303030U;  // a digit becomes 0..9, all else is above
+    const std::uint64_t others = ((values + 0x7676767676767676U) | values) & 0x8080808080808080U;
+    const auto count = static_cast<std::size_t>(std::countr_zero(others)) / 8;  // 64 / 8 where there is none
+    if (count == 0) return {};
+    std::uint64_t digits = values << (64 - 8 * count);  // zeros in front
+    digits = (digits * 10 + (digits >> 8)) & 0x00ff00ff00ff00ffU;
+    digits = (digits * 100 + (digits >> 16)) & 0x0000ffff0000ffffU;
+    digits = (digits * 10'000 + (digits >> 32)) & 0xffffffffU;
+    return {digits, count};
+}
+
+/// Bytes behind a number's first that readDecimal may look at.
+inline constexpr std::size_t kDecimalReach = 48;
+
+/// Reads [+-] digits [. digits] with up to 15 digits at `at`, of which kDecimalReach bytes must be readable:
+/// the float nearest to it, as std::from_chars gives. Returns the place behind it, or null where it is
+/// written in another way (an exponent, more digits, a bare dot) or is none.
+inline const char* readDecimal(const char* at, float& value) {
+    constexpr double kPowers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const bool negative = *at == '-';
+    if (negative || *at == '+') ++at;
+    const Digits whole = digitsAt(at);
+    at += whole.count;
+    std::uint64_t all = whole.value;
+    std::size_t count = whole.count, fraction = 0;
+    if (whole.count == 8) return nullptr;
+    if (*at == '.') {
+        const Digits first = digitsAt(++at);
+        at += first.count;
+        fraction = first.count;
+        constexpr std::uint64_t kWholePowers[] = {1,       10,        100,        1'000,      10'000,
+                                                  100'000, 1'000'000, 10'000'000, 100'000'000};
+        all = all * kWholePowers[first.count] + first.value;
+        if (first.count == 8) {
+            const Digits second = digitsAt(at);
+            at += second.count;
+            fraction += second.count;
+            all = all * kWholePowers[second.count] + second.value;
+        }
+        count += fraction;
+    }
+    if (count == 0 || count > 15 || *at == '.' || (*at | 0x20) == 'e') return nullptr;
+    // Both are exact in a double, so the quotient is the nearest double (Clinger, How to read floating point
+    // numbers accurately, 1990), and its nearest float is the number's, unless it lies half way between two.
+    const double exact = static_cast<double>(all) / kPowers[fraction];
+    constexpr std::uint64_t kBelowFloat = (std::uint64_t{1} << 29) - 1;
+    if ((std::bit_cast<std::uint64_t>(exact) & kBelowFloat) == kBelowFloat / 2 + 1) return nullptr;
+    const auto nearest = static_cast<float>(exact);
+    value = negative ? -nearest : nearest;
+    return at;
+}
+
+}  // namespace glibra::geometry

@@ -1,0 +1,49 @@
+#pragma once
+// The inner loops of the noise textures, in floats, many texels at once. What they give is within half a unit
+// of 1/4096 byte of the exact value; a texel that lies so near to the next byte that this could decide is
+// marked, and its byte is computed exactly by the caller.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glibra::noise {
+
+/// Values are in these: a byte is 2^12 of them.
+inline constexpr int kFractionBits = 12;
+inline constexpr double kUnitsPerValue = 255. * (1 << kFractionBits);
+
+/// Four weights as floats: of values and slopes at the near and the far end.
+struct RowWeights {
+    float n0 = 0, n1 = 0, g0 = 0, g1 = 0;
+};
+
+/// One octave of a row of texels: n0 * levels[0][i] + n1 * levels[1][i] + g0 * slopes[0][i] + g1 *
+/// slopes[1][i].
+struct OctaveRow {
+    std::array<const float*, 2> levels{};
+    std::array<const float*, 2> slopes{};
+    RowWeights weights;
+};
+
+/// Texels that are computed together.
+inline constexpr std::size_t kBlock = 64;
+
+struct TexelBlock {
+    std::array<std::uint32_t, kBlock> texels;  ///< red, green, blue, alpha in the order of memory
+    std::array<std::uint32_t, kBlock> doubts;  ///< 0: a byte of the texel has to be computed exactly
+};
+
+/// Texels `begin` .. `begin + count` of a row, 1..kBlock of them, from its four octaves. True if one or more
+/// are in doubt.
+bool combineOctaves(const std::array<OctaveRow, 4>& octaves, std::size_t begin, std::size_t count,
+                    TexelBlock& block);
+
+/// sum[i] = n0 * levels[0][i] + n1 * levels[1][i] + g0 * slopes[0][i] + g1 * slopes[1][i], for i below
+/// `count`.
+void mergeRows(const OctaveRow& row, std::size_t count, float* sum);
+
+/// sum[i] = n0 * levels[0][i] + n1 * levels[1][i].
+void mergeLevels(const OctaveRow& row, std::size_t count, float* sum);
+
+}  // namespace glibra::noise

@@ -1,0 +1,76 @@
+// From a scene's file to a Scene, and what becomes of its diagnostics.
+
+#include <set>
+#include <tuple>
+
+#include "image/file.h"
+#include "render/scene_renderer.h"
+#include "scene/interpret.h"
+
+namespace glibra::render {
+namespace {
+
+/// The scene's text, or glib-E14 and glib-E15 in place of the ids of files that a scene names.
+Result<std::string> readScene(const std::filesystem::path& path) {
+    const Place place{path.string(), 1, 1};
+    std::error_code failure;
+    // An empty scene is legal, unlike every other empty file.
+    if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
+        return std::string();
+    constexpr std::uint64_t kLargestScene = 4ULL << 20;
+    const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
+    if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    const Diagnostic& why = bytes.diagnostics.front();
+    return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
+}
+
+/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
+void removeRepeats(Diagnostics& diagnostics) {
+    std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        const bool byPlace = each.id == "glib-W15";
+        return !seen.emplace(each.id, each.place.file, each.place.line, each.place.column,
+                             byPlace ? "" : each.text)
+                    .second;
+    });
+}
+
+}  // namespace
+
+Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
+                                   Stats& stats) {
+    stats.add("files read", 1);
+    Result<std::string> text = readScene(path);
+    if (!text) return std::move(text.diagnostics);
+    glib::Script script;
+    {
+        const StageTimer timer(stats, "parse");
+        script = glib::parse(*text, path.string());
+    }
+    const StageTimer timer(stats, "interpret");
+    scene::Scene scene = scene::interpret(script, {options.libraryRoots});
+    Diagnostics diagnostics = std::move(script.diagnostics);
+    append(diagnostics, std::move(scene.diagnostics));
+    scene.diagnostics.clear();
+    return {std::move(scene), std::move(diagnostics)};
+}
+
+Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {
+    Result<std::vector<plan::Override>> overrides{std::vector<plan::Override>{}};
+    for (const std::string& each : set) {
+        Result<plan::Override> parsed = plan::parseOverride(each);
+        append(overrides.diagnostics, std::move(parsed.diagnostics));
+        if (parsed) overrides->push_back(std::move(*parsed));
+    }
+    if (hasError(overrides.diagnostics)) overrides.value.reset();
+    return overrides;
+}
+
+void applyStrict(Diagnostics& diagnostics, bool strict) {
+    removeRepeats(diagnostics);
+    if (!strict) return;
+    for (Diagnostic& each : diagnostics)
+        if (each.severity == Severity::warning) each.severity = Severity::error;
+}
+
+}  // namespace glibra::render

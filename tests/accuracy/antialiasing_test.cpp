@@ -1,0 +1,143 @@
+#include "bench/antialiasing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "bench/coverage.h"
+#include "bench/fit.h"
+#include "bench/offscreen.h"
+#include "bench/patterns.h"
+#include "bench/pixel_filter.h"
+
+namespace glibra::bench {
+namespace {
+
+TEST(Coverage, ATriangleThatCoversHalfASquareOfPixelsHasHalfItsArea) {
+    const std::vector<FlatTriangle> triangles{{{{0, 0}, {4, 0}, {0, 4}}}};
+    const std::vector<double> shares = coverage(triangles, 4, 4);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            EXPECT_DOUBLE_EQ(shares[static_cast<std::size_t>(y * 4 + x)], x + y < 3    ? 1
+                                                                          : x + y == 3 ? .5
+                                                                                       : 0);
+}
+
+TEST(Coverage, AreasOfAnyTriangleAddUpAndReachBeyondThePictureWithoutHarm) {
+    const std::vector<FlatTriangle> inside{{{{1.3, .7}, {8.9, 5.1}, {2.2, 9.6}}}};
+    const std::vector<double> shares = coverage(inside, 10, 10);
+    const double area = .5 * std::abs((8.9 - 1.3) * (9.6 - .7) - (2.2 - 1.3) * (5.1 - .7));
+    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.), area, 1e-12);
+    const std::vector<FlatTriangle> beyond{{{{-100, -100}, {200, -100}, {-100, 200}}}};
+    const std::vector<double> full = coverage(beyond, 3, 3);
+    EXPECT_DOUBLE_EQ(std::accumulate(full.begin(), full.end(), 0.), 9);
+}
+
+TEST(PixelFilter, EveryFilterKeepsAConstantAndItsWeightsMatchItsDefinition) {
+    const std::vector<float> constant(40 * 40, .625F);
+    for (const PixelFilter filter : kPixelFilters) {
+        for (const double each : reduce(constant, 10, 10, 4, filter)) EXPECT_NEAR(each, .625, 1e-14);
+        EXPECT_GT(weightOf(filter, 0), 0);
+        EXPECT_EQ(weightOf(filter, radiusOf(filter) + .001), 0);
+    }
+    EXPECT_NEAR(weightOf(PixelFilter::mitchell, 0), 8. / 9, 1e-15);
+    EXPECT_NEAR(weightOf(PixelFilter::mitchell, 1), 1. / 18, 1e-15);
+    EXPECT_NEAR(weightOf(PixelFilter::lanczos2, 1), 0, 1e-15);
+    EXPECT_NEAR(weightOf(PixelFilter::lanczos2, 1.5), -.06355, 5e-4);
+}
+
+TEST(PixelFilter, BoxIsTheMeanOfAPixelsSamplesAndTentReachesTheNeighbours) {
+    std::vector<float> samples(6 * 6, 0.F);
+    samples[2 * 6 + 2] = 1;  // upper left sample of the middle pixel
+    const std::vector<double> box = reduce(samples, 3, 3, 2, PixelFilter::box);
+    EXPECT_DOUBLE_EQ(box[4], .25);
+    EXPECT_DOUBLE_EQ(box[0], 0);
+    const std::vector<double> tent = reduce(samples, 3, 3, 2, PixelFilter::tent);
+    EXPECT_GT(tent[0], tent[8]);
+    // Weights of the middle pixel along one axis: .25 .75 .75 .25 over samples 1 to 4.
+    EXPECT_DOUBLE_EQ(tent[4], .375 * .375);
+}
+
+class Antialiasing : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Bench bench({.quick = true});
+        Result<std::vector<Figure>> measured = measureAntialiasing(bench);
+        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
+        figures = std::move(*measured);
+    }
+    static const Curve& curve(std::string_view figure, std::string_view name) {
+        for (const Figure& each : figures)
+            if (each.name == figure)
+                for (const Curve& found : each.curves)
+                    if (found.name == name) return found;
+        throw std::out_of_range(std::string(name));
+    }
+    static inline std::vector<Figure> figures;
+};
+
+TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
+    // Area of an edge under a regular grid of n x n samples: between 1/n (parallel) and n^-1.5 (any slope),
+    // in samples -.5 to -.75; Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
+    const double order = fittedOrder(curve("edges", "supersampling, box"));
+    EXPECT_LT(order, -.6);
+    EXPECT_GT(order, -1);
+}
+
+TEST_F(Antialiasing, MultisamplingHelpsEdgesAndNothingElse) {
+    for (const Figure& each : figures) {
+        const Curve& multi = each.curves.front();
+        if (multi.points.size() < 2) GTEST_SKIP() << "this driver has one sample only";
+        const double left = multi.points.back().error / multi.points.front().error;
+        if (each.name == "edges") {
+            EXPECT_LT(left, .6);
+        } else {
+            EXPECT_NEAR(left, 1, .02) << each.name;
+        }
+    }
+}
+
+TEST_F(Antialiasing, EveryFilterGetsCloserToItsLimitWithMoreSamples) {
+    for (const Figure& each : figures)
+        for (const Curve& found : each.curves)
+            if (found.name.find("supersampling") != std::string::npos) {
+                EXPECT_LT(fittedOrder(found), -.3) << each.name << ": " << found.name;
+            }
+}
+
+TEST_F(Antialiasing, OneSampleOfAnIntegratedStripeBeatsSixteenOfAStep) {
+    const double steps = curve("stripes", "step, supersampling, box").points.back().error;
+    EXPECT_LT(curve("stripes", "integral along the gradient, supersampling, box").points.front().error,
+              steps);
+    EXPECT_LT(curve("stripes", "integral over the pixel, supersampling, box").points.front().error, 1.5);
+}
+
+TEST_F(Antialiasing, ManySamplesAgreeWithTheExactIntegrals) {
+    Bench bench({.quick = true});
+    Result<gpu::Context*> context = bench.context();
+    ASSERT_TRUE(context);
+    const gpu::Capabilities& capabilities = (*context)->capabilities();
+    Result<std::vector<Pattern>> all = patterns(capabilities);
+    ASSERT_TRUE(all);
+    constexpr int kSide = 32, kFactor = 32;
+    Result<gpu::Target> target =
+        gpu::Target::window(capabilities, kSide * kFactor, kSide * kFactor, gpu::TexelFormat::r32f);
+    ASSERT_TRUE(target);
+    for (const Pattern& pattern : *all) {
+        if (!pattern.exact) continue;
+        target->bind();
+        target->clearColor(0, {});
+        pattern.draw(pattern.programs.front(), kSide);
+        Result<std::vector<float>> samples = readFloats(capabilities, *target, 1);
+        ASSERT_TRUE(samples);
+        const std::vector<double> means = reduce(*samples, kSide, kSide, kFactor, PixelFilter::box);
+        const std::vector<double> exact = pattern.exact(kSide);
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            EXPECT_NEAR(means[i], exact[i], .04) << pattern.name << " pixel " << i;
+    }
+}
+
+}  // namespace
+}  // namespace glibra::bench

@@ -1,0 +1,130 @@
+#include "bench/filters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/bench.h"
+#include "bench/filter_passes.h"
+#include "bench/filter_reference.h"
+
+namespace glibra::bench {
+namespace {
+
+TEST(GaussianWeights, AddUpToOneAndFallAsTheBellDoes) {
+    for (const int radius : {1, 2, 5, 16}) {
+        const std::vector<double> weights = gaussianWeights(radius);
+        ASSERT_EQ(weights.size(), static_cast<std::size_t>(radius) + 1);
+        double sum = weights[0];
+        for (int i = 1; i <= radius; ++i) {
+            sum += 2 * weights[static_cast<std::size_t>(i)];
+            const double sigma = radius / 2.;
+            EXPECT_NEAR(weights[static_cast<std::size_t>(i)] / weights[0],
+                        std::exp(-i * i / (2 * sigma * sigma)), 1e-12);
+        }
+        EXPECT_NEAR(sum, 1, 1e-12);
+    }
+}
+
+TEST(BlurInDouble, SpreadsOnePixelByTheProductOfTheWeights) {
+    Plane plane{9, 9, std::vector<double>(81, 0)};
+    plane.values[4 * 9 + 4] = 1;
+    const std::vector<double> weights = gaussianWeights(3);
+    const Plane spread = blurred(plane, weights);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 9; ++x) {
+            const int dx = std::abs(x - 4), dy = std::abs(y - 4);
+            const double wanted = dx > 3 || dy > 3 ? 0
+                                                   : weights[static_cast<std::size_t>(dx)] *
+                                                         weights[static_cast<std::size_t>(dy)];
+            EXPECT_NEAR(spread.at(x, y), wanted, 1e-15);
+        }
+}
+
+TEST(BlurInDouble, LeavesAConstantAlsoAtTheRim) {
+    const Plane plane{6, 5, std::vector<double>(30, .3)};
+    for (const double value : blurred(plane, gaussianWeights(8)).values) EXPECT_NEAR(value, .3, 1e-12);
+}
+
+TEST(SobelInDouble, OfARampIsEightTimesItsSlope) {
+    Plane plane{8, 8, {}};
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) plane.values.push_back(.03 * x + .04 * y);
+    const Plane gradient = sobel(plane);
+    for (int y = 1; y < 7; ++y)
+        for (int x = 1; x < 7; ++x) EXPECT_NEAR(gradient.at(x, y), 8 * .05, 1e-12);
+}
+
+class FiltersOnTheDevice : public testing::Test {
+  protected:
+    void SetUp() override {
+        const Result<gpu::Context*> context = bench_.context();
+        ASSERT_TRUE(context);
+        capabilities_ = &(*context)->capabilities();
+    }
+    /// Largest difference of any pixel from the plane, in 255ths.
+    double largest(const std::vector<std::string>& fragments, gpu::TexelFormat between, const Plane& wanted) {
+        const Result<FilterChain> chain = FilterChain::create(*capabilities_, picture_, fragments, between);
+        EXPECT_TRUE(chain);
+        if (!chain) return 1e9;
+        chain->draw();
+        const Result<Plane> got = chain->result(*capabilities_);
+        EXPECT_TRUE(got);
+        double most = 0;
+        for (std::size_t i = 0; i < wanted.values.size(); ++i)
+            most = std::max(most, std::abs(got->values[i] - wanted.values[i]) * 255);
+        return most;
+    }
+    Bench bench_{{.quick = true}};
+    const gpu::Capabilities* capabilities_ = nullptr;
+    Plane picture_ = testPicture(64);
+};
+
+TEST_F(FiltersOnTheDevice, OfFloatsAreTheReferenceAtEveryPixel) {
+    for (const int radius : {1, 3, 8}) {
+        const std::vector<double> weights = gaussianWeights(radius);
+        const Plane wanted = blurred(picture_, weights);
+        const auto format = gpu::TexelFormat::rgba32f;
+        EXPECT_LT(largest({directBlur(weights)}, format, wanted), .001);
+        EXPECT_LT(largest({blurAlong(weights, false), blurAlong(weights, true)}, format, wanted), .001);
+        // Hardware filters may weigh by 256ths.
+        EXPECT_LT(largest({pairedBlurAlong(weights, false), pairedBlurAlong(weights, true)}, format, wanted),
+                  2);
+    }
+    const Plane gradient = sobel(picture_);
+    EXPECT_LT(largest({directSobel()}, gpu::TexelFormat::rgba32f, gradient), .001);
+    EXPECT_LT(largest({sobelColumns(1, 0), sobelRows(1, 0)}, gpu::TexelFormat::rgba32f, gradient), .001);
+    EXPECT_LT(largest({sobelColumns(.2, .2), sobelRows(.2, .2)}, gpu::TexelFormat::rgba32f, gradient), .001);
+}
+
+TEST_F(FiltersOnTheDevice, OfOneDirectionAreNotABlur) {
+    const std::vector<double> weights = gaussianWeights(3);
+    EXPECT_GT(largest({blurAlong(weights, false)}, gpu::TexelFormat::rgba32f, blurred(picture_, weights)), 5);
+}
+
+TEST_F(FiltersOnTheDevice, RoundToBytesBetweenTheirPasses) {
+    // Half a step for each row's pixel, averaged by the second pass; and more than a float's error.
+    const std::vector<double> weights = gaussianWeights(4);
+    const double most = largest({blurAlong(weights, false), blurAlong(weights, true)},
+                                gpu::TexelFormat::rgba8, blurred(picture_, weights));
+    EXPECT_LT(most, .51);
+    EXPECT_GT(most, .05);
+}
+
+TEST(MeasuredFilters, RankTheTexelsByTheirBits) {
+    Bench bench({.quick = true});
+    const Result<std::vector<Figure>> figures = measureFilters(bench);
+    ASSERT_TRUE(figures);
+    ASSERT_EQ(figures->size(), 3U);
+    for (const Figure& figure : *figures) {
+        const std::size_t first = figure.name == "repeated" ? 0 : 1;  // after the direct one
+        const auto errorOf = [&](std::size_t i) { return figure.curves[first + i].points.front().error; };
+        EXPECT_LT(errorOf(0), errorOf(2)) << "float, 16 bit: " << figure.name;
+        EXPECT_LT(errorOf(2), errorOf(1)) << "16 bit, half float: " << figure.name;
+        EXPECT_LT(errorOf(1), errorOf(3)) << "half float, 8 bit: " << figure.name;
+    }
+}
+
+}  // namespace
+}  // namespace glibra::bench

@@ -1,0 +1,155 @@
+#include "bench/noise_textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bench/byte_filter.h"
+#include "bench/fit.h"
+#include "bench/noise_shaders.h"
+#include "bench/noise_volume.h"
+
+namespace glibra::bench {
+namespace {
+
+TEST(ByteFilter, PointsComeBackAsTheyWere) {
+    std::vector<Point> points{{.setting = 3, .label = "a \"quoted\" label", .error = 1. / 3},
+                              {.setting = 4, .label = "", .error = std::numeric_limits<double>::quiet_NaN()}};
+    points[0].time = Timing{.median = 1e-7, .low = 1e-8, .high = 1. / 7, .repeats = 11};
+    points[1].memory = 1e9;
+    const std::optional<std::vector<Point>> back = pointsFromText(pointsToText(points));
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->size(), 2U);
+    EXPECT_EQ((*back)[0].error, 1. / 3);
+    EXPECT_EQ((*back)[0].label, points[0].label);
+    ASSERT_TRUE((*back)[0].time);
+    EXPECT_EQ((*back)[0].time->high, 1. / 7);
+    EXPECT_EQ((*back)[0].time->repeats, 11);
+    EXPECT_FALSE((*back)[0].memory);
+    EXPECT_TRUE(std::isnan((*back)[1].error));
+    EXPECT_EQ((*back)[1].memory, 1e9);
+    EXPECT_FALSE(pointsFromText("not points"));
+}
+
+TEST(NoiseVolume, TexelsAreFoundWhereTheyStand) {
+    const std::vector<float> exact = exactTexels(8);
+    const NoiseVolume volume(8, NoiseFormat::single, exact);
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 place(i / 8., (7 - i) / 8., .125);
+        const Octaves found = volume.at(place), wanted = exactNoise(place);
+        for (std::size_t octave = 0; octave < found.size(); ++octave)
+            EXPECT_NEAR(found[octave], wanted[octave], 1e-7);
+    }
+    const Octaves here = volume.at({.3, .4, .95}), next = volume.at({1.3, -.6, -.05});
+    for (std::size_t octave = 0; octave < here.size(); ++octave)
+        EXPECT_NEAR(here[octave], next[octave], 1e-12);
+}
+
+TEST(NoiseVolume, TheSequenceFillsEveryEighthOfTheCubeAlike) {
+    std::array<int, 8> count{};
+    for (int i = 0; i < 800; ++i) {
+        const glm::dvec3 place = spread(i);
+        ++count[(place.x < .5 ? 0U : 1U) + (place.y < .5 ? 0U : 2U) + (place.z < .5 ? 0U : 4U)];
+    }
+    for (const int each : count) EXPECT_NEAR(each, 100, 12);
+}
+
+class Noise : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Bench bench({.quick = true});
+        Result<std::vector<Figure>> measured = measureNoise(bench);
+        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
+        figures = std::move(*measured);
+    }
+    static const Curve* find(std::string_view figure, std::string_view name) {
+        for (const Figure& each : figures)
+            if (each.name == figure)
+                for (const Curve& found : each.curves)
+                    if (found.name == name) return &found;
+        return nullptr;
+    }
+    static const Curve& curve(std::string_view figure, std::string_view name) {
+        if (const Curve* found = find(figure, name)) return *found;
+        throw std::out_of_range(std::string(name));
+    }
+    static inline std::vector<Figure> figures;
+};
+
+TEST_F(Noise, InterpolationOfASmoothOctaveIsOfSecondOrder) {
+    EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells a period")), -2, .1);
+}
+
+TEST_F(Noise, OneTexelACellHoldsNothingOfAnOctave) {
+    // Every texel lies on a lattice point, where the noise is 1/2.
+    EXPECT_NEAR(curve("octaves", "16 cells a period").points.front().error, 1, 1e-9);
+    EXPECT_NEAR(curve("octaves", "32 cells a period").points[1].error, 1, 1e-9);
+}
+
+TEST_F(Noise, RoundingToBytesAddsTheNoiseOfRounding) {
+    // Variance 1/12 a texel and octave, four octaves, and each axis of the interpolation keeps 2/3 of it.
+    const double bytes = curve("texels", "8 bit, rounded").points.back().error;
+    const double floats = curve("texels", "float").points.back().error;
+    EXPECT_NEAR(std::sqrt(bytes * bytes - floats * floats), std::sqrt(4. / 12 * 8 / 27), .08);
+}
+
+TEST_F(Noise, CuttingOffMakesTheSumDarkerByHalfAStepAnOctave) {
+    const double cut = curve("texels", "8 bit, cut off").points.back().error;
+    const double rounded = curve("texels", "8 bit, rounded").points.back().error;
+    EXPECT_NEAR(std::sqrt(cut * cut - rounded * rounded), 2, .15);
+}
+
+TEST_F(Noise, TheFunctionInTheShaderIsTheOneOnTheCpu) {
+    EXPECT_LT(curve("drawn", "function in the shader").points.front().error, .01);
+}
+
+TEST_F(Noise, TheShadersFilterAndTheDriversAgree) {
+    const Curve& driver = curve("drawn", "driver's filter, float");
+    const Curve& shader = curve("drawn", "shader's filter, float");
+    for (std::size_t i = 0; i < driver.points.size(); ++i)
+        EXPECT_NEAR(driver.points[i].error, shader.points[i].error, .05);
+}
+
+TEST_F(Noise, BytesFilteredInBytesAreWorse) {
+    const Curve* bytes = find("drawn", "driver's filter in bytes, 8 bit, cut off");
+    if (!bytes) GTEST_SKIP() << "this driver has one way of filtering";
+    EXPECT_GT(bytes->points.back().error,
+              curve("drawn", "driver's filter, 8 bit, cut off").points.back().error);
+}
+
+TEST_F(Noise, RepeatingHidesTheSeamAndClampingDoesNot) {
+    const double middle = curve("seam", "repeated, in the middle").points.back().error;
+    EXPECT_LT(curve("seam", "repeated").points.back().error, 1.3 * middle);
+    EXPECT_GT(curve("seam", "clamped to the edge").points.back().error, 1.3 * middle);
+}
+
+TEST_F(Noise, APixelIsWhatTheTableGivesThere) {
+    Bench bench({.quick = true});
+    Result<gpu::Context*> context = bench.context();
+    ASSERT_TRUE(context);
+    const gpu::Capabilities& capabilities = (*context)->capabilities();
+    const NoiseVolume volume(16, NoiseFormat::single, exactTexels(16));
+    Result<gpu::Texture> texture = volume.upload(capabilities);
+    ASSERT_TRUE(texture);
+    const NoisePlane plane{.corner = {-.3, .2, .1}, .across = {1.4, .1, .2}, .up = {.1, .9, -.7}};
+    for (const NoiseShader shader : {NoiseShader::driverFilter, NoiseShader::shaderFilter}) {
+        Result<NoisePicture> picture = NoisePicture::create(capabilities, shader, 32);
+        ASSERT_TRUE(picture) << toString(picture.diagnostics.front());
+        picture->draw(plane, &*texture);
+        Result<std::vector<float>> pixels = picture->pixels();
+        ASSERT_TRUE(pixels);
+        for (int row = 0; row < 32; ++row)
+            for (int column = 0; column < 32; ++column) {
+                const Octaves wanted = volume.at(picture->place(plane, column, row));
+                for (std::size_t i = 0; i < wanted.size(); ++i)
+                    // Hardware keeps 8 bits of the filter's weights.
+                    EXPECT_NEAR((*pixels)[static_cast<std::size_t>(row * 32 + column) * 4 + i], wanted[i],
+                                .003);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace glibra::bench

@@ -1,0 +1,179 @@
+// Subjects 7, 9, 11 and 12: what rounding does, where theory says how much.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/curves.h"
+#include "bench/exact.h"
+#include "bench/fit.h"
+#include "bench/fractals.h"
+#include "bench/ray_sphere.h"
+#include "bench/shader_values.h"
+#include "bench/transforms.h"
+#include "samples.h"
+
+namespace glibra::bench::test {
+namespace {
+
+class Transforms : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { figures = quickFigures(measureTransforms); }
+    static void TearDownTestSuite() { figures.clear(); }
+    static std::vector<Figure> figures;
+};
+
+std::vector<Figure> Transforms::figures;
+
+TEST_F(Transforms, AreSound) {
+    expectSound(figures);
+    EXPECT_EQ(figures.size(), 4U);
+}
+
+TEST_F(Transforms, FloatMatricesLoseADigitForEachDecadeOfDistance) {
+    const Figure& figure = figureOf(figures, "distance");
+    EXPECT_NEAR(fittedOrder(curveOf(figure, "CPU, float matrices"), 100), 1, .1);
+    EXPECT_NEAR(fittedOrder(curveOf(figure, "shader, model then view"), 100), 1, .1);
+    for (const char* name :
+         {"CPU, product in double, rounded once", "shader, product in double, rounded once"})
+        for (const Point& point : curveOf(figure, name).points)
+            EXPECT_LT(point.error, 2e-6) << name << ", " << point.label;
+}
+
+TEST_F(Transforms, DoubleIsNineDigitsBetterThanFloat) {
+    for (const char* name : {"distance", "size"}) {
+        const Figure& figure = figureOf(figures, name);
+        const Curve &single = curveOf(figure, "CPU, float matrices"), &twice = curveOf(figure, "CPU, double");
+        for (std::size_t i = 0; i < single.points.size(); ++i) {
+            // 2^-24 against 2^-53, within an order or two as the roundings fall.
+            const double ratio = single.points[i].error / twice.points[i].error;
+            EXPECT_GT(ratio, 1e7) << name << ", " << single.points[i].label;
+            EXPECT_LT(ratio, 1e11) << name << ", " << single.points[i].label;
+        }
+    }
+    for (const Point& point : curveOf(figureOf(figures, "distance"), "shader, double").points)
+        EXPECT_LT(point.error, 1e-7);
+}
+
+TEST_F(Transforms, ChainsDriftAndOneAngleDoesNot) {
+    const Figure& figure = figureOf(figures, "chain");
+    const auto last = [&](const char* name) { return curveOf(figure, name).points.back().error; };
+    EXPECT_GT(last("float matrices multiplied"), 1e-5);
+    EXPECT_LT(last("angle in double, matrix rounded once"), 6e-8) << "half a unit in the last place of 1";
+    EXPECT_LT(last("double matrices multiplied"), 1e-11);
+    EXPECT_GT(last("shader, float matrices multiplied"), 1e-6);
+}
+
+TEST_F(Transforms, OnlyTheModelMatrixItselfIsWrongForNormals) {
+    const Figure& figure = figureOf(figures, "normal-matrix");
+    for (const Curve& curve : figure.curves) {
+        EXPECT_LT(curve.points.front().error, 1e-4) << curve.name << ": a rotation alone is right either way";
+        if (curve.name == "the model matrix itself")
+            EXPECT_GT(curve.points.back().error, 45);
+        else
+            EXPECT_LT(curve.points.back().error, .01) << curve.name;
+    }
+}
+
+TEST(Exact, KnowsPiAndRightAngles) {
+    const ExactVector x = exact(glm::dvec3(1, 0, 0));
+    EXPECT_DOUBLE_EQ(degreesBetween(x, {0, 3, 0}), 90);
+    EXPECT_NEAR(degreesBetween(x, {1, 1e-12, 0}), 1e-12 * 180 / 3.14159265358979, 1e-24);
+    EXPECT_EQ(distance(x, {1, 0, 0}), 0);
+    EXPECT_NEAR(distance(x, {1, 1e-30, 0}), 1e-30, 1e-44);
+}
+
+TEST(ShaderValues, ComeBackInTheirOrder) {
+    Bench bench({.quick = true});
+    std::vector<Four> inputs;
+    for (int i = 0; i < 300; ++i) {
+        const auto value = static_cast<float>(i);
+        inputs.push_back({value, 1, 2, 3});
+        inputs.push_back({2 * value, 0, 0, 0});
+    }
+    const Result<ShaderValues> shader = ShaderValues::create(
+        bench, "vec4 value() { return vec4(given(0).x, given(1).x, given(0).w, 7.); }", inputs, 2);
+    ASSERT_TRUE(shader) << toString(shader.diagnostics.front());
+    shader->compute();
+    const Result<std::vector<Four>> values = shader->values();
+    ASSERT_TRUE(values);
+    ASSERT_EQ(values->size(), 300U);
+    for (std::size_t i = 0; i < 300; ++i)
+        EXPECT_EQ((*values)[i], (Four{static_cast<float>(i), 2 * static_cast<float>(i), 3, 7})) << i;
+    EXPECT_FALSE(ShaderValues::create(bench, "vec4 value() { return 1; }", inputs));
+}
+
+TEST(Curves, BehaveAsTheirSchemesSay) {
+    const std::vector<Figure> figures = quickFigures(measureCurves);
+    expectSound(figures);
+    const Figure& parameter = figureOf(figures, "parameter");
+    for (const Point& point : curveOf(parameter, "float, t = i / n").points)
+        EXPECT_LE(point.error, std::ldexp(1., -25)) << "half a unit in the last place below 1";
+    EXPECT_GT(curveOf(parameter, "float, t += dt").points.back().error, 1e-4);
+    EXPECT_LT(curveOf(parameter, "float, t += dt with compensation").points.back().error, 1e-6);
+    EXPECT_GT(curveOf(parameter, "shader, t += dt (at the end)").points.back().error, 1e-4);
+
+    for (const char* name : {"chords", "chords-step"}) {
+        const Figure& chords = figureOf(figures, name);
+        const Curve &fixed = curveOf(chords, "fixed steps of t"),
+                    &adaptive = curveOf(chords, "halved until flat");
+        EXPECT_NEAR(fittedOrder(fixed, 250), -2, .1) << name;
+        EXPECT_NEAR(fittedOrder(adaptive, 30), -2, .5) << name;
+        for (const Point& point : adaptive.points) {
+            const double tolerance = std::ldexp(1., std::stoi(point.label.substr(point.label.find('^') + 1)));
+            EXPECT_LT(point.error, 1.5 * tolerance) << name << ", " << point.label;
+        }
+    }
+    const Figure& step = figureOf(figures, "chords-step");
+    EXPECT_LT(3 * curveOf(step, "halved until flat").points.back().setting,
+              curveOf(step, "fixed steps of t").points.back().setting);
+    EXPECT_LT(curveOf(step, "halved until flat").points.back().error,
+              4 * curveOf(step, "fixed steps of t").points.back().error);
+
+    const Figure& streamlines = figureOf(figures, "streamlines");
+    EXPECT_NEAR(fittedOrder(curveOf(streamlines, "midpoint"), 2000), -2, .2);
+    EXPECT_NEAR(fittedOrder(curveOf(streamlines, "Runge-Kutta 4"), 2000), -4, .4);
+    const Curve& adaptive = curveOf(streamlines, "Dormand-Prince, adaptive");
+    EXPECT_LT(adaptive.points.back().error, 1e-3 * adaptive.points.front().error);
+    EXPECT_TRUE(std::ranges::is_sorted(adaptive.points, std::greater<>(), &Point::error));
+}
+
+TEST(Fractals, LoseTheirPixelsWhereTheMantissaEnds) {
+    const std::vector<Figure> figures = quickFigures(measureFractals);
+    expectSound(figures);
+    const Figure& figure = figures.front();
+    const auto wrong = [&](const char* curve, std::size_t point) {
+        return curveOf(figure, curve).points.at(point).error;
+    };
+    // Zooms 1, 1e5, 1e10 and 1e15, at 32 pixels a side: a pixel is 1e-1, 1e-6, 1e-11, 1e-16 wide.
+    for (const char* name : {"CPU, float", "shader, float"}) {
+        EXPECT_LT(wrong(name, 0), .05) << name;
+        EXPECT_GT(wrong(name, 2), .5) << name;
+    }
+    for (const char* name : {"CPU, double", "shader, double"}) {
+        EXPECT_LT(wrong(name, 2), .05) << name;
+        EXPECT_GT(wrong(name, 3), .1) << name;
+    }
+    for (const char* name : {"CPU, float by perturbation", "shader, float by perturbation"})
+        for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(wrong(name, i), .05) << name << ", " << i;
+}
+
+TEST(RaySphere, StableFormStaysWithinTheRoundingOfTheDistance) {
+    const std::vector<Figure> figures = quickFigures(measureRaySphere);
+    expectSound(figures);
+    const Figure& hit = figureOf(figures, "hit");
+    for (const char* name : {"CPU, float, stable", "shader, stable"})
+        for (const Point& point : curveOf(hit, name).points)
+            EXPECT_LT(point.error, 4 * std::ldexp(1., -23) * point.setting) << name << ", " << point.label;
+    EXPECT_GT(curveOf(hit, "CPU, float, textbook").points.back().error, 1) << "the whole sphere is lost";
+    EXPECT_LT(curveOf(hit, "CPU, double, stable").points.back().error, 1e-8);
+    const Figure& decision = figureOf(figures, "decision");
+    const Curve &textbook = curveOf(decision, "CPU, float, textbook"),
+                &stable = curveOf(decision, "CPU, float, stable");
+    for (std::size_t i = 0; i < stable.points.size(); ++i)
+        EXPECT_LE(stable.points[i].error, textbook.points[i].error) << stable.points[i].label;
+}
+
+}  // namespace
+}  // namespace glibra::bench::test

@@ -1,0 +1,149 @@
+// Fronts, timing, orders, and what a run makes of its subjects.
+
+#include "bench/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bench/fit.h"
+#include "bench/log_axis.h"
+#include "samples.h"
+
+namespace glibra::bench::test {
+namespace {
+
+std::string frontOf(Figure figure) {
+    markFront(figure);
+    std::string marks;
+    for (const Curve& curve : figure.curves) {
+        for (const Point& point : curve.points) marks += point.isOnFront ? '*' : '.';
+        marks += ' ';
+    }
+    return marks;
+}
+
+TEST(Front, HoldsWhatNothingCheaperBeats) {
+    Figure figure;
+    figure.curves = {{"a", {timedPoint(1, .5, 1), timedPoint(2, .1, 4), timedPoint(3, .05, 9)}},
+                     {"b", {timedPoint(1, .6, 2), timedPoint(2, .2, 3), timedPoint(3, .05, 10)}}};
+    EXPECT_EQ(frontOf(figure), "*** .*. ");
+}
+
+TEST(Front, IsByTheSettingUnlessAllPointsAreTimed) {
+    Figure figure;
+    figure.curves = {{"a", {timedPoint(4, .1, 1)}}, {"b", {timedPoint(2, .2, 5)}}};
+    EXPECT_EQ(frontOf(figure), "* . ");
+    figure.curves[1].points[0].time.reset();
+    EXPECT_EQ(frontOf(figure), "* * ") << "the setting 2 is cheaper than 4";
+}
+
+TEST(Front, HoldsEqualPointsTogetherAndNeverOneWithoutError) {
+    Figure figure;
+    figure.curves = {
+        {"a", {timedPoint(1, .1, 1), timedPoint(2, .1, 2)}},
+        {"b", {timedPoint(1, .1, 1), timedPoint(1, std::numeric_limits<double>::quiet_NaN(), .1)}}};
+    EXPECT_EQ(frontOf(figure), "*. *. ");
+}
+
+TEST(Front, IsOneOfAlternativesOnly) {
+    Figure figure;
+    figure.curves = {{"a", {timedPoint(1, .1, 1), timedPoint(2, .3, 2)}},
+                     {"b", {timedPoint(1, .2, 3), timedPoint(2, .2, 4)}}};
+    EXPECT_EQ(frontOf(figure), "*. .. ");
+    figure.alternatives = Alternatives::curve;
+    EXPECT_EQ(frontOf(figure), "*. *. ");
+    figure.alternatives = Alternatives::setting;
+    EXPECT_EQ(frontOf(figure), "** .* ");
+}
+
+TEST(TimingOf, InterpolatesQuartilesBetweenRanks) {
+    const Timing five = timingOf({5, 1, 4, 2, 3});
+    EXPECT_EQ(five.low, 2);
+    EXPECT_EQ(five.median, 3);
+    EXPECT_EQ(five.high, 4);
+    EXPECT_EQ(five.repeats, 5);
+    const Timing four = timingOf({10, 40, 20, 30});
+    EXPECT_EQ(four.low, 17.5);
+    EXPECT_EQ(four.median, 25);
+    EXPECT_EQ(four.high, 32.5);
+    EXPECT_EQ(timingOf({7}).high, 7);
+}
+
+TEST(Timing, IsRepeatedAndOrdered) {
+    const Bench quick({.quick = true});
+    int calls = 0;
+    const Timing timing = quick.time([&] { ++calls; });
+    EXPECT_EQ(timing.repeats, 3);
+    EXPECT_GT(calls, 100) << "short work is repeated inside one measurement";
+    EXPECT_LE(timing.low, timing.median);
+    EXPECT_LE(timing.median, timing.high);
+}
+
+TEST(FittedOrder, FindsThePowerOfAPowerLaw) {
+    Curve curve{"c", {}};
+    for (const double n : {4., 8., 16., 64.}) curve.points.push_back(pointAt(n, 3 * std::pow(n, -2.5)));
+    EXPECT_NEAR(fittedOrder(curve), -2.5, 1e-12);
+    curve.points.push_back(pointAt(128, 1));
+    EXPECT_GT(fittedOrder(curve), -2) << "it has to see the outlier";
+    EXPECT_NEAR(fittedOrder(curve, 0, 64), -2.5, 1e-12);
+    EXPECT_TRUE(std::isnan(fittedOrder(curve, 100)));
+    EXPECT_EQ(orderSentence(curve, "n", 0, 64), "c: error falls as n^-2.50");
+}
+
+TEST(LogAxis, PlacesPowersAtEqualSteps) {
+    const std::vector<double> values{1e-6, 1e3};
+    const LogAxis axis(values, 10);
+    const double step = axis.place(10) - axis.place(1);
+    EXPECT_NEAR(axis.place(1e-3) - axis.place(1e-4), step, 1e-12);
+    EXPECT_EQ(axis.place(0), 0);
+    for (const Tick& tick : axis.ticks()) {
+        EXPECT_GE(tick.place, 0);
+        EXPECT_LE(tick.place, 1);
+    }
+    EXPECT_EQ(axis.ticks().size(), 10U);
+}
+
+Result<std::vector<Figure>> fails(Bench& /*bench*/) {
+    return error("gpu-E01", "no usable OpenGL driver");
+}
+Result<std::vector<Figure>> works(Bench& /*bench*/) {
+    Figure figure;
+    figure.name = "one";
+    figure.curves = {{"c", {pointAt(1, .5)}}};
+    return std::vector<Figure>{figure};
+}
+
+TEST(Run, GoesOnAfterASubjectThatFails) {
+    const std::vector<Subject> table{{"bad", "Bad", fails}, {"good", "Good", works}};
+    const std::vector<const Subject*> chosen{&table[0], &table[1]};
+    std::vector<std::string> told;
+    const Report report = run(chosen, {.quick = true}, [&](const Subject& subject, std::size_t, std::size_t) {
+        told.emplace_back(subject.name);
+    });
+    EXPECT_EQ(told, (std::vector<std::string>{"bad", "good"}));
+    ASSERT_EQ(report.subjects.size(), 2U);
+    EXPECT_TRUE(hasError(report.subjects[0].diagnostics));
+    EXPECT_TRUE(lacksDriver(report));
+    ASSERT_EQ(report.subjects[1].figures.size(), 1U);
+    EXPECT_TRUE(report.subjects[1].figures[0].curves[0].points[0].isOnFront);
+    EXPECT_FALSE(report.machine.processor.empty());
+    EXPECT_GT(report.machine.cores, 0);
+    EXPECT_EQ(report.date.size(), std::string("2026-03-01T12:00:00Z").size());
+}
+
+TEST(Subjects, HaveNamesOfTheirOwn) {
+    std::vector<std::string_view> names;
+    for (const Subject& each : subjects()) {
+        EXPECT_EQ(std::ranges::count(names, each.name), 0) << each.name;
+        EXPECT_FALSE(each.title.empty());
+        names.push_back(each.name);
+    }
+    EXPECT_FALSE(names.empty());
+}
+
+}  // namespace
+}  // namespace glibra::bench::test

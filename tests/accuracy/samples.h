@@ -1,0 +1,52 @@
+#pragma once
+// Small reports made by hand, and the shortest way to a subject's figures.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/report.h"
+#include "bench/subject.h"
+
+namespace glibra::bench::test {
+
+inline Point pointAt(double setting, double error) {
+    return {.setting = setting, .label = std::to_string(static_cast<int>(setting)), .error = error};
+}
+
+inline Point timedPoint(double setting, double error, double seconds) {
+    Point point = pointAt(setting, error);
+    point.time = Timing{seconds, .9 * seconds, 1.1 * seconds, 7};
+    return point;
+}
+
+/// One subject with two curves, times and memory at some points, and names that need quoting.
+Report sampleReport();
+
+/// The figures of a subject in a quick run.
+inline std::vector<Figure> quickFigures(Result<std::vector<Figure>> (*measure)(Bench&)) {
+    Bench bench({.quick = true});
+    Result<std::vector<Figure>> figures = measure(bench);
+    for (const Diagnostic& each : figures.diagnostics) ADD_FAILURE() << toString(each);
+    return figures ? std::move(*figures) : std::vector<Figure>();
+}
+
+inline const Figure& figureOf(const std::vector<Figure>& figures, std::string_view name) {
+    const auto found = std::ranges::find(figures, name, &Figure::name);
+    if (found == figures.end()) throw std::out_of_range("no figure " + std::string(name));
+    return *found;
+}
+
+inline const Curve& curveOf(const Figure& figure, std::string_view name) {
+    const auto found = std::ranges::find(figure.curves, name, &Curve::name);
+    if (found == figure.curves.end()) throw std::out_of_range("no curve " + std::string(name));
+    return *found;
+}
+
+/// Names unique, sentences there, errors measurable and not negative, labels of a curve unique.
+void expectSound(const std::vector<Figure>& figures);
+
+}  // namespace glibra::bench::test

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "bench/scene_picture.h"
+#include "bench/shipped_scenes.h"
+
+namespace glibra::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+gpu::Context& context() {
+    static const std::unique_ptr<gpu::Context> shared = [] {
+        Result<gpu::Context> opened = gpu::openContext();
+        if (!opened) throw std::runtime_error("no driver");
+        return std::make_unique<gpu::Context>(std::move(*opened));
+    }();
+    return *shared;
+}
+
+/// A folder with a scene that fills 0 <= x < 3.375, 0 <= y < 8 of 8 x 8 pixels with the fragment's colour.
+class QuadScene {
+  public:
+    explicit QuadScene(const std::string& rgb) {
+        char name[] = "/tmp/glibra-scenes-XXXXXX";
+        if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
+        folder_ = name;
+        std::ofstream(folder_ / "s.glib")
+            << "WindowSize 8 8\nOrtho 0 8 0 8\nLookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\n"
+               "Vertex v.vert\nFragment f.frag\nProgram P\n"
+               "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
+               "glEnd\n";
+        std::ofstream(folder_ / "v.vert") << "#version 330 core\nvoid main() {\n"
+                                             "  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
+        std::ofstream(folder_ / "f.frag")
+            << "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(" << rgb << ", 1.); }\n";
+    }
+    QuadScene(const QuadScene&) = delete;
+    QuadScene& operator=(const QuadScene&) = delete;
+    ~QuadScene() { fs::remove_all(folder_); }
+    [[nodiscard]] fs::path path() const { return folder_ / "s.glib"; }
+
+  private:
+    fs::path folder_;
+};
+
+/// Red of a pixel of a float picture.
+float redAt(const image::Image& picture, int x, int y) {
+    float value = 0;
+    std::memcpy(&value, picture.row(y).data() + static_cast<std::size_t>(x) * 3 * sizeof(float),
+                sizeof value);
+    return value;
+}
+
+TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
+    const QuadScene scene("vec3(1.)");
+    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
+    ASSERT_TRUE(picture);
+    ASSERT_EQ(picture->width, 8);
+    for (int y = 0; y < 8; ++y) {
+        EXPECT_EQ(redAt(*picture, 2, y), 1);
+        EXPECT_EQ(redAt(*picture, 3, y), .375F);
+        EXPECT_EQ(redAt(*picture, 4, y), 0);
+    }
+    const Result<image::Image> plain = scenePicture(context(), scene.path(), {});
+    ASSERT_TRUE(plain);
+    const PictureError error = pictureError(*picture, *plain);
+    EXPECT_NEAR(error.rootMeanSquare, .375 / std::sqrt(8), 1e-6);
+    EXPECT_NEAR(error.differing, 1. / 8, 1e-12);
+    EXPECT_GT(error.flip, 0);
+}
+
+TEST(SampledPicture, ShowsShadersThePlaceOfEachSample) {
+    // Half of every pixel; its middle alone is all or nothing.
+    const QuadScene scene("vec3(step(.5, fract(gl_FragCoord.x + .001)))");
+    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(redAt(*picture, 1, 4), .5F);
+}
+
+TEST(SampledPicture, LimitsEachSampleToWhatAScreenShows) {
+    const QuadScene scene("vec3(4., -4., 0.)");
+    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 4);
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(redAt(*picture, 1, 1), 1);
+    EXPECT_EQ(redAt(*picture, 3, 1), .5F);  // 2 of 4 columns of samples
+}
+
+TEST(SampledPicture, OfOneSampleIsThePicture) {
+    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
+    ASSERT_TRUE(scenes);
+    RenderOptions options;
+    options.width = options.height = 64;
+    for (const ShippedScene& scene : *scenes) {
+        if (!scene.name.starts_with("shading/") && !scene.name.starts_with("tessellation/")) continue;
+        const Result<image::Image> sampled = sampledPicture(context(), scene.path, options, 1);
+        const Result<image::Image> plain = scenePicture(context(), scene.path, options);
+        ASSERT_TRUE(sampled && plain) << scene.name;
+        const PictureError error = pictureError(*sampled, *plain);
+        EXPECT_LT(error.rootMeanSquare, .5 / 255) << scene.name;
+        EXPECT_EQ(error.differing, 0) << scene.name;
+    }
+}
+
+TEST(ShippedScenesOfTheBench, AreThoseOfTheLibraryWithSlidersThatExist) {
+    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
+    ASSERT_TRUE(scenes);
+    std::size_t files = 0;
+    for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib"))
+        files += each.path().extension() == ".glib" ? 1 : 0;
+    EXPECT_EQ(scenes->size(), files);
+    EXPECT_TRUE(std::ranges::is_sorted(*scenes, {}, &ShippedScene::name));
+    int finest = 0;
+    for (const ShippedScene& scene : *scenes) {
+        std::ostringstream text;
+        text << std::ifstream(scene.path, std::ios::binary).rdbuf();
+        for (const std::string& set : scene.finest) {
+            ++finest;
+            EXPECT_NE(text.str().find(set.substr(0, set.find('=')) + " <"), std::string::npos)
+                << scene.name << ": " << set;
+        }
+    }
+    EXPECT_EQ(finest, 13);
+}
+
+}  // namespace
+}  // namespace glibra::bench

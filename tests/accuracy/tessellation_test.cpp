@@ -1,0 +1,109 @@
+#include "bench/tessellation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+
+#include "bench/fit.h"
+#include "bench/pn_triangle.h"
+#include "bench/tessellator.h"
+
+namespace glibra::bench {
+namespace {
+
+constexpr std::array<glm::dvec3, 3> kCorners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+TEST(PnTriangle, GoesThroughItsCornersAndTheirTangentPlanes) {
+    const PnTriangle triangle(kCorners, kCorners);
+    EXPECT_EQ(triangle.at({1, 0, 0}), kCorners[0]);
+    EXPECT_EQ(triangle.at({0, 0, 1}), kCorners[2]);
+    constexpr double kStep = 1e-6;
+    const glm::dvec3 moved = triangle.at({1 - kStep, kStep, 0}) - triangle.at({1, 0, 0});
+    EXPECT_NEAR(glm::dot(moved / kStep, kCorners[0]), 0, 1e-5);
+}
+
+TEST(PnTriangle, ItsMiddleOnAnOctantIsFourNinthsInEveryCoordinate) {
+    // Six tangent points with the mean 4/9, corners with the mean 1/3: b111 = 1/2, middle (1 + 8 + 3) / 27.
+    const glm::dvec3 middle = PnTriangle(kCorners, kCorners).at(glm::dvec3(1. / 3));
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(middle[i], 4. / 9, 1e-15);
+}
+
+TEST(PnTriangle, AFlatTriangleGivesHeightsAsDistances) {
+    const std::array<glm::dvec3, 3> corners{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}};
+    const std::array<glm::dvec3, 3> normals{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    EXPECT_NEAR(PnTriangle(corners, normals).distance({.5, .7, .25}, {.4, .3, .3}), .25, 1e-12);
+}
+
+class Tessellation : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        Bench bench({.quick = true});
+        Result<std::vector<Figure>> measured = measureTessellation(bench);
+        ASSERT_TRUE(measured) << toString(measured.diagnostics.front());
+        figures = std::move(*measured);
+    }
+    static const Figure& figure(std::string_view name) {
+        for (const Figure& each : figures)
+            if (each.name == name) return each;
+        throw std::out_of_range(std::string(name));
+    }
+    static inline std::vector<Figure> figures;
+};
+
+TEST_F(Tessellation, DistancesFallWithTheSquareOfTheLevelInEverySpacing) {
+    for (const char* name : {"bezier-largest", "bezier-mean", "sphere-largest", "sphere-mean",
+                             "pn-triangle-largest", "pn-triangle-mean"})
+        for (const Curve& curve : figure(name).curves)
+            EXPECT_NEAR(fittedOrder(curve, 8), -2, .2) << name << ", " << curve.name;
+}
+
+TEST_F(Tessellation, OneTriangleOfAnOctantMissesTheSphereByWhatItsMiddleSays) {
+    // Sampled on a grid of quarters, which has no middle: the nearest points are (1/2, 1/4, 1/4).
+    const Point& first = figure("sphere-largest").curves.front().points.front();
+    EXPECT_NEAR(first.error, 1 - std::sqrt(.25 + .0625 + .0625), 1e-6);
+}
+
+TEST_F(Tessellation, SymmetricSumsLeaveNoCrackAndOneSidedOnesDo) {
+    for (const Curve& curve : figure("cracks").curves) {
+        double all = 0;
+        for (const Point& point : curve.points) all += point.error;
+        if (curve.name.starts_with("symmetric")) {
+            EXPECT_EQ(all, 0) << curve.name;
+        } else {
+            EXPECT_GT(all, 0) << curve.name;
+        }
+    }
+}
+
+TEST_F(Tessellation, NeighboursOfDifferentLevelsLeaveGapsThatShrinkWithTheSquare) {
+    for (const Curve& curve : figure("level-gaps").curves)
+        EXPECT_NEAR(fittedOrder(curve, 4), -2, .4) << curve.name;
+}
+
+TEST_F(Tessellation, TheSpacingsCutAsTheirNamesSay) {
+    Bench bench({.quick = true});
+    Result<gpu::Context*> context = bench.context();
+    ASSERT_TRUE(context);
+    for (const auto& [spacing, segments] :
+         {std::pair(Spacing::equal, 4), {Spacing::fractionalEven, 4}, {Spacing::fractionalOdd, 5}}) {
+        Result<Tessellator> octant =
+            Tessellator::create((*context)->capabilities(), Evaluation::sphereOctant, spacing, {});
+        ASSERT_TRUE(octant);
+        // 3.2 is rounded up to a whole number, an even one, an odd one.
+        Result<std::vector<TessellatedVertex>> vertices = octant->capture({.outer = 3.2F, .inner = 3.2F});
+        ASSERT_TRUE(vertices);
+        std::vector<float> places;
+        for (const TessellatedVertex& each : *vertices)
+            if (each.coordinate.x == 0) places.push_back(each.coordinate.y);
+        std::ranges::sort(places);
+        const auto repeated = std::ranges::unique(places);
+        places.erase(repeated.begin(), repeated.end());
+        EXPECT_EQ(static_cast<int>(places.size()), segments + 1) << name(spacing);
+    }
+}
+
+}  // namespace
+}  // namespace glibra::bench

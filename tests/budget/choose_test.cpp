@@ -1,0 +1,281 @@
+// The choice for whole scenes, without GL: programs are described by hand.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "budget/budget.h"
+#include "budget/least_counts.h"
+#include "glib/script.h"
+#include "scene/interpret.h"
+#include "scene/view.h"
+
+namespace glibra::budget {
+namespace {
+
+/// A scene, its plan with one description for all programs, and the choice.
+class Budget {
+  public:
+    explicit Budget(const std::string& text) {
+        program.usable = true;
+        program.facts.placement = glsl::Placement::vertex;
+        program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert"},
+                                {glsl::Stage::fragment, "void main() {}", {}, "a.frag"}};
+        program.inputs = {{"aVertex", 0, false}};
+        const glib::Script script = glib::parse(text, "/tmp/scene.glib");
+        EXPECT_TRUE(script.diagnostics.empty()) << script.diagnostics.front().text;
+        scene = scene::interpret(script);
+        request.maxError = .25;
+        request.width = request.height = 600;
+        request.mostSamples = 4;
+        request.clipFromModel = [](const scene::Draw& draw, double aspect) {
+            return scene::projectionMatrix(draw.projection, aspect) * draw.modelView;
+        };
+    }
+
+    void addSampler(const char* name, scene::TextureTarget target, const char* word) {
+        plan::ActiveUniform uniform;
+        uniform.name = name;
+        uniform.type = {plan::BaseType::sampler, 1, 1, target, word};
+        uniform.location = 0;
+        program.uniforms.push_back(uniform);
+    }
+
+    /// Chooses and puts the choice into the scene.
+    const Choice& choose() {
+        plan::ProgramInterface builtin;
+        builtin.usable = builtin.isBuiltin = true;
+        builtin.inputs = {{"aVertex", 0, false}};
+        const plan::FramePlan plan = plan::planFrame(
+            scene,
+            [&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+                return variant.program == scene::kNone ? builtin : program;
+            },
+            [](int) { return false; }, {});
+        choice = budget::choose(scene, plan, request);
+        replaced = apply(choice, scene);
+        return choice;
+    }
+
+    [[nodiscard]] const scene::Draw& draw(std::size_t index) const {
+        return std::get<scene::Draw>(scene.passes.front().steps.at(index));
+    }
+    [[nodiscard]] const std::vector<double>& numbers(std::size_t index) const {
+        return scene.shapes.at(static_cast<std::size_t>(draw(index).shape)).numbers;
+    }
+    [[nodiscard]] std::string decision(const std::string& what) const {
+        for (const Decision& each : choice.decisions)
+            if (each.what == what) return each.why;
+        return "none";
+    }
+
+    scene::Scene scene;
+    plan::ProgramInterface program;
+    Request request;
+    Choice choice;
+    std::vector<int> replaced;
+};
+
+const std::string kProgram = "Vertex a.vert\nFragment a.frag\nProgram P uKd .5\n";
+const std::string kEye = "LookAt 0 0 4 0 0 0 0 1 0\n";
+
+TEST(Choose, GivesASphereTheLeastCountsForItsPixels) {
+    Budget budget(kEye + "Sphere\n");
+    budget.choose();
+    // 300 cot(25 degrees) pixels a unit at distance 1, sideways views included; the sphere's nearest point is
+    // at distance 3.
+    const double straight = 300 / std::tan(25 * std::numbers::pi / 180) / 3;
+    const auto& chosen = budget.numbers(0);
+    const double off = surfaceModel(glib::CommandId::sphere)->deviation(chosen, Fidelity::shape);
+    EXPECT_LE(off * straight, .25);
+    EXPECT_GE(off * straight, .25 / 1.3);
+    EXPECT_EQ(budget.choice.diagnostics.size(), 0U);
+    EXPECT_EQ(budget.replaced, std::vector<int>{0});
+}
+
+TEST(Choose, CountsFallWithTheRootOfTheBound) {
+    std::vector<double> slices;
+    for (const double bound : {.05, .2, .8}) {
+        Budget budget(kEye + "Sphere\n");
+        budget.request.maxError = bound;
+        budget.choose();
+        slices.push_back(budget.numbers(0)[1]);
+    }
+    EXPECT_NEAR(slices[0] / slices[1], 2, .1);
+    EXPECT_NEAR(slices[1] / slices[2], 2, .15);
+}
+
+TEST(Choose, LeavesStatedNumbersAsTheyAre) {
+    Budget budget(kEye + "Sphere 1 20 10\nTorus 1 .5 9 9\nNoise3D 32\n");
+    const scene::Scene before = budget.scene;
+    const Choice& choice = budget.choose();
+    EXPECT_TRUE(choice.shapes.empty());
+    EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 20, 10}));
+    ASSERT_EQ(choice.diagnostics.size(), 1U);
+    EXPECT_EQ(choice.diagnostics[0].id, "draw-N03");
+    EXPECT_EQ(choice.diagnostics[0].place.line, 3);  // the torus is worse
+    EXPECT_NE(choice.diagnostics[0].text.find("so is 1 more"), std::string::npos);
+}
+
+TEST(Choose, ChoosesTheRestOfWhatIsStatedInPart) {
+    Budget budget(kEye + "Sphere 1 80\n");
+    budget.choose();
+    EXPECT_EQ(budget.numbers(0)[1], 80);
+    const auto off = [&](double stacks) {
+        return surfaceModel(glib::CommandId::sphere)
+            ->deviation(std::vector{1., 80., stacks}, Fidelity::shape);
+    };
+    Budget open(kEye + "Sphere\n");
+    open.choose();
+    const double allowed = surfaceModel(glib::CommandId::sphere)->deviation(open.numbers(0), Fidelity::shape);
+    EXPECT_LE(off(budget.numbers(0)[2]), allowed * 1.02);
+    EXPECT_GT(off(budget.numbers(0)[2] - 1), allowed * .98);
+}
+
+TEST(Choose, ChoosesForStatedNumbersWhenAsked) {
+    Budget stated(kEye + "Sphere 1 20 10\n"), open(kEye + "Sphere 1\n");
+    stated.request.overrideCounts = true;
+    stated.choose();
+    open.choose();
+    EXPECT_EQ(stated.numbers(0), open.numbers(0));
+    EXPECT_TRUE(stated.choice.diagnostics.empty());
+}
+
+TEST(Choose, NeverCoarsensWhatAProgramMoves) {
+    Budget budget(kEye + kProgram + "Sphere\nTranslate 0 0 3.8\nSphere .1\n");
+    budget.program.facts.placement = glsl::Placement::unknown;
+    budget.request.maxError = 5;
+    budget.choose();
+    EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 60, 60}));
+    budget.request.maxError = .05;
+    budget.choose();
+    EXPECT_GT(budget.numbers(0)[1], 60);
+    EXPECT_NE(budget.decision("Sphere").find("no bound"), std::string::npos);
+}
+
+TEST(Choose, KeepsEnoughVerticesForLightComputedAtThem) {
+    Budget budget(kEye + kProgram + "Sphere\nCylinder\nQuadXY\n");
+    budget.request.maxError = 50;
+    budget.choose();
+    EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 36, 18}));
+    EXPECT_EQ(budget.numbers(1), (std::vector<double>{1, 1, 36, 20}));
+    EXPECT_EQ(budget.numbers(2), (std::vector<double>{0, 1, 4, 4}));
+    // One colour needs no more than the shape.
+    Budget plain(kEye + "Sphere\nCylinder\nQuadXY\n");
+    plain.request.maxError = 50;
+    plain.choose();
+    EXPECT_LT(plain.numbers(0)[1], 12);
+    EXPECT_EQ(plain.numbers(1)[3], 1);
+    EXPECT_EQ(plain.numbers(2), (std::vector<double>{0, 1, 1, 1}));
+}
+
+TEST(Choose, IsFinerForAProgramThatReadsTextureCoordinates) {
+    Budget plain(kEye + kProgram + "Sphere\n"), textured(kEye + kProgram + "Sphere\n");
+    textured.program.inputs.push_back({"aTexCoord0", 1, false});
+    plain.choose();
+    textured.choose();
+    EXPECT_GT(textured.numbers(0)[1] * textured.numbers(0)[2],
+              1.5 * plain.numbers(0)[1] * plain.numbers(0)[2]);
+}
+
+TEST(Choose, KeepsWhatShowsItsTriangles) {
+    const auto kept = [](const std::function<void(Budget&)>& change, const std::string& statements = {}) {
+        Budget budget(kEye + kProgram + statements + "Sphere\n");
+        change(budget);
+        budget.choose();
+        EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 60, 60}));
+        return budget.decision("Sphere");
+    };
+    EXPECT_NE(kept([](Budget& b) {
+                  b.program.facts.stages[1].source = "flat in vec3 vN; void main() {}";
+              }).find("triangles"),
+              std::string::npos);
+    kept([](Budget& b) { b.program.facts.stages[1].source = "n = cross(dFdx(p), dFdy(p));"; });
+    kept([](Budget&) {}, "Flat\n");
+    EXPECT_NE(kept([](Budget& b) {
+                  b.program.facts.stages.push_back({glsl::Stage::geometry, "", {}, "a.geom"});
+              }).find("geometry stage"),
+              std::string::npos);
+}
+
+TEST(Choose, DrawsThatNeedAboutTheSameShareAMesh) {
+    Budget budget(kEye + "Sphere\nTranslate .5 0 0\nSphere\nTranslate 0 0 -100\nSphere\n");
+    budget.choose();
+    EXPECT_EQ(budget.draw(0).shape, budget.draw(1).shape);
+    EXPECT_NE(budget.draw(0).shape, budget.draw(2).shape);
+    EXPECT_LT(budget.numbers(2)[1], budget.numbers(0)[1] / 2);
+    EXPECT_EQ(budget.scene.shapes.size(), 2U);
+}
+
+TEST(Choose, GivesLeastToWhatIsNotInView) {
+    Budget budget(kEye + "Translate 0 0 50\nSphere\n");
+    budget.choose();
+    EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 3, 2}));
+    EXPECT_NE(budget.decision("Sphere").find("not in view"), std::string::npos);
+}
+
+TEST(Choose, CountsFixedByTheLanguageAreOpen) {
+    Budget budget(kEye + kProgram + "Scale 2\nTeapot\nSoccerball\nXarrow 50\n");
+    budget.request.maxError = .02;
+    budget.choose();
+    ASSERT_EQ(budget.numbers(0).size(), 1U);
+    EXPECT_GT(budget.numbers(0)[0], 16);
+    EXPECT_GT(budget.numbers(1).at(1), 8);
+    EXPECT_EQ(budget.numbers(2)[0], 50);
+    EXPECT_GT(budget.numbers(2).at(1), 24);
+}
+
+TEST(Choose, SaysWhatTheDriverAndTheLimitsAllow) {
+    Budget budget(kEye + "Sphere\n");
+    budget.request.maxError = 1e-9;
+    const Choice& choice = budget.choose();
+    ASSERT_EQ(choice.diagnostics.size(), 2U);
+    for (const Diagnostic& each : choice.diagnostics) EXPECT_EQ(each.id, "draw-W07");
+    EXPECT_NE(choice.diagnostics[0].text.find("4 samples"), std::string::npos);
+    EXPECT_NE(choice.diagnostics[1].text.find("the most a mesh may have"), std::string::npos);
+    EXPECT_EQ(choice.diagnostics[1].place.line, 2);
+    EXPECT_EQ(choice.samples, 4);
+}
+
+TEST(Choose, LeavesSamplesThatAreStated) {
+    Budget budget(kEye + "Sphere\n");
+    budget.request.areSamplesFree = false;
+    EXPECT_EQ(budget.choose().samples, 1);
+    EXPECT_EQ(budget.decision("samples"), "none");
+}
+
+TEST(Choose, JudgesAPassIntoATextureInItsTexels) {
+    const std::string toTexture =
+        "Texture2D 6 60 60\nRenderToTexture 6\n" + kEye + "Sphere\nRenderToTexture\n";
+    Budget budget(toTexture + kProgram + "QuadXY\n");
+    budget.addSampler("uTexUnit", scene::TextureTarget::texture2D, "sampler2D");
+    budget.scene.programs[0].uniforms = {{"uTexUnit", glib::UniformForm::number, {6}, {}, {}}};
+    budget.choose();
+    Budget whole(kEye + "Sphere\n");
+    whole.choose();
+    // A tenth of the pixels, and so a root of ten fewer slices.
+    EXPECT_NEAR(budget.numbers(0)[1], whole.numbers(0)[1] / std::sqrt(10), 2);
+}
+
+/// A program that samples Noise3.
+TEST(Choose, ChoosesTheSizeOfNoiseThatTheSceneLeavesOpen) {
+    const auto sizeOf = [](const std::string& statement, double bound, bool overrides) {
+        Budget budget(kEye + statement + kProgram + "Sphere\n");
+        budget.request.maxError = bound;
+        budget.request.overrideCounts = overrides;
+        budget.addSampler("Noise3", scene::TextureTarget::texture3D, "sampler3D");
+        budget.choose();
+        return std::get<scene::NoiseSource>(budget.scene.textures[1].source).size;
+    };
+    // About 250 pixels a unit; 64 texels are off by .0044 of a period.
+    EXPECT_EQ(sizeOf("", 2, false), 64);
+    EXPECT_EQ(sizeOf("", .4, false), 128);
+    EXPECT_EQ(sizeOf("", .1, false), 256);
+    EXPECT_EQ(sizeOf("", 10, false), 32);
+    EXPECT_EQ(sizeOf("Noise3D 100\n", .1, false), 100);
+    EXPECT_EQ(sizeOf("Noise3D 100\n", .1, true), 256);
+}
+
+}  // namespace
+}  // namespace glibra::budget

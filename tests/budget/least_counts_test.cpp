@@ -1,0 +1,114 @@
+// Least counts against trying all of them.
+
+#include "budget/least_counts.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "scene/primitives.h"
+
+namespace glibra::budget {
+namespace {
+
+using glib::CommandId;
+
+std::uint64_t vertices(CommandId command, const std::vector<double>& numbers) {
+    return scene::countsOf({command, numbers, scene::kNone, nullptr})->vertices;
+}
+
+CountsRequest request(CommandId command, std::vector<double> numbers, double allowed,
+                      Fidelity fidelity = Fidelity::shape) {
+    return {.model = surfaceModel(command),
+            .numbers = std::move(numbers),
+            .isFree = {true, true},
+            .fidelity = fidelity,
+            .allowed = allowed};
+}
+
+/// The fewest vertices of all counts below 300 that keep the bound.
+std::uint64_t fewestOfAll(const CountsRequest& wanted) {
+    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+    std::vector<double> numbers = wanted.numbers;
+    for (int a = wanted.model->counts[0].least; a < 300; ++a)
+        for (int b = wanted.model->counts[1].least; b < 300; ++b) {
+            numbers[wanted.model->counts[0].index] = a;
+            numbers[wanted.model->counts[1].index] = b;
+            if (wanted.model->deviation(numbers, wanted.fidelity) <= wanted.allowed)
+                fewest = std::min(fewest, vertices(wanted.model->command, numbers));
+        }
+    return fewest;
+}
+
+TEST(LeastCounts, HaveTheFewestVerticesOfAllThatKeepTheBound) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> exponent(-3.2, -.5);
+    for (int i = 0; i < 12; ++i)
+        for (const Fidelity fidelity : {Fidelity::shape, Fidelity::pattern})
+            for (const CountsRequest& wanted :
+                 {request(CommandId::sphere, {1, 60, 60}, std::pow(10, exponent(random)), fidelity),
+                  request(CommandId::torus, {1, .4, 20, 40}, std::pow(10, exponent(random)), fidelity),
+                  request(CommandId::cone, {1, 1, 60, 20}, std::pow(10, exponent(random)), fidelity)}) {
+                const LeastCounts found = leastCounts(wanted);
+                EXPECT_TRUE(found.isKept);
+                EXPECT_LE(found.deviation, wanted.allowed);
+                EXPECT_EQ(vertices(wanted.model->command, found.numbers), fewestOfAll(wanted))
+                    << wanted.allowed;
+            }
+}
+
+TEST(LeastCounts, GoUpToWhereOneFewerBreaksTheBound) {
+    for (const double allowed : {.1, .01, 1e-3, 1e-4, 1e-5, 1e-6}) {
+        const LeastCounts found = leastCounts(request(CommandId::diskXY, {0, 1, 60, 10}, allowed));
+        ASSERT_TRUE(found.isKept);
+        // r (1 - cos(pi/n)) <= e
+        const double least = std::ceil(std::numbers::pi / std::acos(1 - allowed) - 1e-9);
+        EXPECT_EQ(found.numbers[2], std::max(3., least)) << allowed;
+        EXPECT_EQ(found.numbers[3], 1);
+    }
+}
+
+TEST(LeastCounts, KeepWhatIsNotFree) {
+    CountsRequest wanted = request(CommandId::sphere, {1, 90, 7}, .001);
+    wanted.isFree = {true, false};
+    const LeastCounts coarse = leastCounts(wanted);
+    EXPECT_EQ(coarse.numbers[2], 7);
+    EXPECT_FALSE(coarse.isKept);  // seven stacks alone are off by .025
+    EXPECT_GT(coarse.deviation, .02);
+    // The slices are as beside enough stacks, not as many as there can be.
+    EXPECT_EQ(coarse.numbers[1], leastCounts(request(CommandId::sphere, {1, 90, 7}, .001)).numbers[1]);
+
+    wanted = request(CommandId::sphere, {1, 90, 7}, .01);
+    wanted.isFree = {false, true};
+    const LeastCounts fine = leastCounts(wanted);
+    EXPECT_EQ(fine.numbers[1], 90);
+    EXPECT_TRUE(fine.isKept);
+    EXPECT_GT(surfaceModel(CommandId::sphere)
+                  ->deviation(std::vector{1., 90., fine.numbers[2] - 1}, Fidelity::shape),
+              .01);
+}
+
+TEST(LeastCounts, DoNotGoBelowWhatIsAskedFor) {
+    CountsRequest wanted = request(CommandId::sphere, {1, 60, 60}, std::numeric_limits<double>::infinity());
+    wanted.least = {36, 18};
+    EXPECT_EQ(leastCounts(wanted).numbers, (std::vector<double>{1, 36, 18}));
+    wanted.least = {1, 1};
+    EXPECT_EQ(leastCounts(wanted).numbers, (std::vector<double>{1, 3, 2}));
+}
+
+TEST(LeastCounts, StopAtTheLimitAndSaySo) {
+    for (const CommandId command : {CommandId::sphere, CommandId::teapot, CommandId::soccerball}) {
+        std::vector<double> numbers{1, 60, 60};
+        if (command != CommandId::sphere) numbers = surfaceModel(command)->complete({command, {1}, -1, {}});
+        if (command == CommandId::teapot) numbers = {16};
+        const LeastCounts found = leastCounts(request(command, numbers, 1e-15));
+        EXPECT_FALSE(found.isKept);
+        EXPECT_LE(vertices(command, found.numbers), kMostBudgetVertices);
+        EXPECT_GT(vertices(command, found.numbers), kMostBudgetVertices * 9 / 10);
+    }
+}
+
+}  // namespace
+}  // namespace glibra::budget

@@ -1,0 +1,81 @@
+// glibra bench: subjects, files, comparison, exit status.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(BenchCommand, ListsItsSubjects) {
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "bench --list");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(contains(run.out, "primitives ")) << run.out;
+    EXPECT_TRUE(contains(run.out, "ray-sphere ")) << run.out;
+}
+
+TEST(BenchCommand, SuggestsASubject) {
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "bench ray-shpere xyzzy");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(contains(run.err, "there is no subject 'ray-shpere'; did you mean 'ray-sphere'? [bench-E01]"))
+        << run.err;
+    EXPECT_TRUE(contains(run.err, "there is no subject 'xyzzy'; --list names them")) << run.err;
+    EXPECT_EQ(run.out, "");
+}
+
+TEST(BenchCommand, WritesItsFilesAndComparesWithThem) {
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "bench --quick ray-sphere -o out/deep --csv more.csv");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "") << "progress is for terminals";
+    EXPECT_TRUE(contains(run.out, "Ray and sphere")) << run.out;
+    EXPECT_EQ(readFile(folder / "more.csv"), readFile(folder / "out/deep/bench.csv"));
+    EXPECT_TRUE(contains(readFile(folder / "out/deep/bench.html"), "</html>"));
+
+    const Finished same = glibra(folder.path(), "bench --quick ray-sphere --against out/deep/bench.json");
+    EXPECT_EQ(same.status, 0) << same.out;
+    EXPECT_TRUE(contains(same.out, "error worse at 0")) << same.out;
+
+    // The earlier run doctored: it was ten times as accurate.
+    std::string json = readFile(folder / "out/deep/bench.json");
+    const std::string key = "\"error\": ";
+    const std::size_t at = json.find(key) + key.size(), end = json.find_first_of(",\n", at);
+    json.replace(at, end - at, std::to_string(std::stod(json.substr(at, end - at)) / 10));
+    folder.write("better.json", json);
+    const Finished worse = glibra(folder.path(), "bench --quick ray-sphere --against better.json");
+    EXPECT_EQ(worse.status, 1) << worse.out;
+    EXPECT_TRUE(contains(worse.out, "worse   ray-sphere/hit, ")) << worse.out;
+}
+
+TEST(BenchCommand, RefusesAnEarlierRunThatIsNone) {
+    const Folder folder;
+    folder.write("broken.json", "{\n  \"format\": }");
+    const Finished broken = glibra(folder.path(), "bench --quick ray-sphere --against broken.json");
+    EXPECT_EQ(broken.status, 2);
+    EXPECT_TRUE(contains(broken.err, "broken.json:2:13: error: no JSON:")) << broken.err;
+    EXPECT_EQ(glibra(folder.path(), "bench --quick ray-sphere --against none.json").status, 2);
+    EXPECT_EQ(glibra(folder.path(), "bench --quick --time-factor .5").status, 2);
+}
+
+TEST(BenchCommand, MeasuresWhatItCanWithoutADriver) {
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "bench --quick ray-sphere --driver egl-device -o out",
+                                "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null LIBGL_DRIVERS_PATH=/nowhere");
+    EXPECT_EQ(run.status, 4) << run.err;
+    EXPECT_TRUE(contains(run.err, "[gpu-E01]")) << run.err;
+    EXPECT_TRUE(contains(run.out, "CPU, float, stable")) << run.out;
+    EXPECT_FALSE(contains(run.out, "shader, stable")) << run.out;
+    EXPECT_TRUE(contains(readFile(folder / "out/bench.html"), "no driver"));
+}
+
+}  // namespace
+}  // namespace glibra::test

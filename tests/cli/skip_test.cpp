@@ -1,0 +1,88 @@
+// --no-skip of the program: every scene of the repository is the same without any skip rule.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(NoSkip, EverySceneIsTheSameBitForBit) {
+    std::string scenes;
+    std::size_t count = 0;
+    for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib")) {
+        if (each.path().extension() != ".glib") continue;
+        scenes += " '" + each.path().string() + "'";
+        ++count;
+    }
+    ASSERT_GE(count, 19U);
+    const Folder folder;
+    const auto render = [&](const std::string& where, const std::string& options) {
+        const Finished run =
+            glibra(folder.path(), "render --size 96x80 --time 1.5 -o " + where + " " + options + scenes);
+        EXPECT_EQ(run.status, 0) << run.err;
+    };
+    render("skipped", "");
+    render("tiled", "--tile 48");
+    render("whole", "--no-skip --tile 48");
+    std::size_t compared = 0;
+    for (const auto& each : fs::directory_iterator(folder / "whole")) {
+        const std::string whole = readFile(each.path());
+        EXPECT_TRUE(whole == readFile(folder / "tiled" / each.path().filename())) << each.path();
+        ++compared;
+    }
+    EXPECT_EQ(compared, count);
+    render("whole", "--no-skip");
+    for (const auto& each : fs::directory_iterator(folder / "whole"))
+        EXPECT_TRUE(readFile(each.path()) == readFile(folder / "skipped" / each.path().filename()))
+            << each.path();
+}
+
+TEST(NoSkip, SuitesAreDrawnTheSameWay) {
+    const Folder folder;
+    folder.write("a.glib", "Sphere 1\n");
+    folder.write("s.toml",
+                 "[defaults]\nsize = [40, 30]\n[[shot]]\nname = \"a\"\nscript = \"a.glib\"\ntime = [0, 1]\n");
+    EXPECT_EQ(glibra(folder.path(), "render --suite s.toml -o with").status, 0);
+    EXPECT_EQ(glibra(folder.path(), "render --suite s.toml -o without --no-skip").status, 0);
+    std::size_t compared = 0;
+    for (const auto& each : fs::directory_iterator(folder / "with")) {
+        EXPECT_TRUE(readFile(each.path()) == readFile(folder / "without" / each.path().filename()));
+        ++compared;
+    }
+    EXPECT_EQ(compared, 2U);
+    EXPECT_EQ(glibra(folder.path(), "test s.toml --update --no-skip").status, 0);
+    EXPECT_EQ(glibra(folder.path(), "test s.toml").status, 0);
+}
+
+/// What the system's loader says it opened for `glibra ARGUMENTS`.
+std::string loaded(const Folder& folder, const std::string& arguments) {
+    EXPECT_EQ(glibra(folder.path(), arguments, "LD_DEBUG=files LD_DEBUG_OUTPUT=loaded").status, 0);
+    std::string all;
+    for (const auto& each : fs::directory_iterator(folder.path()))
+        if (each.path().filename().string().starts_with("loaded.")) {
+            all += readFile(each.path());
+            fs::remove(each.path());
+        }
+    return all;
+}
+
+TEST(NoSkip, NoLibraryOfWindowsGuisOrPicturesIsLoadedForAPng) {
+    const Folder folder;
+    folder.write("a.glib", "Sphere 1\n");
+    const std::string png = loaded(folder, "render a.glib --size 32x32 -o a.png");
+    EXPECT_NE(png.find("libEGL"), std::string::npos);
+    for (const char* each : {"OpenImageIO", "openimageio", "libglfw", "imgui", "freetype", "fontconfig"})
+        EXPECT_EQ(png.find(each), std::string::npos) << each;
+    const std::string tiff = loaded(folder, "render a.glib --size 32x32 -o a.tif");
+    EXPECT_NE(tiff.find("libOpenImageIO"), std::string::npos) << "another format needs it";
+}
+
+}  // namespace
+}  // namespace glibra::test

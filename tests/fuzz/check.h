@@ -1,0 +1,38 @@
+#pragma once
+// What a fuzzed input has to keep true, told like an assertion of the sanitizers: the process ends.
+
+#include <glibra/diagnostic.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace glibra::fuzz {
+
+/// Ends the process, so that the fuzzer keeps the input, if `holds` is false.
+inline void check(bool holds, std::string_view what) {
+    if (holds) return;
+    std::fprintf(stderr, "not true: %.*s\n", static_cast<int>(what.size()), what.data());
+    std::abort();
+}
+
+/// Every message has an id and a text without line ends, and counts lines and columns from 1.
+inline void checkMessages(const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics) {
+        check(!each.text.empty(), "a message has a text");
+        check(each.place.line >= 1 && each.place.column >= 1, "lines and columns count from 1");
+        check(each.text.find('\n') == std::string::npos, "a message is one line");
+    }
+}
+
+/// The input as text.
+inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+}  // namespace glibra::fuzz
+
+/// The entry point of libFuzzer (llvm.org/docs/LibFuzzer.html), which the driver beside calls as well.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -1,0 +1,37 @@
+// Any bytes as a PNG, a BMP or a raw texture. Other formats are OpenImageIO's, which is fuzzed elsewhere.
+
+#include <array>
+#include <span>
+
+#include "check.h"
+#include "image/raw_texture.h"
+#include "image/read.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace glibra;
+    using fuzz::check;
+    const auto file = std::as_bytes(std::span(data, size));
+    image::ReadOptions options;
+    options.limits = {.fileBytes = 1U << 20, .texelBytes = 1U << 22, .side = 2048, .side3D = 128};
+    options.moduleFolders.clear();
+    const Result<image::Image> picture = image::decodeImage(file, "nowhere/a.png", {}, options);
+    fuzz::checkMessages(picture.diagnostics);
+    check(picture.value.has_value() != hasError(picture.diagnostics), "a picture or an error");
+    if (picture) {
+        check(picture->width >= 1 && picture->height >= 1, "a picture has pixels");
+        check(picture->data.size() == picture->rowBytes() * static_cast<std::size_t>(picture->height),
+              "a picture has all its pixels");
+        check(picture->data.size() <= options.limits.texelBytes * 4, "a picture keeps to the limits");
+    }
+    for (const int dimensions : std::array{0, 1, 2, 3}) {
+        const Result<image::TexelBlock> texels =
+            image::decodeRawTexture(file, dimensions, {"a.tex", {}}, options.limits);
+        fuzz::checkMessages(texels.diagnostics);
+        if (texels)
+            check(texels->data.size() ==
+                      static_cast<std::size_t>(texels->width) * static_cast<std::size_t>(texels->height) *
+                          static_cast<std::size_t>(texels->depth) * 4 * image::bytesOf(texels->type),
+                  "a texture has all its texels");
+    }
+    return 0;
+}

@@ -1,0 +1,137 @@
+// Which vertex stages are known to place their vertices by the model-view-projection alone, and which are
+// not.
+
+#include <gtest/gtest.h>
+
+#include "support.h"
+
+namespace glibra::glsl::test {
+namespace {
+
+Placement placementOf(const std::string& vertex, const std::string& fragment = kPlainFragment) {
+    const TranslatedProgram translated =
+        translateStages({{Stage::vertex, vertex}, {Stage::fragment, fragment}});
+    EXPECT_FALSE(hasError(translated.diagnostics)) << vertex;
+    return translated.placement;
+}
+/// Of a main with these statements, and what stands before it.
+Placement ofMain(const std::string& statements, const std::string& before = {}) {
+    return placementOf("#version 330 compatibility\n" + before + "void main() {\n" + statements + "\n}\n");
+}
+
+TEST(Placement, OfTheUsualWaysToWriteItIsKnown) {
+    for (const char* each : {
+             "gl_Position = uModelViewProjectionMatrix * aVertex;",
+             "gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;",
+             "gl_Position = ftransform();",
+             "gl_Position = (uModelViewProjectionMatrix * (aVertex));",
+             "gl_Position = uProjectionMatrix * uModelViewMatrix * aVertex;",
+             "gl_Position = uProjectionMatrix * (uModelViewMatrix * aVertex);",
+             "gl_Position = (gl_ProjectionMatrix * gl_ModelViewMatrix) * gl_Vertex;",
+             "gl_Position = uModelViewProjectionMatrix * vec4(aVertex);",
+             "vec4 eye = uModelViewMatrix * aVertex; gl_Position = uProjectionMatrix * eye;",
+             "vec4 place = gl_Vertex; vec4 eye = gl_ModelViewMatrix * place; gl_Position = "
+             "gl_ProjectionMatrix * "
+             "eye;",
+             "mat4 m = uProjectionMatrix * uModelViewMatrix; gl_Position = m * aVertex;",
+             "if (aVertex.x > 0.) { gl_PointSize = 2.; } gl_Position = uModelViewProjectionMatrix * aVertex;",
+             "gl_Position = uModelViewProjectionMatrix * aVertex; if (aVertex.x > 0.) return;",
+         })
+        EXPECT_EQ(ofMain(each), Placement::vertex) << each;
+}
+
+TEST(Placement, OfAVertexWithOneForItsLastCoordinateIsKnownApart) {
+    for (const char* each : {
+             "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.);",
+             "gl_Position = uProjectionMatrix * uModelViewMatrix * vec4(gl_Vertex.xyz, 1.0);",
+             "vec4 place = vec4(aVertex.xyz, 1); gl_Position = uModelViewProjectionMatrix * place;",
+         })
+        EXPECT_EQ(ofMain(each), Placement::point) << each;
+}
+
+TEST(Placement, ThroughMacrosAndOwnDeclarationsIsKnown) {
+    EXPECT_EQ(ofMain("gl_Position = MVP * P;", "#define MVP uModelViewProjectionMatrix\n#define P aVertex\n"),
+              Placement::vertex);
+    EXPECT_EQ(ofMain("gl_Position = uModelViewProjectionMatrix * aVertex;",
+                     "uniform mat4 uModelViewProjectionMatrix;\nin vec4 aVertex;\n"),
+              Placement::vertex);
+}
+
+TEST(Placement, OfAnythingElseIsUnknown) {
+    for (const char* each : {
+             "gl_Position = aVertex;",
+             "gl_Position = uModelViewMatrix * aVertex;",
+             "gl_Position = aVertex * uModelViewProjectionMatrix;",
+             "gl_Position = uModelViewMatrix * uProjectionMatrix * aVertex;",
+             "gl_Position = uModelViewProjectionMatrix * aVertex * 2.;",
+             "gl_Position = 2. * uModelViewProjectionMatrix * aVertex;",
+             "gl_Position = uModelViewProjectionMatrix * (aVertex + vec4(1.));",
+             "gl_Position = uModelViewProjectionMatrix * aVertex + vec4(1.);",
+             "gl_Position = uModelViewProjectionMatrix * -aVertex;",
+             "gl_Position = uModelViewProjectionMatrix * aVertex.xyzw;",
+             "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 2.);",
+             "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xzy, 1.);",
+             "gl_Position = uModelViewProjectionMatrix * vec4(aNormal.xyz, 1.);",
+             "gl_Position = uModelViewProjectionMatrix * gl_Color;",
+             "gl_Position = inverse(uModelViewProjectionMatrix) * aVertex;",
+             "gl_Position = uModelViewProjectionMatrix * aVertex; gl_Position.x += 1.;",
+             "gl_Position = uModelViewProjectionMatrix * aVertex; gl_Position = aVertex;",
+             "gl_Position.xyzw = uModelViewProjectionMatrix * aVertex;",
+             "gl_Position += uModelViewProjectionMatrix * aVertex;",
+             "if (aVertex.x > 0.) gl_Position = uModelViewProjectionMatrix * aVertex;",
+             "if (aVertex.x > 0.) { gl_Position = uModelViewProjectionMatrix * aVertex; }",
+             "if (aVertex.x > 0.) gl_PointSize = 2.; else gl_Position = uModelViewProjectionMatrix * "
+             "aVertex;",
+             "for (int i = 0; i < 2; ++i) gl_Position = uModelViewProjectionMatrix * aVertex;",
+             "if (aVertex.x > 0.) return; gl_Position = uModelViewProjectionMatrix * aVertex;",
+             "vec4 p = aVertex; p.x += 1.; gl_Position = uModelViewProjectionMatrix * p;",
+             "vec4 p = aVertex; ++p.x; gl_Position = uModelViewProjectionMatrix * p;",
+             "vec4 p = aVertex; { vec4 p = vec4(1.); } gl_Position = uModelViewProjectionMatrix * p;",
+             "vec4 p; p = aVertex; gl_Position = uModelViewProjectionMatrix * p;",
+             "vec4 p = aVertex, q = modf(aVertex, p); gl_Position = uModelViewProjectionMatrix * p;",
+             "mat4 m[1] = mat4[1](uModelViewProjectionMatrix); gl_Position = m[0] * aVertex;",
+             "vec3 p = aVertex.xyz; gl_Position = uModelViewProjectionMatrix * vec4(p, 1.);",
+         })
+        EXPECT_EQ(ofMain(each), Placement::unknown) << each;
+}
+
+TEST(Placement, OfNamesThatMeanSomethingElseIsUnknown) {
+    const std::string plain = "gl_Position = uModelViewProjectionMatrix * aVertex;";
+    EXPECT_EQ(ofMain(plain, "mat4 uModelViewProjectionMatrix = mat4(1.);\n"), Placement::unknown);
+    EXPECT_EQ(ofMain(plain, "const vec4 aVertex = vec4(1.);\n"), Placement::unknown);
+    EXPECT_EQ(ofMain("vec4 aVertex = vec4(1.); " + plain), Placement::unknown);
+    EXPECT_EQ(ofMain("mat4 uModelViewProjectionMatrix = mat4(2.); " + plain), Placement::unknown);
+    EXPECT_EQ(ofMain("gl_Position = ftransform();", "vec4 ftransform() { return vec4(0.); }\n"),
+              Placement::unknown);
+    EXPECT_EQ(ofMain(plain + " move();", "void move() { gl_Position.y = 0.; }\n"), Placement::unknown);
+    EXPECT_EQ(ofMain(plain + " move(gl_Position);", "void move(inout vec4 p) { p.y = 0.; }\n"),
+              Placement::unknown);
+    EXPECT_EQ(ofMain("vec4 p = aVertex; move(p); gl_Position = uModelViewProjectionMatrix * p;",
+                     "void move(inout vec4 p) { p.y = 0.; }\n"),
+              Placement::unknown);
+}
+
+TEST(Placement, OfProgramsWithMoreStagesOrOtherEffectsIsUnknown) {
+    const std::string vertex =
+        "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
+    ASSERT_EQ(placementOf(vertex), Placement::vertex);
+    EXPECT_EQ(
+        translateStages({{Stage::vertex, vertex},
+                         {Stage::geometry,
+                          "#version 330\nlayout(triangles) in;\nlayout(points, max_vertices = 1) out;\nvoid "
+                          "main() { gl_Position = vec4(0.); EmitVertex(); }\n"},
+                         {Stage::fragment, kPlainFragment}})
+            .placement,
+        Placement::unknown);
+    EXPECT_EQ(
+        placementOf(vertex,
+                    "#version 430\nlayout(rgba8) uniform image2D uImage;\nout vec4 fColor;\nvoid main() { "
+                    "imageStore(uImage, ivec2(0), vec4(1.)); fColor = vec4(1.); }\n"),
+        Placement::unknown);
+    ProgramRequest asIs = program({{Stage::vertex, vertex}, {Stage::fragment, kPlainFragment}});
+    asIs.shim = false;
+    EXPECT_EQ(translate(asIs).placement, Placement::unknown) << "nobody supplies the names";
+}
+
+}  // namespace
+}  // namespace glibra::glsl::test

@@ -1,0 +1,161 @@
+// RenderOptions::maxError, seen in pictures: outlines against rays, and what it must not touch.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <random>
+
+#include "scene_text.h"
+
+namespace glibra::test {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 360;
+constexpr double kFieldOfView = 40;
+
+/// An ellipsoid before an eye; its outline is known by rays.
+struct View {
+    glm::dvec3 eye, up, axes;
+
+    [[nodiscard]] std::string scene() const {
+        const auto text = [](const glm::dvec3& v) {
+            return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
+        };
+        return "Background 0\nPerspective " + std::to_string(kFieldOfView) + "\nLookAt " + text(eye) +
+               " 0 0 0 " + text(up) + "\nColor 1 1 1\nScale " + text(axes) + "\nSphere\n";
+    }
+    /// True if the ray through that place of the picture (pixels from the lower left) meets the ellipsoid.
+    [[nodiscard]] bool covers(const glm::dvec2& place) const {
+        const glm::dmat4 clipFromModel =
+            glm::perspective(glm::radians(kFieldOfView), double(kWidth) / kHeight, .1, 1000.) *
+            glm::lookAt(eye, glm::dvec3(0), up) * glm::scale(glm::dmat4(1), axes);
+        static thread_local glm::dmat4 known, inverse;
+        if (known != clipFromModel) {
+            known = clipFromModel;
+            inverse = glm::inverse(clipFromModel);
+        }
+        const auto unproject = [&](double depth) {
+            const glm::dvec4 at =
+                inverse * glm::dvec4(place / glm::dvec2(kWidth, kHeight) * 2. - 1., depth, 1);
+            return glm::dvec3(at) / at.w;
+        };
+        const glm::dvec3 from = unproject(-1), along = glm::normalize(unproject(.9) - from);
+        return glm::length(glm::cross(from, along)) < 1;
+    }
+};
+
+/// Pixels that are drawn otherwise than the ray through their middle says, and so though the outline is
+/// further away than `bound`.
+int pixelsBeyond(const View& view, const Picture& picture, double bound) {
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const glm::dvec2 middle(x + .5, kHeight - y - .5);
+            const bool isDrawn = pixel(picture, x, y) != std::array<int, 3>{0, 0, 0};
+            if (isDrawn == view.covers(middle)) continue;
+            bool isNear = false;
+            for (int i = 0; i < 32 && !isNear; ++i) {
+                const double angle = i * 3.14159265 / 16;
+                isNear =
+                    view.covers(middle + bound * glm::dvec2(std::cos(angle), std::sin(angle))) == isDrawn;
+            }
+            count += isNear ? 0 : 1;
+        }
+    return count;
+}
+
+RenderOptions bounded(double maxError) {
+    RenderOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.samples = 1;
+    options.maxError = maxError;
+    return options;
+}
+
+TEST(Budget, OutlinesLieWithinTheBoundInEveryView) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> distance(2, 7), size(.4, 1.2);
+    const auto direction = [&] {
+        return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+    };
+    int seen = 0;
+    for (int i = 0; i < 12; ++i) {
+        const View view{
+            distance(random) * direction(), direction(), {size(random), size(random), size(random)}};
+        for (const double bound : {2., .5, .15}) {
+            const Picture picture = test::picture(view.scene(), {}, bounded(bound));
+            // The driver's own rasteriser places vertices on a grid of 1/256 pixel.
+            EXPECT_EQ(pixelsBeyond(view, picture, bound + .01), 0) << view.scene() << bound;
+            seen += countPixels(picture, {255, 255, 255}) > 1000 ? 1 : 0;
+        }
+        // Eight times coarser than that is too coarse: the counts are not far finer than they must be.
+        EXPECT_GT(pixelsBeyond(view, test::picture(view.scene(), {}, bounded(2)), .25), 0) << view.scene();
+    }
+    EXPECT_EQ(seen, 36);
+}
+
+TEST(Budget, TouchesNothingOfASceneThatStatesItsNumbers) {
+    const std::string scene =
+        "LookAt 1 2 4 0 0 0 0 1 0\nSphere 1 20 10\nTranslate 1 0 0\nTorus .6 .2 9 14\nQuadXY 0 1 3 3\n"
+        "Cone .5 1 12 4\nDiskXY 1 .2 7 2\nBox 1 1 1\nWireSphere .7 9 9\n";
+    RenderOptions plain;
+    plain.width = plain.height = 200;
+    plain.samples = 1;
+    RenderOptions budget = plain;
+    budget.maxError = .01;
+    const Result<Picture> kept = tryPicture(scene, {}, budget);
+    ASSERT_TRUE(kept) << text(kept.diagnostics);
+    EXPECT_EQ(kept->data, picture(scene, {}, plain).data);
+    EXPECT_TRUE(has(kept.diagnostics, "draw-N03"));
+    budget.overrideCounts = true;
+    EXPECT_NE(picture(scene, {}, budget).data, picture(scene, {}, plain).data);
+}
+
+TEST(Budget, ThePictureDoesNotMoveWithTheCounts) {
+    // Without LookAt the eye stands where the vertices tell it to.
+    RenderOptions coarse = bounded(30);
+    const Picture few = picture("Background 0\nColor 1 1 1\nSphere\n", {}, coarse);
+    const Picture many = picture("Background 0\nColor 1 1 1\nSphere\n", {}, bounded(0));
+    const auto rowsOf = [](const Picture& seen) {
+        int rows = 0;
+        for (int y = 0; y < kHeight; ++y)
+            rows += pixel(seen, kWidth / 2, y) != std::array<int, 3>{0, 0, 0} ? 1 : 0;
+        return rows;
+    };
+    EXPECT_NE(few.data, many.data);
+    EXPECT_NEAR(rowsOf(few), rowsOf(many), 3);  // the poles are vertices in both
+}
+
+TEST(Budget, TakesSamplesUnlessTheyAreStated) {
+    const std::string scene = "LookAt 0 0 4 0 0 0 0 1 0\nBackground 0\nColor 1 1 1\nSphere 1 200 200\n";
+    RenderOptions options = bounded(.25);
+    const auto isSmooth = [&](int samples) {
+        options.samples = samples;
+        const Picture seen = picture(scene, {}, options);
+        return countPixels(seen, {0, 0, 0}) + countPixels(seen, {255, 255, 255}) < kWidth * kHeight;
+    };
+    EXPECT_TRUE(isSmooth(0));
+    EXPECT_FALSE(isSmooth(1));
+}
+
+TEST(Budget, SaysThatTheDriverHasTooFewSamples) {
+    RenderOptions options = bounded(1e-3);
+    options.samples = 0;
+    const Result<Picture> seen = tryPicture("LookAt 0 0 4 0 0 0 0 1 0\nBox\n", {}, options);
+    ASSERT_TRUE(seen);
+    EXPECT_TRUE(has(seen.diagnostics, "draw-W07"));
+    options.strict = true;
+    EXPECT_FALSE(tryPicture("LookAt 0 0 4 0 0 0 0 1 0\nBox\n", {}, options));
+}
+
+}  // namespace
+}  // namespace glibra::test

@@ -1,0 +1,38 @@
+"""A frame of the window takes no memory from the heap: scene, panels and all, while the scene moves."""
+
+import os
+import subprocess
+import time
+import unittest
+
+from desktop import HANGING, PAUSE
+from window_test import PROGRAM, WindowTest
+
+COUNTER = os.environ["GLIBRA_COUNTER"]
+SETTLED = 60  # frames after which everything has been made
+
+
+class Memory(WindowTest):
+    def test_frames_of_a_moving_scene_allocate_nothing(self):
+        counts = self.files / "counts"
+        environment = dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "settings"), LD_PRELOAD=COUNTER,
+                           GLIBRA_ALLOCATIONS=str(counts))
+        window = subprocess.Popen([PROGRAM, "view", str(self.files / "moving.glib"), "--size", "300x700"],
+                                  env=environment)
+        try:
+            end = time.monotonic() + HANGING
+            lines = []
+            while len(lines) < 2 * SETTLED and time.monotonic() < end:
+                time.sleep(PAUSE)
+                lines = counts.read_text().splitlines()[:-1] if counts.exists() else []
+        finally:
+            window.terminate()
+            window.wait()
+        self.assertGreaterEqual(len(lines), 2 * SETTLED)
+        frames = [int(each) for each in lines]
+        self.assertGreater(frames[0], 0, "the counter counts")
+        self.assertEqual(frames[SETTLED:], [0] * len(frames[SETTLED:]))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

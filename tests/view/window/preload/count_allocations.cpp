@@ -1,0 +1,39 @@
+// Loaded before the libraries of glibra-view: writes into the file that GLIBRA_ALLOCATIONS names, a line a
+// presented frame, how often `new` was called on the thread that presents.
+
+#include <dlfcn.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+namespace {
+thread_local std::uint64_t allocations = 0;
+}
+
+void* operator new(std::size_t bytes) {
+    ++allocations;
+    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+extern "C" void glfwSwapBuffers(void* window) {
+    using Swap = void (*)(void*);
+    static const auto swap = reinterpret_cast<Swap>(dlsym(RTLD_NEXT, "glfwSwapBuffers"));
+    static const char* const name = std::getenv("GLIBRA_ALLOCATIONS");
+    static std::FILE* const file = name != nullptr ? std::fopen(name, "w") : nullptr;
+    static std::uint64_t before = 0;
+    if (file != nullptr) {
+        std::fprintf(file, "%llu\n", static_cast<unsigned long long>(allocations - before));
+        std::fflush(file);
+    }
+    swap(window);
+    before = allocations;
+}
