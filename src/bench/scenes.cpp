@@ -30,8 +30,15 @@ constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
                                     {"--max-error 0.25 --override-counts", 0, .25, true}}};
 constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
 
-/// Far below the eighths of pixels that the reference's samples are apart.
-constexpr double kFinestError = 1. / 64;
+/// How good the reference is. A quick run takes every sixth scene.
+struct Thoroughness {
+    std::size_t stride = 1;
+    int samplesASide = 8;
+    int finest = 64;  ///< meshes within 1 / finest of a pixel of their surfaces
+};
+Thoroughness thoroughness(const Bench& bench) {
+    return bench.isQuick() ? Thoroughness{6, 4, 16} : Thoroughness{};
+}
 
 /// One scene in each of the ways.
 struct Measured {
@@ -46,9 +53,10 @@ Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene
     if (bench.isQuick()) options.width = options.height = 64;
     RenderOptions best = options;
     best.set = scene.finest;
-    best.maxError = kFinestError;
+    best.maxError = 1. / thoroughness(bench).finest;
     best.overrideCounts = true;
-    const Result<image::Image> reference = sampledPicture(context, scene.path, best, bench.isQuick() ? 4 : 8);
+    const Result<image::Image> reference =
+        sampledPicture(context, scene.path, best, thoroughness(bench).samplesASide);
     if (!reference) return reference.diagnostics;
     Measured measured{.scene = &scene, .width = reference->width, .height = reference->height};
     for (std::size_t i = 0; i < kWays.size(); ++i) {
@@ -139,7 +147,9 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     std::vector<Measured> all;
     std::vector<std::string> failures;
     Diagnostics reasons;
-    for (const ShippedScene& scene : *scenes) {
+    const Thoroughness thorough = thoroughness(bench);
+    for (std::size_t i = 0; i < scenes->size(); i += thorough.stride) {
+        const ShippedScene& scene = (*scenes)[i];
         Result<Measured> measured = measure(bench, **context, scene);
         if (measured) {
             all.push_back(*measured);
@@ -152,8 +162,8 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     if (all.empty()) return reasons;
     const std::string reference = fmt::format(
         "the mean of {} pictures shifted by parts of a pixel, with the finest tessellation of the "
-        "scene's sliders and meshes within 1/64 of a pixel of their surfaces",
-        bench.isQuick() ? 16 : 64);
+        "scene's sliders and meshes within 1/{} of a pixel of their surfaces",
+        thorough.samplesASide * thorough.samplesASide, thorough.finest);
     const auto figure = [&](std::string name, std::string title, std::string error) {
         return Figure{.name = std::move(name),
                       .title = std::move(title),

@@ -23,7 +23,7 @@ struct DrawFacts {
 /// Up to eight matrices of numbers, kept in place: these are made for every uniform of every draw.
 class SuppliedNumbers {
   public:
-    static constexpr std::size_t kMost = std::size_t{8} * 16;
+    static constexpr std::size_t kMost = 128;
     SuppliedNumbers() = default;
     SuppliedNumbers(std::initializer_list<double> numbers) {
         for (const double each : numbers) add(each);

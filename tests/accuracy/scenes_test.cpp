@@ -89,10 +89,10 @@ TEST(SampledPicture, ShowsShadersThePlaceOfEachSample) {
 
 TEST(SampledPicture, LimitsEachSampleToWhatAScreenShows) {
     const QuadScene scene("vec3(4., -4., 0.)");
-    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 4);
+    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
     ASSERT_TRUE(picture);
     EXPECT_EQ(redAt(*picture, 1, 1), 1);
-    EXPECT_EQ(redAt(*picture, 3, 1), .5F);  // 2 of 4 columns of samples
+    EXPECT_EQ(redAt(*picture, 3, 1), .375F);  // 3 of 8 columns of samples
 }
 
 TEST(SampledPicture, OfOneSampleIsThePicture) {

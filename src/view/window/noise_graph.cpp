@@ -95,9 +95,10 @@ void draw(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
     const ImVec2 zero = frame.screen(0, 0);
     list.AddLine({frame.at.x, zero.y}, {frame.at.x + frame.size.x, zero.y}, IM_COL32(150, 150, 150, 255));
     std::vector<ImVec2> curve;
-    for (float x = 0; x <= frame.size.x; ++x)
-        curve.push_back(frame.screen(frame.cellOf(frame.at.x + x),
-                                     noise::graphNoise(options, frame.cellOf(frame.at.x + x))));
+    for (int column = 0; column <= static_cast<int>(frame.size.x); ++column) {
+        const double cell = frame.cellOf(frame.at.x + static_cast<float>(column));
+        curve.push_back(frame.screen(cell, noise::graphNoise(options, cell)));
+    }
     list.AddPolyline(curve.data(), static_cast<int>(curve.size()), IM_COL32(31, 78, 156, 255), 0, 2);
     if (hasGradients(options))
         list.AddLine(tangentEnd(frame, window.chosen, -1), tangentEnd(frame, window.chosen, 1),

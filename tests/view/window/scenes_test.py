@@ -342,11 +342,11 @@ class Suites(ScenesTest):
         suite = self.files / "pictures.toml"
         window.move(20, 20)
         width, height, screen = window.pixels()
-        self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], cwd=self.files, stdout=subprocess.DEVNULL,
+        self.assertEqual(subprocess.run([PROGRAM, "test", str(suite)], cwd=suite.parent, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL).returncode, 1, "there is no golden yet")
         for arguments in (["--update"], []):
-            done = subprocess.run([PROGRAM, "test", str(suite), *arguments], cwd=self.files, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            done = subprocess.run([PROGRAM, "test", str(suite), *arguments], cwd=suite.parent, text=True, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
             self.assertEqual(done.returncode, 0, done.stdout)
         golden = self.files / "golden/pictures/one.png"
         ppm = subprocess.run(["convert", str(golden), "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
