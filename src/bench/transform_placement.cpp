@@ -61,6 +61,7 @@ std::vector<ExactVector> exactResults(const Placement& placement, const std::vec
     const ExactMatrix model = exact(placement.turnModel), view = exact(placement.turnView);
     const ExactVector apart = exact(placement.place) - exact(placement.eye);
     std::vector<ExactVector> results;
+    results.reserve(points.size());
     for (const glm::vec3& p : points)
         results.push_back(view * (model * (Exact(placement.size) * exact(glm::dvec3(p))) + apart));
     return results;
@@ -183,6 +184,7 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const Settin
                           const PlacementOf& placementOf) {
     const std::vector<glm::vec3> points = cubePoints();
     std::vector<Four> inputs;
+    inputs.reserve(points.size());
     for (const glm::vec3& p : points) inputs.push_back({p.x, p.y, p.z, 1});
     const Result<ShaderValues> shader = ShaderValues::create(bench, method.glsl, inputs);
     if (!shader) return shader.diagnostics;
