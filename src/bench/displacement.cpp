@@ -63,8 +63,7 @@ std::size_t outside(const image::Image& picture, const Ranges& ranges) {
 }  // namespace
 
 int displacement(const image::Image& a, const image::Image& b, int most) {
-    const std::size_t allowed =
-        static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height) / 1000;
+    const std::size_t allowed = static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height) / 1000;
     Ranges aroundA = rangesOf(a), aroundB = rangesOf(b);
     for (int radius = 0; radius <= most; ++radius) {
         if (outside(a, aroundB) <= allowed && outside(b, aroundA) <= allowed) return radius;

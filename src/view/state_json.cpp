@@ -68,20 +68,13 @@ nlohmann::ordered_json stateOf(const Session& session) {
                             {"file", each.place.file},
                             {"line", each.place.line},
                             {"column", each.place.column}});
-    Json json{{"scene", session.path().string()},
-              {"framesDrawn", session.framesDrawn()},
-              {"time", session.clock().time()},
-              {"playing", session.clock().isPlaying()},
-              {"speed", session.clock().speed()},
-              {"moving", session.isMoving()},
-              {"axes", session.axes()},
-              {"wireframe", session.wireframe()},
-              {"lens", nameOf(session.lens())},
-              {"width", session.width()},
-              {"height", session.height()},
-              {"view", viewJson(session.view())},
-              {"knobs", knobsJson(session)},
-              {"messages", messages}};
+    Json json{{"scene", session.path().string()}, {"framesDrawn", session.framesDrawn()},
+              {"time", session.clock().time()},   {"playing", session.clock().isPlaying()},
+              {"speed", session.clock().speed()}, {"moving", session.isMoving()},
+              {"axes", session.axes()},           {"wireframe", session.wireframe()},
+              {"lens", nameOf(session.lens())},   {"width", session.width()},
+              {"height", session.height()},       {"view", viewJson(session.view())},
+              {"knobs", knobsJson(session)},      {"messages", messages}};
     if (const auto& picked = session.picked())
         json["picked"] = {{"line", picked->line},
                           {"word", picked->word},
