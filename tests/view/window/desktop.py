@@ -16,7 +16,7 @@ HANGING = 60  # seconds after which a window counts as hanging; nothing is measu
 class Desktop:
     """Xvfb and openbox. Ends what it started."""
 
-    def __init__(self, width=1400, height=900):
+    def __init__(self, width=1400, height=1100):
         read, write = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],

@@ -314,7 +314,7 @@ class Frame(WindowTest):
             self.assertShows(window, OVALS)
 
     def test_hardcopy_is_what_the_screen_shows(self):
-        window = self.open(OVALS, "--size", "320x860", "--set", "uAd=0.4")
+        window = self.open(OVALS, "--size", "320x1020", "--set", "uAd=0.4")
         window.click("hardcopy")
         window.click("hardcopy/file", across=0.2)
         file = self.files / "copy.png"
