@@ -144,7 +144,8 @@ Result<std::vector<Figure>> measureBudget(Bench& bench) {
                   .findings = {finding(rows, "default", &SceneRow::byDefault),
                                finding(rows, "--max-error", &SceneRow::chosen),
                                finding(rows, "--max-error --override-counts", &SceneRow::allChosen),
-                               finding(rows, "four times as fine", &SceneRow::fine)}};
+                               finding(rows, "four times as fine", &SceneRow::fine)},
+                  .alternatives = Alternatives::setting};
     figure.findings.insert(figure.findings.end(), failures.begin(), failures.end());
     return std::vector{std::move(figure)};
 }

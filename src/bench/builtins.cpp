@@ -139,7 +139,8 @@ Result<std::vector<Figure>> measureBuiltins(Bench& bench) {
                       .errorUnit = "units in the last place",
                       .reference = "the same function of the same floats in long double on the CPU",
                       .curves = {},
-                      .findings = {}};
+                      .findings = {},
+                      .alternatives = Alternatives::setting};
         std::vector<Measured> all;
         for (const BuiltinFunction& function : builtinFunctions()) {
             if (function.group != group.name) continue;

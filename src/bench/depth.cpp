@@ -144,15 +144,15 @@ double meanRatio(const Curve& above, const Curve& below) {
 }
 
 Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
-    Figure figure{
-        .name = "gap-by-range",
-        .title = "Smallest gap told apart at half the far distance",
-        .settingName = "far / near",
-        .errorName = "smallest gap that is always told apart",
-        .errorUnit = "distances",
-        .reference = kReference,
-
-    };
+    Figure figure{.name = "gap-by-range",
+                  .title = "Smallest gap told apart at half the far distance",
+                  .settingName = "far / near",
+                  .errorName = "smallest gap that is always told apart",
+                  .errorUnit = "distances",
+                  .reference = kReference,
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     std::vector<Place> places;
     for (const double ratio : ratios(bench.isQuick()))
         places.push_back({ratio, kNear * ratio, kNear * ratio / 2, fmt::format("{:.3g}:1", ratio)});
@@ -176,15 +176,15 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
 
 Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4;
-    Figure figure{
-        .name = "gap-by-distance",
-        .title = "Smallest gap told apart, far / near = 10000",
-        .settingName = "distance / near",
-        .errorName = "smallest gap that is always told apart",
-        .errorUnit = "distances",
-        .reference = kReference,
-
-    };
+    Figure figure{.name = "gap-by-distance",
+                  .title = "Smallest gap told apart, far / near = 10000",
+                  .settingName = "distance / near",
+                  .errorName = "smallest gap that is always told apart",
+                  .errorUnit = "distances",
+                  .reference = kReference,
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     std::vector<Place> places;
     for (int octave = 1; octave <= 12; octave += bench.isQuick() ? 3 : 1) {
         const double z = std::ldexp(1., octave);

@@ -85,7 +85,8 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
                   .errorUnit = "1/255",
                   .reference = "the sum over the square of pixels in double on the CPU",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     const Plane picture = testPicture(bench.isQuick() ? 64 : 256);
     const std::vector<int> radii =
         bench.isQuick() ? std::vector<int>{1, 2, 4, 8} : std::vector<int>{1, 2, 4, 8, 16};
@@ -120,7 +121,8 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
                   .errorUnit = "1/255",
                   .reference = "as many sums over the square of pixels in double on the CPU",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     const Plane picture = testPicture(bench.isQuick() ? 64 : 256);
     const int most = bench.isQuick() ? 8 : 32;
     const std::vector<double> weights = gaussianWeights(2);
@@ -169,7 +171,8 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorUnit = "1/255",
                   .reference = "the 3 x 3 kernels in double on the CPU",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     std::vector<Method> methods{{"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
     for (const Format& each : kFormats) {
         // Normalised texels hold 0..1: the smoothed column is 0..4, its difference -1..1.

@@ -212,7 +212,8 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     const int side = bench.isQuick() ? 64 : 256;
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
     if (!target) return std::move(target.diagnostics);

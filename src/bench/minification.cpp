@@ -253,7 +253,10 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
                   .settingName = "texels a pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
-                  .reference = kReference};
+                  .reference = kReference,
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     const std::vector<double> ratios =
         bench.isQuick() ? std::vector{1., 2., 4., 11.3}
                         : std::vector{1., 1.19, 1.41, 1.68, 2., 2.38, 2.83, 4., 5.66, 8., 11.3, 16., 22.6};
@@ -310,7 +313,10 @@ Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
                   .settingName = "pixels a texel",
                   .errorName = "largest error",
                   .errorUnit = "1/255",
-                  .reference = "bilinear interpolation of the same texels at the same places, in double"};
+                  .reference = "bilinear interpolation of the same texels at the same places, in double",
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
     Result<std::vector<Point>> floats = magnified(bench, context.capabilities());
     if (!floats) return std::move(floats.diagnostics);
     figure.curves.push_back({.name = "the driver as glibra sets it up", .points = std::move(*floats)});

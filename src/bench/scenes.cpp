@@ -172,7 +172,8 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
                       .errorUnit = "",
                       .reference = reference,
                       .curves = {},
-                      .findings = {}};
+                      .findings = {},
+                      .alternatives = Alternatives::setting};
     };
     std::vector<Figure> figures{
         ranked(all,
