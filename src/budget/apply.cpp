@@ -9,12 +9,13 @@ namespace {
 
 using Key = std::pair<glib::CommandId, std::vector<double>>;
 
-/// Shapes that some draw has.
+/// Shapes that some draw has; a draw between two shapes has none.
 std::set<int> drawnShapes(const scene::Scene& scene) {
     std::set<int> drawn;
     for (const scene::Pass& pass : scene.passes)
         for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<scene::Draw>(&step)) drawn.insert(draw->shape);
+            if (const auto* draw = std::get_if<scene::Draw>(&step); draw && draw->shape != scene::kNone)
+                drawn.insert(draw->shape);
     return drawn;
 }
 
