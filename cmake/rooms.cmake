@@ -17,6 +17,16 @@ function(glibra_compile_options target)
     endif()
 endfunction()
 
+# For tests and the command line, which do little themselves and whose libraries are all in headers: optimising them
+# takes twice as long as compiling them, and nobody would notice it.
+function(glibra_quick_to_compile target)
+    if(GLIBRA_SANITIZE)
+        target_compile_options(${target} PRIVATE -O0)
+    elseif(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+        target_compile_options(${target} PRIVATE -O1)
+    endif()
+endfunction()
+
 function(glibra_room room)
     cmake_parse_arguments(arg "" "" "ROOMS;LINK" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
