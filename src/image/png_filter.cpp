@@ -78,6 +78,8 @@ void PngRowFilter::writeBest(const std::uint8_t* row, const std::uint8_t* above,
         std::copy_n(other_.data(), rowBytes_, best);
     };
     if (least == 0) return;
+    std::copy_n(row, rowBytes_, other_.data());
+    compare(PngFilter::none);
     subtractLeft(row, rowBytes_, pixelBytes_, other_.data());
     compare(PngFilter::sub);
     subtractPaeth(row, above, rowBytes_, pixelBytes_, other_.data());

@@ -1,5 +1,5 @@
 #pragma once
-// PNG files, written fast: the filter of each row chosen among three, libdeflate, large pictures by several
+// PNG files, written fast: the filter of each row chosen among four, libdeflate, large pictures by several
 // threads.
 
 #include <string>

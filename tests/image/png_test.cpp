@@ -128,6 +128,19 @@ TEST(PngWriter, WritesTheSameBytesByAnyNumberOfThreads) {
         EXPECT_EQ(encodePng(image, {.text = {}, .threads = threads}), alone) << threads;
 }
 
+/// The filtered rows of a grey picture, as its file holds them.
+std::vector<std::byte> rowsOf(const Image& image) {
+    const auto png = encodePng(image);
+    const auto chunks = pngChunks(png);
+    std::vector<std::byte> rows((1 + image.rowBytes()) * static_cast<std::size_t>(image.height));
+    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    EXPECT_EQ(libdeflate_zlib_decompress(decompressor.get(), chunks->data[0].data(), chunks->data[0].size(),
+                                         rows.data(), rows.size(), nullptr),
+              LIBDEFLATE_SUCCESS);
+    return rows;
+}
+
 TEST(PngWriter, ChoosesTheFilterThatSuitsTheRow) {
     Image image{64, 66, 1, Component::u8, std::vector<std::byte>(std::size_t{64} * 66)};
     for (int y = 0; y < 64; ++y)
@@ -136,19 +149,15 @@ TEST(PngWriter, ChoosesTheFilterThatSuitsTheRow) {
                 static_cast<std::byte>(y == 0   ? 3 * x
                                        : y < 32 ? 7 * y
                                                 : 5 * x + 11 * std::min(y, 63));
-    const auto png = encodePng(image);
-    const auto chunks = pngChunks(png);
-    ASSERT_TRUE(chunks);
-    std::vector<std::byte> rows(std::size_t{65} * 66);
-    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
-        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    ASSERT_EQ(libdeflate_zlib_decompress(decompressor.get(), chunks->data[0].data(), chunks->data[0].size(),
-                                         rows.data(), rows.size(), nullptr),
-              LIBDEFLATE_SUCCESS);
+    const auto rows = rowsOf(image);
     const auto filterOf = [&](std::size_t y) { return std::to_integer<int>(rows[65 * y]); };
     EXPECT_EQ(filterOf(0), 1) << "sub: 3 a pixel";
     EXPECT_EQ(filterOf(20), 4) << "Paeth: 7 for the first pixel, then 0; sub has 140 for the first";
     EXPECT_EQ(filterOf(65), 2) << "up: the row above again";
+    // Single points: every difference shows them twice.
+    Image points = testing::noisyImage(200, 3, 1, Component::u8);
+    for (std::byte& each : points.data) each = each < std::byte{25} ? std::byte{40} : std::byte{0};
+    EXPECT_EQ(rowsOf(points)[201 * 2], std::byte{0}) << "none";
 }
 
 TEST(PngWriter, TextReachesAnotherReader) {
