@@ -92,6 +92,15 @@ int jobsOf(const RenderArguments& arguments) {
     return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
 }
 
+/// Processes that an animation is divided among: two with half the frames each draw them sooner on a software
+/// rasteriser than one with all its threads. Figures and explanations are those of one process.
+int partsOf(const RenderArguments& arguments) {
+    constexpr int kLeastFrames = 8;  // what a process's start is worth
+    constexpr int kMostParts = 8;    // each holds all that the scene reads
+    if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty()) return 1;
+    return std::clamp(arguments.frames / kLeastFrames, 1, std::min(kMostParts, jobsOf(arguments)));
+}
+
 /// The answer that a worker sends: how it went, what to print, and the statistics.
 struct Answer {
     int status = kDone;
@@ -122,12 +131,16 @@ Answer unpack(const std::string& packed) {
 class JobRunner {
   public:
     JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, bool color)
-        : arguments_(arguments), outputs_(std::move(outputs)), color_(color) {}
+        : arguments_(arguments),
+          outputs_(std::move(outputs)),
+          color_(color),
+          parts_(static_cast<std::size_t>(partsOf(arguments))) {}
 
-    std::string operator()(std::size_t index, const render::Step& step) {
+    std::string operator()(std::size_t piece, const render::Step& step) {
+        const std::size_t index = piece / parts_;
         Answer answer;
         if (!context_) {
-            suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size());
+            suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
             if (!opened) return pack({kNoDriver, printable(opened.diagnostics, color_), "", ""});
             context_.emplace(std::move(*opened));
@@ -138,6 +151,8 @@ class JobRunner {
         job.options = arguments_.options;
         job.frames = arguments_.frames;
         job.framesPerSecond = arguments_.framesPerSecond;
+        job.part = static_cast<int>(piece % parts_);
+        job.parts = static_cast<int>(parts_);
         job.explain = arguments_.explain;
         job.stats = !arguments_.statsFile.empty();
         render::JobResult result;
@@ -162,6 +177,7 @@ class JobRunner {
     const RenderArguments& arguments_;
     std::vector<fs::path> outputs_;
     bool color_;
+    std::size_t parts_;
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context: it has to go first
 };
@@ -183,6 +199,19 @@ class ProgressLine {
     std::size_t total_;
 };
 
+/// What several parts of an animation have to say, each line once.
+class Messages {
+  public:
+    void print(const std::string& text) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            if (told_.insert(line).second) std::fprintf(stderr, "%s\n", line.c_str());
+    }
+
+  private:
+    std::set<std::string> told_;
+};
+
 int renderAll(RenderArguments& arguments) {
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     const std::vector<fs::path> outputs = outputFiles(arguments);
@@ -195,10 +224,13 @@ int renderAll(RenderArguments& arguments) {
     int status = kDone;
     std::vector<std::string> failed;
     std::vector<std::string> stats(arguments.scenes.size());
-    std::vector<int> framesDone(arguments.scenes.size());
+    const auto parts = static_cast<std::size_t>(partsOf(arguments));
+    std::vector<int> framesDone(arguments.scenes.size() * parts);
     std::size_t doneCount = 0;
+    Messages messages;
 
-    const auto done = [&](std::size_t index, const render::Outcome& outcome) {
+    const auto done = [&](std::size_t piece, const render::Outcome& outcome) {
+        const std::size_t index = piece / parts;
         const std::string& scene = arguments.scenes[index];
         if (outcome.end == render::Outcome::End::stopped) {
             image::removeTemporaryFiles(outputs[index].parent_path(), outcome.process);
@@ -222,23 +254,26 @@ int renderAll(RenderArguments& arguments) {
             image::removeTemporaryFiles(outputs[index].parent_path(), outcome.process);
         }
         progress.clear();
-        std::fwrite(answer.text.data(), 1, answer.text.size(), stderr);
+        if (parts > 1)
+            messages.print(answer.text);
+        else
+            std::fwrite(answer.text.data(), 1, answer.text.size(), stderr);
         std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
         std::fflush(stdout);
         stats[index] = std::move(answer.statsJson);
         status = std::max(status, answer.status);
         if (answer.status != kDone) failed.push_back(scene);
-        doneCount += static_cast<std::size_t>(arguments.frames - framesDone[index]);
+        if (parts == 1) doneCount += static_cast<std::size_t>(arguments.frames - framesDone[piece]);
         progress.show(doneCount, scene);
     };
-    const auto step = [&](std::size_t index, const std::string& text) {
+    const auto step = [&](std::size_t piece, const std::string& text) {
         const int frames = std::stoi(text);
-        doneCount += static_cast<std::size_t>(frames - framesDone[index]);
-        framesDone[index] = frames;
-        progress.show(doneCount, arguments.scenes[index]);
+        doneCount += static_cast<std::size_t>(frames - framesDone[piece]);
+        framesDone[piece] = frames;
+        progress.show(doneCount, arguments.scenes[piece / parts]);
     };
     const Interruption interruption;
-    render::runInWorkers(arguments.scenes.size(),
+    render::runInWorkers(arguments.scenes.size() * parts,
                          {.workers = jobsOf(arguments),
                           .timeout = arguments.timeout,
                           .stop = [&] { return interruption.signal() != 0; }},

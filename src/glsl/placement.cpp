@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "glsl/rules.h"
+#include "glsl/straight_line.h"
 #include "glsl/usage.h"
 
 namespace glibra::glsl {
@@ -43,10 +44,6 @@ Meaning product(Meaning left, Meaning right) {
     return other;
 }
 
-bool isOne(std::string_view number) {
-    return number == "1" || number == "1." || number == "1.0" || number == "1.f" || number == "1.0f";
-}
-
 class PlacementSearch {
   public:
     explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
@@ -70,31 +67,12 @@ class PlacementSearch {
         const auto writes = unit_.writes.find("gl_Position");
         if (writes == unit_.writes.end() || writes->second.size() != 1) return std::nullopt;
         const std::uint32_t at = writes->second.front();
-        const Declaration* main = nullptr;
-        for (const Declaration& each : unit_.syntax.declarations) {
-            if (each.kind != DeclarationKind::function || unit_.text(each.name) != "main") continue;
-            if (main != nullptr) return std::nullopt;
-            main = &each;
-        }
-        if (main == nullptr || !main->body.contains(at) || !isStatementOf(main->body, at))
-            return std::nullopt;
-        body_ = main->body;
+        const std::optional<Range> main = bodyOfMain(unit_);
+        if (!main || !isAlwaysExecuted(unit_, *main, at)) return std::nullopt;
+        body_ = *main;
         const std::uint32_t end = endOfStatement(at);
         if (unit_.text(at + 1) != "=" || end == kNone) return std::nullopt;
         return Range{at + 2, end};
-    }
-
-    /// Directly in the braces of `body`, begun by no if, else or loop, and behind no return.
-    [[nodiscard]] bool isStatementOf(Range body, std::uint32_t at) const {
-        const std::string_view before = unit_.text(at - 1);
-        if (before != "{" && before != "}" && before != ";") return false;
-        int depth = 0;
-        for (std::uint32_t i = body.first; i < at; ++i) {
-            const std::string_view text = unit_.text(i);
-            if (text == "return") return false;
-            depth += text == "{" ? 1 : text == "}" ? -1 : 0;
-        }
-        return depth == 1;
     }
 
     [[nodiscard]] std::uint32_t endOfStatement(std::uint32_t at) const {
@@ -145,7 +123,7 @@ class PlacementSearch {
     Meaning constructed(Range inside) {
         const bool isPoint = inside.end - inside.first == 5 && unit_.text(inside.first + 1) == "." &&
                              unit_.text(inside.first + 2) == "xyz" && unit_.text(inside.first + 3) == "," &&
-                             isOne(unit_.text(inside.first + 4));
+                             isLiteralOne(unit_.text(inside.first + 4));
         if (isPoint) {
             const Meaning whole = name(inside.first);
             return whole == Meaning::vertex || whole == Meaning::point ? Meaning::point : Meaning::other;

@@ -46,6 +46,8 @@ void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& ge
 
 /// How the program places its vertices. After the variables' types and storages are known.
 Placement findPlacement(const ProgramUnits& program);
+/// TranslatedProgram::isOpaque. After placeFragmentOutputs.
+bool findOpacity(const ProgramUnits& program);
 
 /// Vertices of a geometry stage's input primitive.
 int verticesOfPrimitive(std::string_view primitive);

@@ -79,6 +79,7 @@ void applyRules(ProgramUnits& program) {
         recordUserNames(unit, *program.result);
     }
     program.result->placement = findPlacement(program);
+    program.result->isOpaque = findOpacity(program);
 }
 
 }  // namespace

@@ -119,6 +119,7 @@ struct TranslatedProgram {
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written
     Placement placement = Placement::unknown;
+    bool isOpaque = false;  ///< the text proves that the only colour written always has 1 for alpha
 
     std::string name;  ///< of the Program, and its scene line: for the notes under compile errors
     Place place;

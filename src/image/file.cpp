@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <new>
 #include <system_error>
 
@@ -52,6 +54,21 @@ class Descriptor {
     int number_;
 };
 
+/// Asks for memory of `size` bytes, without touching it, in pages of 2 MiB where the system has them: a large
+/// file took half of its reading time for faults of small ones.
+void reserveLarge(std::vector<std::byte>& bytes, std::size_t size) {
+    bytes.reserve(size);
+#ifdef MADV_HUGEPAGE
+    constexpr std::size_t kLeast = std::size_t{8} << 20;
+    if (size < kLeast) return;
+    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    void* begin = bytes.data();
+    std::size_t space = size;
+    if (std::align(page, page, begin, space) != nullptr)
+        ::madvise(begin, space / page * page, MADV_HUGEPAGE);  // no matter whether it is heard
+#endif
+}
+
 /// The name that is to be replaced: where a link points, else the path itself.
 fs::path resolved(const fs::path& path) {
     std::error_code failed;
@@ -84,6 +101,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
 
     std::vector<std::byte> bytes;
     try {
+        reserveLarge(bytes, size);
         bytes.resize(size);
     } catch (const std::bad_alloc&) {
         return unreadable("there is not enough memory");

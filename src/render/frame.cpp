@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "gpu/uniform.h"
 #include "plan/uniform_names.h"
@@ -85,6 +86,22 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene,
 void FrameDrawer::setPictureSize(int width, int height) {
     width_ = width;
     height_ = height;
+}
+
+void FrameDrawer::leaveOutBlending() {
+    blendsOpaque_ = false;
+    std::set<int> told;
+    for (const plan::PlannedPass& pass : plan_.passes)
+        for (const auto& step : pass.steps) {
+            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+            if (!draw || !pass.pass->targets.empty()) continue;
+            const BuiltProgram* own = ownProgramOf(*draw);
+            if (own == nullptr || !own->interface.facts.isOpaque || !told.insert(draw->program).second)
+                continue;
+            const glsl::TranslatedProgram& facts = own->interface.facts;
+            stats_.skip("blending", fmt::format("'{}': it always writes 1 for alpha", facts.name),
+                        facts.place);
+        }
 }
 
 bool FrameDrawer::texturesComeFirst() const {
@@ -274,7 +291,8 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
                             Diagnostics& diagnostics) {
     const scene::RasterState& raster = planned.draw->raster;
     const gpu::Capabilities& capabilities = context_.capabilities();
-    enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque);
+    const bool changesNothing = !blendsOpaque_ && built.interface.facts.isOpaque;
+    enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque && !changesNothing);
     const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
     const double width = std::clamp(raster.lineWidth, capabilities.minLineWidth, widest);
     if (raster.lineWidth > widest && !lineWidthTold_) {

@@ -51,6 +51,9 @@ class FrameDrawer {
 
     /// Leaves out what provably does not reach the tile; `samples`: of the window's target.
     void leaveOutOfTile(int samples) { windowSamples_ = samples; }
+    /// From now on draws whose programs always write 1 for alpha are not blended. The window's colours must
+    /// be bytes: floats would keep the sign of a zero that blending loses.
+    void leaveOutBlending();
 
     /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
     /// still begin with their implicit clears.
@@ -100,6 +103,7 @@ class FrameDrawer {
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     ViewMatrices view_;
     bool wireframe_ = false;
+    bool blendsOpaque_ = true;
     int windowSamples_ = 0;  ///< 0: all draws are drawn into all tiles
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "gpu/call_counter.h"
 #include "image/inspect.h"
@@ -127,23 +128,51 @@ class JobRun {
                                                        : image::writeImage(*picture, job_.output));
     }
 
-    void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
-        PictureWriter writer(frameWritten);
-        std::map<Moment, int> drawn;  // frames by their moment
-        int copies = 0;
+    /// By frame the first frame that shows the same.
+    [[nodiscard]] std::vector<int> firstAlike(const SceneRenderer& scene) const {
+        std::map<Moment, int> known;
+        std::vector<int> first(static_cast<std::size_t>(job_.frames));
         for (int i = 0; i < job_.frames; ++i) {
-            const double time = options_.time + i / job_.framesPerSecond;
-            const std::optional<Moment> moment = options_.skip ? scene.momentOf(time) : std::nullopt;
+            const std::optional<Moment> moment = options_.skip ? scene.momentOf(timeOf(i)) : std::nullopt;
+            first[static_cast<std::size_t>(i)] = moment ? known.try_emplace(*moment, i).first->second : i;
+        }
+        return first;
+    }
+
+    /// By frame whether this part draws it, or copies it from one that it draws. Parts take turns, so that
+    /// all have as much to do.
+    [[nodiscard]] std::vector<bool> ownFrames(const SceneRenderer& scene,
+                                              const std::vector<int>& firstAlike) const {
+        const bool isDivided = job_.parts > 1 && !scene.remembersFrames() &&
+                               context_.capabilities().family.find("pipe") != std::string::npos;
+        std::vector<bool> isOwn(firstAlike.size(), !isDivided && job_.part == 0);
+        if (!isDivided) return isOwn;
+        int turn = 0;
+        for (std::size_t i = 0; i < firstAlike.size(); ++i) {
+            const auto first = static_cast<std::size_t>(firstAlike[i]);
+            isOwn[i] = first == i ? turn++ % job_.parts == job_.part : static_cast<bool>(isOwn[first]);
+        }
+        return isOwn;
+    }
+
+    [[nodiscard]] double timeOf(int frame) const { return options_.time + frame / job_.framesPerSecond; }
+
+    void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
+        const std::vector<int> first = firstAlike(scene);
+        const std::vector<bool> isOwn = ownFrames(scene, first);
+        PictureWriter writer(frameWritten);
+        int drawn = 0, copies = 0;
+        for (int i = 0; i < job_.frames; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            if (!isOwn[index]) continue;
             const std::filesystem::path file = frameFile(job_.output, i, job_.frames);
-            if (moment) {
-                const auto [known, isNew] = drawn.try_emplace(*moment, i);
-                if (!isNew) {
-                    ++copies;
-                    if (writer.addCopy(frameFile(job_.output, known->second, job_.frames), file)) continue;
-                    break;
-                }
+            if (first[index] < i) {
+                ++copies;
+                if (!writer.addCopy(frameFile(job_.output, first[index], job_.frames), file)) break;
+                continue;
             }
-            std::optional<image::Image> picture = draw(scene, time);
+            ++drawn;
+            std::optional<image::Image> picture = draw(scene, timeOf(i));
             if (!picture || !writer.add(std::move(*picture), file)) break;
         }
         append(result_.diagnostics, writer.finish());
@@ -151,7 +180,7 @@ class JobRun {
         stats_.add("frames copied", static_cast<std::uint64_t>(copies));
         stats_.skip(
             "frames",
-            drawn.size() == 1
+            drawn == 1
                 ? fmt::format("{} of {} are copies of the first: nothing that is drawn reads Timer", copies,
                               job_.frames)
                 : fmt::format("{} of {} are copies of earlier ones with the same Timer", copies, job_.frames),

@@ -20,6 +20,10 @@ struct Job {
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;
+    /// An animation may be divided among as many jobs, of which this is number `part`. They must run on the
+    /// same machine, each in a process of its own. On a driver that draws on the processor, and for a scene
+    /// whose frames do not show earlier ones, each draws its share of the frames; else part 0 draws all.
+    int part = 0, parts = 1;
     bool explain = false;
     bool stats = false;
 };
@@ -32,9 +36,9 @@ struct JobResult {
     std::string statsJson;    ///< --stats
 };
 
-/// Draws and writes all frames. Encoding and writing of one frame overlap with drawing the next; frames that
-/// cannot differ are drawn and encoded once and copied. Called with the number of frames written so far, as
-/// soon as each is. `shared`: what earlier scenes have made, or null.
+/// Draws and writes all frames, or those of its part. Encoding and writing of one frame overlap with drawing
+/// the next; frames that cannot differ are drawn and encoded once and copied. Called with the number of
+/// frames written so far, as soon as each is. `shared`: what earlier scenes have made, or null.
 JobResult runJob(gpu::Context& context, const Job& job,
                  const std::function<void(int framesWritten)>& frameWritten, SharedParts* shared = nullptr);
 

@@ -102,10 +102,14 @@ bool PictureWriter::done(const Item& item, Diagnostics problems) {
 }
 
 void PictureWriter::run() {
+    // Drawing waits for these files, and each thread has its own.
+    image::WriteOptions options;
+    options.png.level = 0;
+    options.png.threads = 1;
     Item item;
     while (take(item)) {
         const auto* picture = std::get_if<image::Image>(&item.content);
-        Diagnostics problems = picture ? image::writeImage(*picture, item.file)
+        Diagnostics problems = picture ? image::writeImage(*picture, item.file, options)
                                        : copyFile(std::get<std::filesystem::path>(item.content), item.file);
         if (!done(item, std::move(problems))) return;
     }

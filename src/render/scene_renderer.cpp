@@ -272,6 +272,7 @@ Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::file
     state->drawer->setPictureSize(width, height);
     state->drawer->setView(state->view);
     if (options.skip && grid.tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
+    if (options.skip && !options.floatPixels) state->drawer->leaveOutBlending();
     state->device.releaseMeshes();
 
     Result<gpu::Target> window = gpu::Target::window(

@@ -97,9 +97,34 @@ TEST_F(Determinism, FramesOfAnAnimationAreThePicturesOfTheirTimes) {
     EXPECT_FALSE(std::filesystem::exists(folder / "film_0012.png"));
     for (const int frame : {0, 3, 11}) {
         const std::string number = frame < 10 ? "0" + std::to_string(frame) : std::to_string(frame);
-        EXPECT_EQ(readFile(folder / ("film_00" + number + ".png")),
-                  picture("--time " + std::to_string(frame / 10.0)))
-            << frame;
+        folder.write("still.png", picture("--time " + std::to_string(frame / 10.0)));
+        const Finished compared = glibra(folder.path(), "compare still.png film_00" + number + ".png");
+        EXPECT_EQ(compared.status, 0) << frame << ": " << compared.out;
+    }
+}
+
+TEST_F(Determinism, SeveralJobsWriteTheSameAnimationAsOne) {
+    folder.write(
+        "a.frag",
+        "#version 330 core\nin vec3 vN;\nout vec4 f;\nvoid main() { f = vec4(Timer, abs(vN.xy), 1.); }\n");
+    // 50 frames, of which the last 10 repeat the first.
+    folder.write("repeat.glib",
+                 "WindowSize 90 80\nLookAt 0 0 4 0 0 0 0 1 0\nTimer 4\nVertex a.vert\nFragment a.frag\n"
+                 "Program P uNone 1\nTeapot\n");
+    const std::string command = "render repeat.glib --frames 50 --fps 10 ";
+    const Finished one = glibra(folder.path(), command + "-o one/f.png --jobs 1");
+    ASSERT_EQ(one.status, 0) << one.err;
+    for (const std::string jobs : {"2", "5"}) {
+        const Finished several =
+            glibra(folder.path(), command + "-o several" + jobs + "/f.png --jobs " + jobs);
+        ASSERT_EQ(several.status, 0) << several.err;
+        EXPECT_EQ(several.err, one.err) << "the warning about uNone stands there once";
+        for (int i = 0; i < 50; ++i) {
+            const std::string name = (i < 10 ? "f_000" : "f_00") + std::to_string(i) + ".png";
+            EXPECT_EQ(readFile(folder / ("several" + jobs + "/" + name)), readFile(folder / ("one/" + name)))
+                << name;
+        }
+        EXPECT_FALSE(std::filesystem::exists(folder / ("several" + jobs + "/f_0050.png")));
     }
 }
 

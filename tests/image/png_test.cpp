@@ -4,10 +4,12 @@
 #include <libdeflate.h>
 #include <spng.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "image/bytes.h"
 #include "image/compare.h"
+#include "image/png_chunks.h"
 #include "image/png_reader.h"
 #include "image/png_writer.h"
 #include "support.h"
@@ -94,19 +96,75 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PngRoundTrip,
 
 TEST(PngWriter, EveryLevelGivesTheSamePixels) {
     const Image image = testing::smoothImage(64, 48);
-    for (const int level : {-3, 1, 6, 12, 99}) {
-        const auto read = decodePng(encodePng(image, {level, {}}), kLabel);
+    for (const int level : {-3, 0, 1, 6, 12, 99}) {
+        const auto read = decodePng(encodePng(image, {.level = level, .text = {}}), kLabel);
         ASSERT_TRUE(read) << level;
         EXPECT_TRUE(compare(image, *read).identical) << level;
     }
 }
 
+TEST(PngWriter, LargePicturesReachEveryReaderWhole) {
+    for (const int components : {1, 3, 4})
+        for (const Component type : {Component::u8, Component::u16})
+            for (const int level : {0, 1, 4}) {
+                // Several stripes; the last is shorter than the others.
+                const Image image = components == 3 ? testing::smoothImage(1111, 977)
+                                                    : testing::noisyImage(1111, 977, components, type);
+                const auto png = encodePng(image, {.level = level, .text = {}});
+                const auto read = decodePng(png, kLabel);
+                ASSERT_TRUE(read) << components << ' ' << level;
+                EXPECT_TRUE(compare(image, *read).identical) << components << ' ' << level;
+                if (!testing::hasModule()) continue;
+                const auto other = testing::decodeElsewhere(Format::png, png);
+                ASSERT_TRUE(other) << other.diagnostics[0].text;
+                EXPECT_TRUE(compare(image, *other).identical) << components << ' ' << level;
+            }
+}
+
+TEST(PngWriter, WritesTheSameBytesByAnyNumberOfThreads) {
+    const Image image = testing::smoothImage(1500, 1000);
+    const auto alone = encodePng(image, {.text = {}, .threads = 1});
+    for (const unsigned threads : {0U, 2U, 3U, 64U})
+        EXPECT_EQ(encodePng(image, {.text = {}, .threads = threads}), alone) << threads;
+}
+
+/// The filtered rows of a grey picture, as its file holds them.
+std::vector<std::byte> rowsOf(const Image& image) {
+    const auto png = encodePng(image);
+    const auto chunks = pngChunks(png);
+    std::vector<std::byte> rows((1 + image.rowBytes()) * static_cast<std::size_t>(image.height));
+    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    EXPECT_EQ(libdeflate_zlib_decompress(decompressor.get(), chunks->data[0].data(), chunks->data[0].size(),
+                                         rows.data(), rows.size(), nullptr),
+              LIBDEFLATE_SUCCESS);
+    return rows;
+}
+
+TEST(PngWriter, ChoosesTheFilterThatSuitsTheRow) {
+    Image image{64, 66, 1, Component::u8, std::vector<std::byte>(std::size_t{64} * 66)};
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            image.data[static_cast<std::size_t>(64 * y + x)] =
+                static_cast<std::byte>(y == 0   ? 3 * x
+                                       : y < 32 ? 7 * y
+                                                : 5 * x + 11 * std::min(y, 63));
+    const auto rows = rowsOf(image);
+    const auto filterOf = [&](std::size_t y) { return std::to_integer<int>(rows[65 * y]); };
+    EXPECT_EQ(filterOf(0), 1) << "sub: 3 a pixel";
+    EXPECT_EQ(filterOf(20), 4) << "Paeth: 7 for the first pixel, then 0; sub has 140 for the first";
+    EXPECT_EQ(filterOf(65), 2) << "up: the row above again";
+    // Single points: every difference shows them twice.
+    Image points = testing::noisyImage(200, 3, 1, Component::u8);
+    for (std::byte& each : points.data) each = each < std::byte{25} ? std::byte{40} : std::byte{0};
+    EXPECT_EQ(rowsOf(points)[201 * 2], std::byte{0}) << "none";
+}
+
 TEST(PngWriter, TextReachesAnotherReader) {
-    const auto png = encodePng(testing::smoothImage(4, 4), {1,
-                                                            {{"Scene", "ripples.glib"},
-                                                             {"Autor", "J\xc3\xb6rg"},
-                                                             {"", "none"},
-                                                             {std::string(80, 'k'), "long"}}});
+    const auto png = encodePng(testing::smoothImage(4, 4), {.text = {{"Scene", "ripples.glib"},
+                                                                     {"Autor", "J\xc3\xb6rg"},
+                                                                     {"", "none"},
+                                                                     {std::string(80, 'k'), "long"}}});
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
     spng_set_png_buffer(context.get(), png.data(), png.size());
     std::uint32_t count = 0;

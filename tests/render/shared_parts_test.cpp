@@ -177,6 +177,24 @@ Frames animate(const SceneFolder& folder, int frames, double framesPerSecond, bo
     return result;
 }
 
+/// The same frames by several jobs; how many files each of them wrote.
+std::vector<int> animateInParts(const SceneFolder& folder, int frames, double framesPerSecond, int parts,
+                                std::vector<std::string>& files) {
+    render::Job job;
+    job.scene = folder / "scene.glib";
+    job.output = folder / "p.png";
+    job.frames = frames;
+    job.framesPerSecond = framesPerSecond;
+    job.parts = parts;
+    std::vector<int> written(static_cast<std::size_t>(parts));
+    for (job.part = 0; job.part < parts; ++job.part) {
+        int& told = written[static_cast<std::size_t>(job.part)];
+        EXPECT_FALSE(render::runJob(sharedContext(), job, [&](int count) { told = count; }).failed);
+    }
+    for (int i = 0; i < frames; ++i) files.push_back(bytesOf(render::frameFile(job.output, i, frames)));
+    return written;
+}
+
 TEST(Frames, WithoutTimerAreDrawnOnce) {
     const SceneFolder folder(kStart + "Program P uColor 1. .5 .2\nSphere 1 20 20\n", kFiles);
     const Frames skipping = animate(folder, 12, 10, true);
@@ -200,6 +218,10 @@ TEST(Frames, OfARepeatedPeriodAreDrawnOnce) {
     EXPECT_EQ(whole.draws, 24U);
     EXPECT_TRUE(skipping.files == whole.files);
     EXPECT_NE(skipping.files[0], skipping.files[1]);
+    std::vector<std::string> divided;
+    EXPECT_EQ(animateInParts(folder, 24, 8, 3, divided), (std::vector{9, 9, 6}))
+        << "3, 3 and 2 of the 8 that differ";
+    EXPECT_TRUE(divided == whole.files);
 }
 
 TEST(Frames, ThatReadATextureOfTheFrameBeforeAreAllDrawn) {
@@ -221,6 +243,9 @@ TEST(Frames, ThatReadATextureOfTheFrameBeforeAreAllDrawn) {
     EXPECT_EQ(skipping.draws, 12U);
     EXPECT_TRUE(skipping.files == whole.files);
     EXPECT_NE(skipping.files[1], skipping.files[2]);
+    std::vector<std::string> divided;
+    EXPECT_EQ(animateInParts(folder, 4, 10, 2, divided), (std::vector{4, 0})) << "one draws them all";
+    EXPECT_TRUE(divided == whole.files);
     // Without the way back every frame is the same.
     const SceneFolder straight(
         start +

@@ -169,6 +169,28 @@ TEST(SkipRule, NoTriangleSmallerThanTheGapsBetweenPixels) {
               1U);
 }
 
+TEST(SkipRule, NoBlendingOfWhatIsOpaque) {
+    const std::string overlapping = "Sphere 1\nTranslate .5 .2 .3\nSphere 1\n";
+    for (const int samples : {1, 4}) {
+        RenderOptions options;
+        options.samples = samples;
+        const BothWays opaque = drawBothWays(scene(program("plain") + overlapping), options);
+        EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': it always writes 1 for alpha"});
+        EXPECT_TRUE(opaque.whole.skipped("blending").empty());
+        auto files = kFiles;
+        files["half.frag"] =
+            "#version 330 core\nin vec3 vST;\nout vec4 fColor;\nvoid main() { fColor = "
+            "vec4(vST.st, 0., .5); }\n";
+        const BothWays half =
+            drawBothWays(SceneFolder(kStart + program("plain") + overlapping + program("half") +
+                                         "Translate -.4 .1 .5\nSphere 1\n",
+                                     files),
+                         options);
+        EXPECT_EQ(half.skipping.skipped("blending").size(), 1U);
+        EXPECT_NE(half.skipping.pixels, opaque.skipping.pixels);
+    }
+}
+
 TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
     // A ball at the corner of four pixels, and one just right of the picture.
     const SceneFolder folder(

@@ -1,0 +1,100 @@
+// What each level of our PNG writer gives, against libpng with its own defaults, over many pictures.
+// Use: png_levels FILE.png...   (glibra render glib/*/*.glib --size 1024x1024 -o DIR makes such pictures)
+//
+// Size and speed are geometric means over the pictures; speed is libpng's time divided by ours, the best of
+// three: of all processors together, and by the clock.
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "functions/libpng_writer.h"
+#include "image/convert.h"
+#include "image/png_writer.h"
+#include "image/read.h"
+
+namespace {
+
+using namespace glibra;
+
+struct Cost {
+    double processor = 0, wall = 0;  ///< seconds
+};
+
+double processorTime() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // POSIX: of all threads
+}
+
+/// The least of three runs of `encode`, which gives the size of the file.
+template <class Encode>
+Cost measure(const Encode& encode, std::size_t& bytes) {
+    Cost least{1e9, 1e9};
+    for (int i = 0; i < 3; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const double processor = processorTime();
+        bytes = encode();
+        least.processor = std::min(least.processor, processorTime() - processor);
+        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+        least.wall = std::min(least.wall, wall.count());
+    }
+    return least;
+}
+
+/// Over the pictures seen so far.
+struct Level {
+    double sizes = 0, processor = 0, wall = 0;  ///< sums of logarithms of ratios
+    double largest = 0;
+};
+
+constexpr int kMostLevel = 7;
+
+}  // namespace
+
+int main(int count, char** files) {
+    std::vector<Level> levels(kMostLevel + 1);
+    int pictures = 0;
+    for (int i = 1; i < count; ++i) {
+        const auto read = image::readImage(files[i], {files[i], 1, 1});
+        if (!read) {
+            std::fprintf(stderr, "png_levels: cannot read %s\n", files[i]);
+            return 1;
+        }
+        const image::Image picture = image::withComponents(*read, 3);
+        std::size_t theirBytes = 0;
+        const Cost theirs = measure([&] { return bench::writeByLibpng(picture).size(); }, theirBytes);
+        ++pictures;
+        for (int level = 0; level <= kMostLevel; ++level) {
+            std::size_t bytes = 0;
+            const Cost ours = measure(
+                [&] { return image::encodePng(picture, {.level = level, .text = {}}).size(); }, bytes);
+            Level& sum = levels[static_cast<std::size_t>(level)];
+            const double size = static_cast<double>(bytes) / static_cast<double>(theirBytes);
+            sum.sizes += std::log(size);
+            sum.largest = std::max(sum.largest, size);
+            sum.processor += std::log(theirs.processor / ours.processor);
+            sum.wall += std::log(theirs.wall / ours.wall);
+        }
+    }
+    if (pictures == 0) {
+        std::fprintf(stderr, "use: png_levels FILE.png...\n");
+        return 2;
+    }
+    const auto mean = [&](double sum) { return std::exp(sum / pictures); };
+    fmt::print(
+        "{} pictures\n| level | size of libpng's (largest) | speed by processor time | by the clock |\n"
+        "|---|---|---|---|\n",
+        pictures);
+    for (int level = 0; level <= kMostLevel; ++level) {
+        const Level& sum = levels[static_cast<std::size_t>(level)];
+        fmt::print("| {} | {:.3f} ({:.2f}) | {:.1f} | {:.1f} |\n", level, mean(sum.sizes), sum.largest,
+                   mean(sum.processor), mean(sum.wall));
+    }
+    return 0;
+}
