@@ -98,7 +98,7 @@ TEST_F(TestCommand, AMisspeltUniformIsAMistakeOfTheSuite) {
     const Finished run = this->run("t.toml --update");
     EXPECT_EQ(run.status, 3);
     EXPECT_TRUE(contains(run.out,
-                         "t.toml:9:11: error: no program of the scene has a uniform 'uKdd'; did you mean "
+                         "t.toml:10:11: error: no program of the scene has a uniform 'uKdd'; did you mean "
                          "'uKd'? [suite-E19]"))
         << run.out;
     EXPECT_TRUE(contains(run.out, "2 failed, 1 updated, 3 passed")) << run.out;
