@@ -178,6 +178,8 @@ constexpr CatalogueRow kRows[] = {
     {"suite-E17", Severity::error, "expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?"},
     {"suite-E18", Severity::error,
      "'a/start.toml' and 'b/start.toml' are both named 'start'; results and goldens need names of their own"},
+    {"suite-E19", Severity::error,
+     "no program of the scene has a uniform 'uNoiseAmpp'; did you mean 'uNoiseAmp'?"},
     {"suite-W01", Severity::warning, "no line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", Severity::error, "this is no line of results: no verdict is called 'good'"},

@@ -14,8 +14,10 @@
 namespace glibra::image {
 namespace {
 
-std::string count(std::uint64_t pixels) {
-    return pixels == 1 ? "1 pixel" : fmt::format("{} pixels", pixels);
+/// "1 pixel differs", "2 pixels in row 7 differ".
+std::string differ(std::uint64_t pixels, std::string_view which = "") {
+    return fmt::format("{} {}{} {}", pixels, pixels == 1 ? "pixel" : "pixels", which,
+                       pixels == 1 ? "differs" : "differ");
 }
 
 /// A difference in 255ths with its place.
@@ -45,14 +47,15 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
                                   : fmt::format("{:g} of 255", limits.largest);
     result.decidedBy = Rung::differences;
     if (result.beyond > limits.allowed) {
-        result.reason = fmt::format("{} differ by more than {}, {} may; {}", count(result.beyond), limit,
+        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.beyond), limit,
                                     limits.allowed, largestDifference(result.comparison));
     } else if (result.cluster > static_cast<std::uint64_t>(std::max(tolerance.cluster, 0))) {
-        result.reason = fmt::format("{} that touch at {}, {} differ by more than {}, {} may; {}",
-                                    count(result.cluster), result.clusterX, result.clusterY, limit,
-                                    tolerance.cluster, largestDifference(result.comparison));
+        result.reason = fmt::format(
+            "{} by more than {}, {} may; {}",
+            differ(result.cluster, fmt::format(" that touch at {}, {}", result.clusterX, result.clusterY)),
+            limit, tolerance.cluster, largestDifference(result.comparison));
     } else if (result.line > static_cast<std::uint64_t>(std::max(tolerance.line, 0))) {
-        result.reason = fmt::format("{} in {} differ by more than {}, {} may; {}", count(result.line), line,
+        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.line, " in " + line),
                                     limit, tolerance.line, largestDifference(result.comparison));
     } else if (result.bias > tolerance.bias) {
         result.decidedBy = Rung::bias;
@@ -61,10 +64,10 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
                         result.biasX, result.biasY, result.bias, tolerance.bias);
     } else {
         result.same = true;
-        result.reason = result.beyond == 0
-                            ? fmt::format("{}, within {}", largestDifference(result.comparison), limit)
-                            : fmt::format("{} of at most {} differ by more than {}", count(result.beyond),
-                                          limits.allowed, limit);
+        result.reason =
+            result.beyond == 0
+                ? fmt::format("{}, within {}", largestDifference(result.comparison), limit)
+                : fmt::format("{} by more than {}, {} may", differ(result.beyond), limit, limits.allowed);
     }
 }
 

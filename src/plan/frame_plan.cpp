@@ -297,7 +297,28 @@ class FramePlanner {
                 for (std::size_t each = 0; each < options_.overrides.size(); ++each)
                     if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
         }
+        reportInactiveOverrides();
         for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
+    }
+
+    /// glib-W24 for those that are declared: whether a driver keeps what it can leave out differs from driver
+    /// to driver.
+    void reportInactiveOverrides() {
+        const auto isDeclared = [this](const Override& override) {
+            const auto declares = [&](const PlannedProgram& program) {
+                const scene::Program* own = sceneProgram(program.variant.program);
+                return own != nullptr && isFor(override, *own) &&
+                       program.interface->facts.uniforms.contains(std::string(rootName(override.name)));
+            };
+            return std::any_of(plan_.programs.begin(), plan_.programs.end(), declares);
+        };
+        for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
+            if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
+            usedOverrides_[i] = true;
+            say(warning("glib-W24",
+                        fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                    options_.overrides[i].name)));
+        }
     }
 
     const scene::Scene& scene_;

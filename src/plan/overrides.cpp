@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
+#include "glib/text.h"
 #include "plan/near_name.h"
 
 namespace glibra::plan {
@@ -92,14 +94,23 @@ Result<Override> parseOverride(std::string_view text) {
     return result;
 }
 
+bool isFor(const Override& override, const scene::Program& program) {
+    return override.program.empty() || override.program == program.name ||
+           override.program == std::to_string(program.place.line);
+}
+
 Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vector<bool>& used,
                             std::span<const std::string> names) {
     Diagnostics diagnostics;
     for (std::size_t i = 0; i < overrides.size(); ++i) {
         if (i < used.size() && used[i]) continue;
-        const std::string& name = overrides[i].name;
-        diagnostics.push_back(warning("glib-W23", fmt::format("no program of the scene has a uniform '{}'{}",
-                                                              name, suggestion(name, names))));
+        const auto& [name, form, values, program] = overrides[i];
+        const std::string where =
+            program.empty() ? "program of the scene" : "Program " + glib::quoted(program);
+        const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
+        const std::string near = isElsewhere ? "" : suggestion(name, names);
+        diagnostics.push_back(
+            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::quoted(name), near)));
     }
     return diagnostics;
 }

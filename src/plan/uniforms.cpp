@@ -87,18 +87,13 @@ class Resolver {
     /// What the command line replaces; a value that means nothing for the type leaves the scene's alone.
     void findOverridden() {
         for (const Override& each : overrides_) {
-            if (!isMeant(each)) continue;
+            if (!isFor(each, program_)) continue;
             for (const NamedUniform& named : names_.find(each.name))
                 if (!readValue({each.name, each.form, each.values, {}, {}}, uniform(named.uniform),
                                named.oneElement)
                          .ignored)
                     overridden_.insert({named.uniform, named.element});
         }
-    }
-
-    bool isMeant(const Override& each) const {
-        return each.program.empty() || each.program == program_.name ||
-               each.program == std::to_string(program_.place.line);
     }
 
     void applyPairs() {
@@ -119,7 +114,7 @@ class Resolver {
         if (used.size() < overrides_.size()) used.resize(overrides_.size());
         for (std::size_t i = 0; i < overrides_.size(); ++i) {
             const Override& each = overrides_[i];
-            if (!isMeant(each)) continue;
+            if (!isFor(each, program_)) continue;
             const GivenValue given{each.name, each.form, each.values, {}, {}};
             const std::vector<NamedUniform> named = names_.find(each.name);
             if (!named.empty()) used[i] = true;

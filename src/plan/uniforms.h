@@ -69,6 +69,8 @@ struct Override {
 /// Reads "NAME=VALUE"; "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
 /// are for the program of that name or on that line only.
 Result<Override> parseOverride(std::string_view text);
+/// True if it is for all programs, or for this one.
+bool isFor(const Override& override, const scene::Program& program);
 
 /// Resolves the pairs of one Program statement against its linked interface. Every active uniform that is
 /// neither supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` win over the

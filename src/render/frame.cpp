@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "gpu/uniform.h"
@@ -42,6 +43,14 @@ GLenum glMode(geometry::Topology topology) {
 
 GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
+}
+
+/// Lines without antialiasing have a whole number of pixels. Half way between two, one version of a driver
+/// takes the even one and another the larger: here it is always the larger, by the least that a float holds.
+double roundedUpAtHalf(double lineWidth) {
+    return lineWidth - std::floor(lineWidth) == 0.5
+               ? std::nextafter(static_cast<float>(lineWidth), std::numeric_limits<float>::max())
+               : lineWidth;
 }
 
 /// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
@@ -294,7 +303,7 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     const bool changesNothing = !blendsOpaque_ && built.interface.facts.isOpaque;
     enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque && !changesNothing);
     const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
-    const double width = std::clamp(raster.lineWidth, capabilities.minLineWidth, widest);
+    const double width = std::clamp(roundedUpAtHalf(raster.lineWidth), capabilities.minLineWidth, widest);
     if (raster.lineWidth > widest && !lineWidthTold_) {
         lineWidthTold_ = true;
         diagnostics.push_back(warning("draw-W04",

@@ -58,8 +58,8 @@ Json toJson(const ShotResult& shot, const ShownShot& shown) {
     for (const Figure& each : figures(shot)) list.push_back({each.name, each.value, each.limit, each.beyond});
     add("figures", list);
     Json told = Json::array();
-    if (!isPlain(shot))
-        for (const Diagnostic& each : shot.diagnostics)
+    for (const Diagnostic& each : shot.diagnostics)
+        if (!isPlain(shot) || each.severity == Severity::warning)
             told.push_back({name(each.severity), each.id, each.text, each.place.file, each.place.line,
                             each.place.column});
     add("diagnostics", told);

@@ -14,6 +14,7 @@
 #include "image/write.h"
 #include "render/job.h"
 #include "suite/hash_key.h"
+#include "suite/unknown_uniforms.h"
 
 namespace glibra::suite {
 namespace {
@@ -147,7 +148,6 @@ Rendering ShotWorker::render(const Shot& shot) {
         append(rendering.diagnostics,
                render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
-        if (hasError(rendering.diagnostics)) rendering.picture.reset();
     }
     return rendering;
 }
@@ -182,6 +182,8 @@ Rendering ShotWorker::tryRender(const Shot& shot) {
     };
     try {
         rendering = render(shot);
+        if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
+        if (hasError(rendering.diagnostics)) rendering.picture.reset();
     } catch (const std::bad_alloc&) {
         fail("draw-E05", "out of memory");
     } catch (const std::exception& failure) {

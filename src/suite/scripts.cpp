@@ -6,10 +6,12 @@
 #include <set>
 #include <system_error>
 
+#include "glib/suggest.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
 #include "scene/near_files.h"
 #include "suite/glob.h"
+#include "suite/missing_folder.h"
 #include "suite/shot_name.h"
 
 namespace glibra::suite {
@@ -60,19 +62,38 @@ class ScriptFinder {
         return {};
     }
 
+    void fitsNothing(std::string_view key, const PlacedText& pattern) {
+        std::string text = fmt::format("{}: {} fits no file", key, glib::quoted(pattern.text));
+        if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
+            text += "; " + why;
+        else if (const std::string near = nearEnding(pattern.text); !near.empty())
+            text += fmt::format("; did you mean '{}'?", near);
+        reader_.error("suite-E09", std::move(text), pattern.place);
+    }
+
+    /// The pattern with the ending nearest to its own that makes it fit some file; empty if there is none.
+    std::string nearEnding(const std::string& pattern) {
+        const std::string ending = fs::path(pattern).extension().string();
+        if (ending.empty() || isPattern(ending)) return {};
+        const std::string stem = pattern.substr(0, pattern.size() - ending.size());
+        const Result<std::vector<fs::path>> files = filesThatFit(folder_, stem + ".*");
+        if (!files) return {};
+        std::set<std::string> endings;
+        for (const fs::path& each : *files) endings.insert(each.extension().string());
+        const std::vector<std::string_view> names(endings.begin(), endings.end());
+        const std::string near = glib::nearestName(ending, names);
+        return near.empty() ? "" : stem + near;
+    }
+
     void exclude(const PlacedText& pattern) {
         const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty())
-            reader_.error("suite-E09", fmt::format("except: {} fits no file", glib::quoted(pattern.text)),
-                          pattern.place);
+        if (files.empty()) fitsNothing("except", pattern);
         for (const fs::path& each : files) excluded_.insert(each.lexically_normal());
     }
 
     void addFitting(const PlacedText& pattern) {
         const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty())
-            reader_.error("suite-E09", fmt::format("script: {} fits no file", glib::quoted(pattern.text)),
-                          pattern.place);
+        if (files.empty()) fitsNothing("script", pattern);
         const fs::path fixed = folder_ / fixedFolder(pattern.text);
         for (const fs::path& each : files)
             add(each, each.lexically_relative(fixed).generic_string(), true, pattern.place);
@@ -103,10 +124,15 @@ class ScriptFinder {
         } else {
             const fs::path parent = path.parent_path();
             const auto near = scene::nearestFiles(path.filename().string(), std::span(&parent, 1), listings_);
-            if (!near.empty())
+            const std::string withEnding = path.filename().string() + ".glib";
+            if (isFile(parent / withEnding))
+                hint = fmt::format("; did you mean '{}'?", withEnding);
+            else if (!near.empty())
                 hint = fmt::format("; did you mean '{}'?", near.front());
             else if (script.text.find('\\') != std::string::npos)
                 hint = "; folders are separated by '/'";
+            else if (const std::string why = whyNoFolder(parent); !why.empty())
+                hint = "; " + why;
         }
         reader_.error("suite-E10", fmt::format("script: cannot find {}{}", glib::quoted(path.string()), hint),
                       script.place);

@@ -12,6 +12,7 @@
 #include "glib/diagnostic_catalogue.h"
 #include "glib/suggest.h"
 #include "glib/text.h"
+#include "suite/missing_folder.h"
 #include "suite/shot_name.h"
 #include "suite/shot_view.h"
 
@@ -208,10 +209,12 @@ void readLibrary(const Context& in, const toml::node& node) {
     for (const std::string& each : *folders) {
         const std::filesystem::path path = (in.folder / each).lexically_normal();
         std::error_code failure;
-        if (!std::filesystem::is_directory(path, failure))
+        if (std::filesystem::is_regular_file(path, failure))
             in.reader.error("suite-E10",
                             fmt::format("library: {} is not a folder", glib::quoted(path.string())),
                             in.reader.placeOf(node));
+        else if (const std::string why = whyNoFolder(path); !why.empty())
+            in.reader.error("suite-E10", "library: " + why, in.reader.placeOf(node));
         in.to.shot.options.libraryRoots.push_back(path);
     }
 }
@@ -354,6 +357,10 @@ void readTemplate(TomlReader& reader, const toml::table& table, const std::files
             reader.unknownKey(entry, isDefaults ? "in [defaults]" : "in [[shot]]", names);
         }
     }
+}
+
+bool isShotKey(std::string_view key) {
+    return findKey(key) != nullptr;
 }
 
 bool isDefaultsKey(std::string_view key) {

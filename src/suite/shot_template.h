@@ -38,7 +38,9 @@ struct ShotTemplate {
 void readTemplate(TomlReader& reader, const toml::table& table, const std::filesystem::path& folder,
                   bool isDefaults, ShotTemplate& shot);
 
-/// True for a key that may stand in [defaults].
+/// True for a key of [[shot]].
+bool isShotKey(std::string_view key);
+/// True for one that may stand in [defaults] too.
 bool isDefaultsKey(std::string_view key);
 
 }  // namespace glibra::suite

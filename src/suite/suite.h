@@ -20,6 +20,12 @@ struct ExpectedError {
     int line = 0;      ///< of its place; 0: any
 };
 
+/// A uniform that a suite names, and where.
+struct PlacedUniform {
+    std::string name;  ///< "uKd", "Dots:uKd"
+    Place place;
+};
+
 /// One picture.
 struct Shot {
     /// Unique in its suite; letters, digits and "._-=,@+" and '/' between parts, so that it names files:
@@ -34,7 +40,9 @@ struct Shot {
     std::string match;   ///< another shot of the suite that has to give the same picture; empty: none
     std::string differ;  ///< another shot that has to give a different one; empty: none
     bool golden = true;  ///< false: the picture is only compared with `match` and `differ`
-    Place place;         ///< in the suite file
+    /// What the [[shot]] itself sets or sweeps; empty if it means several scenes, which need not all have it.
+    std::vector<PlacedUniform> ownUniforms;
+    Place place;  ///< in the suite file
 };
 
 struct Suite {

@@ -50,6 +50,7 @@ class SuiteBuilder {
         const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);
         // What is wrong itself would only give wrong messages about others.
         if (reader_.errorCount() > errorsBefore || !isFewEnough(shot, scripts.size())) return;
+        if (scripts.size() == 1) nameOwnUniforms(shot, defaults);
         const std::vector<Combination> all = combinations(shot.sweeps);
         for (const FoundScript& script : scripts)
             for (const Combination& combination : all)
@@ -94,6 +95,17 @@ class SuiteBuilder {
                               sweep.place);
             shot.set.erase(set);
         }
+    }
+
+    static void nameOwnUniforms(ShotTemplate& shot, const ShotTemplate& defaults) {
+        const auto isOfDefaults = [&](const UniformValues& own) {
+            return std::any_of(defaults.set.begin(), defaults.set.end(), [&](const UniformValues& each) {
+                return each.name == own.name && each.place == own.place;
+            });
+        };
+        for (const auto* all : {&shot.set, &shot.sweeps})
+            for (const UniformValues& each : *all)
+                if (!isOfDefaults(each)) shot.shot.ownUniforms.push_back({each.name, each.place});
     }
 
     bool isFewEnough(const ShotTemplate& shot, std::size_t scripts) {
@@ -172,8 +184,10 @@ const toml::array* readTopLevel(TomlReader& reader, const toml::table& root, con
         } else if (entry.key == "shot") {
             shots = entry.value->as_array();
             if (!shots) reader.wrongType(*entry.value, "shot", "[[shot]]");
-        } else if (isDefaultsKey(entry.key)) {
-            reader.error("suite-E02", fmt::format("'{}' belongs under [defaults] or [[shot]]", entry.key),
+        } else if (isShotKey(entry.key)) {
+            reader.error("suite-E02",
+                         fmt::format("'{}' belongs under {}[[shot]]", entry.key,
+                                     isDefaultsKey(entry.key) ? "[defaults] or " : ""),
                          entry.keyPlace);
         } else {
             reader.unknownKey(entry, "at the top of the file", kKeys);

@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostShots = 100'000;
 /// The file has the keys `goldens` (a folder; "golden/NAME" beside the file if it is left out), [defaults]
 /// and
 /// [[shot]]; README.md describes them. Files are relative to the suite file. Of a folder the golden pictures
-/// are in its sub-folder "golden". Errors have a place and the ids suite-E01 to suite-E17 (catalogue), or
+/// are in its sub-folder "golden". Errors have a place and the ids suite-E01 to suite-E18 (catalogue), or
 /// those of image::readFile; there is a value only without errors.
 Result<Suite> readSuite(const std::filesystem::path& fileOrFolder);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "glib/text.h"
 #include "image/read.h"
 #include "suite/figures.h"
 #include "suite/results_file.h"
@@ -32,6 +33,37 @@ class Text {
     void line(std::string_view text) {
         all_ += text;
         all_ += '\n';
+    }
+    /// Warnings of shots that do not fail, each text once.
+    void warnings(const RunResult& run) {
+        struct Told {
+            const Diagnostic* warning = nullptr;
+            const ShotResult *first = nullptr, *last = nullptr;
+            std::size_t shots = 0;
+        };
+        std::vector<Told> all;
+        for (const ShotResult& shot : run.shots) {
+            if (isFailure(shot.verdict)) continue;
+            for (const Diagnostic& each : shot.diagnostics) {
+                if (each.severity != Severity::warning) continue;
+                const auto known = std::find_if(all.begin(), all.end(), [&](const Told& told) {
+                    return told.warning->id == each.id && told.warning->text == each.text;
+                });
+                if (known == all.end()) {
+                    all.push_back({&each, &shot, &shot, 1});
+                } else if (known->last != &shot) {
+                    known->last = &shot;
+                    ++known->shots;
+                }
+            }
+        }
+        constexpr std::size_t kMost = 10;
+        for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i)
+            line(printableText(toString(*all[i].warning)) +
+                 painted(fmt::format(" in {}, as {}/{}", glib::counted(all[i].shots, "shot"),
+                                     printableText(all[i].first->suite), printableText(all[i].first->shot)),
+                         kGrey));
+        if (all.size() > kMost) line(fmt::format("{} more warnings are not shown", all.size() - kMost));
     }
     [[nodiscard]] std::string painted(std::string_view text, std::string_view paint) const {
         if (!options_.color) return std::string(text);
@@ -87,13 +119,14 @@ std::string toText(const RunResult& run, const TextOptions& options) {
             failures += failing ? 1 : 0;
             text.shot(shot, failing && failures <= options.mostDetails);
         }
+    text.warnings(run);
     if (failures > options.mostDetails)
         text.line(fmt::format("the first {} failures are told in full, {} more in a line each",
                               options.mostDetails, failures - options.mostDetails));
     std::string summary = counts(run);
     if (changed > 0)
         summary += fmt::format(" ({} not bit for bit as once on this driver and processor)", changed);
-    summary += fmt::format("; {} shots in {}", run.shots.size(), readableTime(run.seconds));
+    summary += fmt::format("; {} in {}", glib::counted(run.shots.size(), "shot"), readableTime(run.seconds));
     if (!run.driver.empty()) summary += ", " + printableText(run.driver);
     if (!run.shard.empty()) summary += ", shard " + printableText(run.shard);
     text.line(text.painted(summary, failures > 0 ? kRed : kGreen));

@@ -15,8 +15,9 @@ struct TextOptions {
     int mostDetails = 20;                   ///< failures told with figures, commands and heat map
 };
 
-/// Every shot that is not a plain pass, what needs a look first last of all (a terminal shows the end), then
-/// one line that sums up. The first `mostDetails` failures are told in full, others in one line each.
+/// Every shot that is not a plain pass, what needs a look first last of all (a terminal shows the end); the
+/// warnings of those that do not fail; then one line that sums up. The first `mostDetails` failures are told
+/// in full, others in one line each.
 std::string toText(const RunResult& run, const TextOptions& options);
 std::string toText(const RunResult& run, bool color, const std::filesystem::path& resultsFolder = {});
 

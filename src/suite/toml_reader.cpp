@@ -11,7 +11,7 @@
 #include "glib/number.h"
 #include "glib/suggest.h"
 #include "glib/text.h"
-#include "suite/utf8.h"
+#include "suite/toml_syntax.h"
 
 namespace glibra::suite {
 namespace {
@@ -24,57 +24,14 @@ bool beginsCharacter(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
 }
 
-/// What the parser says, without its preamble; and what people who write scenes get wrong most, named.
-std::string syntaxMessage(std::string_view said, std::string_view rest) {
-    constexpr std::string_view kPreamble = "Error while parsing ";
-    if (said.starts_with(kPreamble)) said.remove_prefix(kPreamble.size());
-    std::string text = fmt::format("not TOML: {}", printableText(said));
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    if (rest.size() > 1 && rest[0] == '.' && isDigit(rest[1]))
-        text += "; a number needs a digit before its point, as 0.5";
-    else if (rest.size() > 1 && isDigit(rest[0]) && rest[1] == '.' && (rest.size() == 2 || !isDigit(rest[2])))
-        text += "; a number needs a digit after its point, as 1.0";
-    return text;
-}
-
-/// The offset after the string that begins at `begin`: of one line, or of several between three quotes.
-std::size_t endOfString(std::string_view text, std::size_t begin) {
-    const char quote = text[begin];
-    const std::string three(3, quote);
-    const bool isLong = text.substr(begin).starts_with(three);
-    std::size_t at = begin + (isLong ? 3 : 1);
-    for (; at < text.size(); ++at) {
-        if (quote == '"' && text[at] == '\\')
-            ++at;
-        else if (isLong && text.substr(at).starts_with(three))
-            return at + 3;
-        else if (!isLong && (text[at] == quote || text[at] == '\n'))
-            return at + 1;
-    }
-    return text.size();
-}
-
-/// The offset of the first key with more parts ("a.b.c") than anybody needs, if there is one. The parser
-/// makes a table of each part and is done with them by recursion, which a key of 100,000 parts would not
-/// survive.
-std::optional<std::size_t> endlessKey(std::string_view text) {
-    constexpr int kMostParts = 16;
-    int dots = 0;
-    std::size_t begin = 0;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const char c = text[at];
-        if (c == '"' || c == '\'') {
-            at = endOfString(text, at) - 1;
-        } else if (c == '#') {
-            at = std::min(text.find('\n', at), text.size()) - 1;
-        } else if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) {
-            dots = 0;
-            begin = at + 1;
-        } else if (c == '.' && ++dots == kMostParts) {
-            return std::min(text.find_first_not_of(" \t", begin), at);
-        }
-    }
-    return std::nullopt;
+/// The key nearest to a word, or that one of both continues: "max" for "maximum", "fraction" for "frac".
+std::string nearestKey(std::string_view word, std::span<const std::string_view> keys) {
+    constexpr std::size_t kLeast = 3;
+    if (std::string near = glib::nearestName(word, keys); !near.empty()) return near;
+    for (const std::string_view key : keys)
+        if (std::min(word.size(), key.size()) >= kLeast && (word.starts_with(key) || key.starts_with(word)))
+            return std::string(key);
+    return {};
 }
 
 }  // namespace
@@ -147,8 +104,7 @@ const toml::table* TomlReader::root() {
         const Place where = place(wrong.source().begin);
         const std::size_t at =
             lines_.at(static_cast<std::size_t>(where.line) - 1) + static_cast<std::size_t>(where.column) - 1;
-        error("suite-E01", syntaxMessage(wrong.description(), text_.substr(std::min(at, text_.size()))),
-              where);
+        error("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
     }
     return root_ ? &*root_ : nullptr;
 }
@@ -243,10 +199,11 @@ const toml::table* TomlReader::table(const toml::node& node, std::string_view na
 
 void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
                             std::span<const std::string_view> keys) {
-    const std::string near = glib::nearestName(entry.key, keys);
+    const std::string near = nearestKey(entry.key, keys);
     error("suite-E02",
-          fmt::format("unknown key {} {}{}", glib::quoted(entry.key), where,
-                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+          fmt::format("unknown key {} {}; {}", glib::quoted(entry.key), where,
+                      near.empty() ? fmt::format("it has the keys {}", fmt::join(keys, ", "))
+                                   : fmt::format("did you mean '{}'?", near)),
           entry.keyPlace);
 }
 

@@ -90,6 +90,33 @@ TEST_F(TestCommand, ABrokenSceneIsStatusThreeAndTheOthersAreDrawn) {
     EXPECT_TRUE(contains(run.out, "3 passed")) << run.out;
 }
 
+TEST_F(TestCommand, AMisspeltUniformIsAMistakeOfTheSuite) {
+    accept();
+    folder.write("t.toml", readFile(folder / "s.toml") +
+                               "[[shot]]\nscript = \"a.glib\"\nname = \"b\"\nsweep = { uKdd = [0.4, 1] }\n"
+                               "[[shot]]\nscript = [\"a.glib\"]\nname = \"c\"\nset = { uKd = 0.4 }\n");
+    const Finished run = this->run("t.toml --update");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(contains(run.out,
+                         "t.toml:10:11: error: no program of the scene has a uniform 'uKdd'; did you mean "
+                         "'uKd'? [suite-E19]"))
+        << run.out;
+    EXPECT_TRUE(contains(run.out, "2 failed, 1 updated, 3 passed")) << run.out;
+    EXPECT_FALSE(exists("golden/b@uKdd=1.png"));
+}
+
+TEST_F(TestCommand, AUniformOfTheDefaultsNeedNotBeInEveryScene) {
+    folder.write("t.toml",
+                 "goldens = \"golden\"\n[defaults]\nset = { uOther = 1 }\nsize = [64, 48]\n[[shot]]\nscript "
+                 "= \"a.glib\"\n");
+    ASSERT_EQ(run("t.toml --update").status, 0);
+    const Finished run = this->run("t.toml");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(contains(
+        run.out, "warning: no program of the scene has a uniform 'uOther' [glib-W23] in 1 shot, as t/a"))
+        << run.out;
+}
+
 TEST_F(TestCommand, WrongUsageIsStatusTwo) {
     for (const char* each : {"", "s.toml --shard 4/3", "s.toml --only nothing", "s.toml --force",
                              "s.toml --merge r", "s.toml --jobs 0", "s.toml --driver gl"}) {

@@ -82,7 +82,7 @@ TEST(Judge, LargestDifferenceIsAllowedAndOneMoreIsNot) {
         EXPECT_EQ(result.beyond, 1U);
         EXPECT_EQ(result.comparison.x, 5);
         EXPECT_EQ(result.comparison.y, 6);
-        EXPECT_NE(result.reason.find("1 pixel differ"), std::string::npos) << result.reason;
+        EXPECT_NE(result.reason.find("1 pixel differs by more than "), std::string::npos) << result.reason;
     }
 }
 

@@ -2,10 +2,10 @@
 """Does a golden picture catch a mistake? Makes mutants of the example scenes, each with one small change, and holds
 them against the originals' goldens at the default tolerance (never by the exact hash).
 
-usage: tests/mutation/mutate.py GLIBRA [--floor SHARE] [--least COUNT] [--keep FOLDER]
+usage: tests/mutation/mutate.py GLIBRA [--floor SHARE] [--least COUNT] [--keep FOLDER] [--write]
 
 Mutants whose pictures equal the originals' bit for bit are no mutants and are left out. Prints how many are caught, a
-line for each that is not, with its figures and whether a person could see it, and the time. The exit status is 1 if
+line for each that is not, with its figures; --write puts that into README.md beside this file. The exit status is 1 if
 fewer than SHARE of those that a person could see in any way are caught, or if there are fewer than COUNT mutants.
 """
 import argparse
@@ -21,6 +21,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SIZE = 200
+BEGIN, END = "<!-- figures -->", "<!-- end of figures -->"
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
@@ -193,6 +194,7 @@ def main():
     parser.add_argument("--floor", type=float, default=0)
     parser.add_argument("--least", type=int, default=200)
     parser.add_argument("--keep")
+    parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     glibra = os.path.abspath(options.glibra)
     folder = options.keep or tempfile.mkdtemp(prefix="glibra-mutation-")
@@ -236,6 +238,12 @@ def test(glibra, folder, options):
     return tell(mutants, results_of(results), options)
 
 
+def could_be_seen(result):
+    """Where no value moves by more than three steps of 255 and no block by one, nobody sees it. Single pixels that jump
+    are seen by whoever switches between the two pictures."""
+    return result["judgement"]["beyond"] > 0
+
+
 def tell(mutants, results, options):
     caught, missed, same, broken = collections.Counter(), [], 0, []
     for mutant in mutants:
@@ -247,31 +255,32 @@ def tell(mutants, results, options):
         elif result["verdict"] == "passed":
             missed.append(mutant)
         else:
-            broken.append((mutant, result.get("reason")))
-    visible = 0
-    print("not caught:")
-    for mutant in missed:
+            broken.append(f"BROKEN {mutant.kind} {mutant.scene.name}: {mutant.what}: {result.get('reason')}")
+    of_kind = collections.Counter(each.kind for each in missed)
+    visible = sum(could_be_seen(results[each.name]) for each in missed)
+    all_caught = sum(caught.values())
+    share = all_caught / (all_caught + visible)
+    text = [f"{all_caught + len(missed)} mutants, {all_caught} caught. Of the {len(missed)} others nobody sees",
+            f"{len(missed) - visible}, and {visible} are seen only by switching between the pictures. Of those that can be",
+            f"seen in any way {100 * share:.1f} % are caught. ({same} more changed no pixel.)", "",
+            "| kind | mutants | caught |", "|---|---|---|"]
+    text += [f"| {kind} | {caught[kind] + of_kind[kind]} | {caught[kind]} |"
+             for kind in dict.fromkeys(each.kind for each in mutants)]
+    text += ["", "Not caught, first those that are seen by switching:", "",
+             "| kind | scene | change | pixels that differ | largest | pixels beyond 3/255 | bias of a block |",
+             "|---|---|---|---|---|---|---|"]
+    for mutant in sorted(missed, key=lambda each: not could_be_seen(results[each.name])):
         judgement = results[mutant.name]["judgement"]
         figures = judgement["comparison"]
-        # Where no value moves by more than three steps of 255 and no block by one, nobody sees it. Single pixels that
-        # jump are seen by whoever switches between the two pictures.
-        could = judgement["beyond"] > 0
-        visible += could
-        print(f"  {mutant.kind:18} {mutant.scene.topic}/{mutant.scene.name}: {mutant.what}; {figures['differingPixels']} "
-              f"pixels, largest {figures['largest'] * 255:.0f}/255, {judgement['beyond']} beyond 3/255, bias "
-              f"{judgement['bias']:.2f}: {'seen by switching' if could else 'not seen'}")
-    for mutant, reason in broken:
-        print(f"  BROKEN {mutant.kind} {mutant.scene.name}: {mutant.what}: {reason}")
-    of_kind = collections.Counter(each.kind for each in missed)
-    print(f"{'':18} caught of")
-    for kind in dict.fromkeys(each.kind for each in mutants):
-        print(f"{kind:18} {caught[kind]:6} {caught[kind] + of_kind[kind]:3}")
-    total = sum(caught.values()) + len(missed)
-    seen = sum(caught.values()) + visible
-    share = sum(caught.values()) / seen
-    print(f"{total} mutants, {sum(caught.values())} caught; {len(missed) - visible} of the others nobody sees, {visible} "
-          f"only by switching pictures; of those that can be seen {100 * share:.1f} % are caught; {same} changed no pixel")
-    return 1 if broken or total < options.least or share < options.floor else 0
+        text.append(f"| {mutant.kind} | {mutant.scene.topic}/{mutant.scene.name} | {mutant.what} | "
+                    f"{figures['differingPixels']} | {figures['largest'] * 255:.0f}/255 | {judgement['beyond']} | "
+                    f"{judgement['bias']:.2f} |")
+    print("\n".join(text + broken))
+    if options.write:
+        path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "README.md")
+        head, rest = read(path).split(BEGIN)
+        write(path, head + BEGIN + "\n" + "\n".join(text) + "\n" + END + rest.split(END)[1])
+    return 1 if broken or all_caught + len(missed) < options.least or share < options.floor else 0
 
 
 if __name__ == "__main__":

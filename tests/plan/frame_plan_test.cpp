@@ -230,6 +230,22 @@ TEST(OverridesOfAPlan, ThatNameNothingAreReportedOnceWithoutAPlace) {
               "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
     EXPECT_TRUE(plan.diagnostics[0].place.file.empty());
 }
+TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
+    SceneByHand hand;
+    Programs programs;
+    const int program = hand.program("A");
+    programs.byIndex[program] = interfaceWith({});
+    programs.byIndex[program].facts.uniforms["uUnused"] = {};
+    hand.sphere();
+    PlanOptions options;
+    options.overrides = {{"uUnused", glib::UniformForm::number, {1}},
+                         {"uUnused", glib::UniformForm::number, {1}, "B"}};
+    const FramePlan plan = programs.plan(hand.scene, options);
+    EXPECT_EQ(ids(plan.diagnostics), "glib-W24 glib-W23");
+    EXPECT_EQ(plan.diagnostics[0].text,
+              "uniform 'uUnused' is declared but unused, so setting it has no effect");
+    EXPECT_EQ(plan.diagnostics[1].text, "no Program 'B' has a uniform 'uUnused'");
+}
 TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreLetPass) {
     SceneByHand hand;
     Programs programs;

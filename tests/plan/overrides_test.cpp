@@ -140,6 +140,12 @@ TEST(UnusedOverride, IsReportedWithANearName) {
               "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
     EXPECT_TRUE(diagnostics.front().place.file.empty());
 }
+TEST(UnusedOverride, OfOneProgramNamesThatProgram) {
+    const std::vector<Override> overrides{{"uKd", UniformForm::number, {1}, "Dost"}};
+    const std::vector<std::string> names{"uKd"};
+    EXPECT_EQ(textOf(unusedOverrides(overrides, {false}, names), "glib-W23"),
+              "no Program 'Dost' has a uniform 'uKd'");
+}
 
 }  // namespace
 }  // namespace glibra::plan

@@ -61,6 +61,22 @@ TEST(AnalyticPicture, QuadCoversExactlyThePixelsWhoseCentresItHolds) {
     EXPECT_EQ(pixel(seen, 48, 47), kBlack);
 }
 
+TEST(AnalyticPicture, ALineHalfWayBetweenTwoWidthsIsTheWider) {
+    // Four edges of a square of 32 pixels a side: of width w they cover 4 * 32 * w pixels, but for the
+    // corners.
+    const auto coverage = [](const std::string& width) {
+        return countPixels(
+            picture("WindowSize 64 64\nBackground 0\nOrtho -1 1 -1 1\nLookAt 0 0 1 0 0 0 0 1 0\n"
+                    "Color 1 1 1\nLineWidth " +
+                    width + "\nWireCube 1\n"),
+            kWhite);
+    };
+    for (const int width : {1, 2, 3, 4}) {
+        EXPECT_NEAR(coverage(std::to_string(width)), 4 * 32 * width, 4 * width * width) << width;
+        EXPECT_EQ(coverage(std::to_string(width) + ".5"), coverage(std::to_string(width + 1))) << width;
+    }
+}
+
 TEST(AnalyticPicture, OrthoKeepsTheBoxUndistortedInAWideWindow) {
     const Picture seen = picture(
         "WindowSize 128 64\nBackground 0\nOrtho -1 1 -1 1\nLookAt 0 0 1 0 0 0 0 1 0\nColor 1 1 1\nQuadXY 0 "

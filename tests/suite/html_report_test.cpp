@@ -114,6 +114,16 @@ class HtmlReport : public testing::Test {
     } folder;
 };
 
+TEST_F(HtmlReport, HasTheWarningsOfPasses) {
+    ShotResult shot = failed();
+    shot.verdict = Verdict::passed;
+    shot.diagnostics = {note("draw-N01", "no LookAt"), warning("glib-W23", "no uniform 'uKe'")};
+    EXPECT_TRUE(write({shot}).empty());
+    const nlohmann::json told = data().at("shots").at(0).at("diagnostics");
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told.at(0).at(1), "glib-W23");
+}
+
 TEST_F(HtmlReport, ReplacesAnEarlierReportAndLeavesOtherFilesAlone) {
     ASSERT_TRUE(write({failed(), failed(), failed()}).empty());
     writeText(folder / "report/pictures/holiday.png", "mine");

@@ -204,6 +204,24 @@ TEST(SuiteFile, LetsASweepTakeThePlaceOfADefault) {
     EXPECT_EQ(suite->shots.at(0).options.set, (Strings{"uB=2", "uA=5"}));
 }
 
+TEST(SuiteFile, KnowsWhichUniformsAShotItselfNames) {
+    const SceneFolder folder{"a.glib", "b.glib"};
+    const auto suite = folder.read(
+        "[defaults]\nset = { uA = 1, uB = 2 }\n"
+        "[[shot]]\nscript = 'a.glib'\nset = { uB = 3 }\nsweep = { 'P:uC' = [1, 2] }\n"
+        "[[shot]]\nscript = '*.glib'\nname = 'all'\nset = { uD = 3 }\n");
+    ASSERT_TRUE(suite) << folder.shown(suite);
+    ASSERT_EQ(suite->shots.size(), 4U);
+    for (const std::size_t one : {0U, 1U}) {
+        const std::vector<PlacedUniform>& own = suite->shots[one].ownUniforms;
+        ASSERT_EQ(own.size(), 2U);
+        EXPECT_EQ(own[0].name, "uB");
+        EXPECT_EQ(own[0].place, (Place{(folder.path() / "s.toml").string(), 5, 9}));
+        EXPECT_EQ(own[1].name, "P:uC");
+    }
+    EXPECT_TRUE(suite->shots[2].ownUniforms.empty()) << "several scenes need not all have it";
+}
+
 TEST(SuiteFile, NamesAListOfTimesEvenIfItHasOne) {
     const SceneFolder folder{"a.glib"};
     EXPECT_EQ(folder.show("[[shot]]\nscript = 'a.glib'\ntime = [2]\n"), "a@time=2\n");

@@ -48,7 +48,30 @@ INSTANTIATE_TEST_SUITE_P(
     All, SuiteMistake,
     testing::Values(
         Mistake{"HalfAWord", "[[shot]]\nx = tru\n",
-                "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '\n"},
+                "2:8 suite-E01 not TOML: boolean: expected 'true', saw 'tru '; a text needs quotes, as "
+                "\"teapot.glib\"\n"},
+        Mistake{"TextWithoutQuotes", "[[shot]]\nscript = teapot.glib\n",
+                "2:11 suite-E01 not TOML: boolean: expected 'true', saw 'te'; a text needs quotes, as "
+                "\"teapot.glib\"\n"},
+        Mistake{"SizeWithoutQuotes", shot("size = 64x48"),
+                "3:10 suite-E01 not TOML: decimal integer: expected digit, saw 'x'; a text needs quotes, as "
+                "\"teapot.glib\"\n"},
+        Mistake{"CurlyQuotes", "[[shot]]\nscript = \xe2\x80\x9cteapot.glib\xe2\x80\x9d\n",
+                "2:10 suite-E01 not TOML: value: could not determine value type; a text stands between plain "
+                "quotes, as \"teapot.glib\"\n"},
+        Mistake{"OpenQuote", "[[shot]]\nscript = \"teapot.glib\n",
+                "2:22 suite-E01 not TOML: string: unescaped control characters other than TAB (U+0009) are "
+                "explicitly prohibited; the closing quote is missing\n"},
+        Mistake{"TrueInCapitals", shot("strict = True"),
+                "3:10 suite-E01 not TOML: boolean: expected 'true', saw 'T'; true and false are written in "
+                "small letters\n"},
+        Mistake{"Colon", "[[shot]]\nscript: 'teapot.glib'\n",
+                "2:7 suite-E01 not TOML: key-value pair: expected '=', saw ':'; a key and its value have '=' "
+                "between them\n"},
+        Mistake{"BracesOverTwoLines", shot("set = { uKd = 0.1\n uKs = 0.2 }"),
+                "3:18 suite-E01 not TOML: inline table: expected key or closing '}', saw '\\n'; a table in "
+                "braces "
+                "stands on one line; of a long one each key gets a line: set.uKd = 0.5\n"},
         Mistake{"Syntax", "[[shot]\n", "1:8 suite-E01 not TOML: table header: expected ']', saw '\\n'\n"},
         Mistake{"PointWithoutDigit", shot("set = { uKd = .5 }"),
                 "3:15 suite-E01 not TOML: floating-point: expected decimal digit, saw '.'; a number needs a "
@@ -75,8 +98,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ShotKeyInDefaults", "[defaults]\nmatch = 'x'\n" + shot(""),
                 "2:1 suite-E02 'match' belongs to one shot and cannot stand in [defaults]\n"},
         Mistake{"UnknownToleranceKey", shot("tolerance = { maximum = 3, flipp = 1 }"),
-                "3:15 suite-E02 unknown key 'maximum' in tolerance\n"
+                "3:15 suite-E02 unknown key 'maximum' in tolerance; did you mean 'max'?\n"
                 "3:28 suite-E02 unknown key 'flipp' in tolerance; did you mean 'flip'?\n"},
+        Mistake{"UnknownToleranceKeyLikeNoOther", shot("tolerance = { percent = 3 }"),
+                "3:15 suite-E02 unknown key 'percent' in tolerance; it has the keys max, fraction, cluster, "
+                "line, bias, flip, structure, relative, absolute\n"},
+        Mistake{"ShotKeyAtTheTop", "script = 'teapot.glib'\n",
+                "1:1 suite-E02 'script' belongs under [[shot]]\n"},
         Mistake{"UnknownErrorKey", shot("expect-error = { ids = 'glsl-E01' }"),
                 "3:18 suite-E02 unknown key 'ids' in expect-error; did you mean 'id'?\n"},
         Mistake{"SingleShot", "[shot]\nscript = 'teapot.glib'\n",
@@ -166,8 +194,12 @@ INSTANTIATE_TEST_SUITE_P(
                 shot("name = 'a'\nmatch = 'b'") + shot("name = 'b'\ndiffer = 'c'") +
                     shot("name = 'c'\nmatch = 'a'"),
                 "12:9 suite-E08 match: the shots name each other in a ring: a, b, c, a\n"},
-        Mistake{"PatternOfNothing", "[[shot]]\nscript = 'strat/*.glib'\n",
-                "2:10 suite-E09 script: 'strat/*.glib' fits no file\n"},
+        Mistake{
+            "PatternOfNothing", "[[shot]]\nscript = 'strat/*.glib'\n",
+            "2:10 suite-E09 script: 'strat/*.glib' fits no file; there is no folder 'strat'; did you mean "
+            "'start'?\n"},
+        Mistake{"PatternOfAnotherEnding", "[[shot]]\nscript = 'start/*.gilb'\n",
+                "2:10 suite-E09 script: 'start/*.gilb' fits no file; did you mean 'start/*.glib'?\n"},
         Mistake{"ExceptionOfNothing", "[[shot]]\nscript = '*.glib'\nexcept = 'x*'\n",
                 "3:10 suite-E09 except: 'x*' fits no file\n"},
         Mistake{"ExceptionOfAll", "[[shot]]\nscript = '*.glib'\nexcept = '*'\n",
@@ -176,12 +208,22 @@ INSTANTIATE_TEST_SUITE_P(
                 "2:10 suite-E10 script: cannot find 'teapto.glib'; did you mean 'teapot.glib'?\n"},
         Mistake{"MissingScriptOfAList", "[[shot]]\nscript = ['teapot.glib', 'start/cwo.glib']\n",
                 "2:26 suite-E10 script: cannot find 'start/cwo.glib'; did you mean 'cow.glib'?\n"},
+        Mistake{"MissingEnding", "[[shot]]\nscript = 'teapot'\n",
+                "2:10 suite-E10 script: cannot find 'teapot'; did you mean 'teapot.glib'?\n"},
+        Mistake{
+            "ScriptInAMissingFolder", "[[shot]]\nscript = 'strat/cow.glib'\n",
+            "2:10 suite-E10 script: cannot find 'strat/cow.glib'; there is no folder 'strat'; did you mean "
+            "'start'?\n"},
         Mistake{"FolderAsScript", "[[shot]]\nscript = 'start'\n",
                 "2:10 suite-E10 script: cannot find 'start'; it is a folder, write \"start/*.glib\"\n"},
         Mistake{"WindowsPath", "[[shot]]\nscript = 'far\\off\\cow.glib'\n",
                 "2:10 suite-E10 script: cannot find 'far\\off\\cow.glib'; folders are separated by '/'\n"},
         Mistake{"MissingLibrary", shot("library = 'nowhere'"),
-                "3:11 suite-E10 library: 'nowhere' is not a folder\n"},
+                "3:11 suite-E10 library: there is no folder 'nowhere'\n"},
+        Mistake{"MissingLibraryNear", shot("library = 'strat'"),
+                "3:11 suite-E10 library: there is no folder 'strat'; did you mean 'start'?\n"},
+        Mistake{"FileAsLibrary", shot("library = 'teapot.glib'"),
+                "3:11 suite-E10 library: 'teapot.glib' is not a folder\n"},
         Mistake{"NoScript", "[[shot]]\nname = 'x'\n", "1:1 suite-E12 the shot has no script\n"},
         Mistake{"SetAndSweep", shot("set = { uA = 1 }\nsweep = { uA = [2] }"),
                 "4:11 suite-E12 'uA' stands in set and in sweep\n"},
@@ -197,8 +239,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoShots", "[defaults]\nsamples = 4\n", "1:1 suite-E14 the suite has no [[shot]]\n"},
         Mistake{"UnknownError", shot("expect-error = 'glsl-E1'"),
                 "3:16 suite-E17 expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?\n"},
-        Mistake{"ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
-                "1:1 suite-E02 unknown key 'golds' at the top of the file\n"},
+        Mistake{
+            "ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
+            "1:1 suite-E02 unknown key 'golds' at the top of the file; it has the keys goldens, defaults, "
+            "shot\n"},
         Mistake{"ColumnsAfterUmlauts", shot("set = { \"\xc3\xa4\xc3\xb6\" = 1, uA = nan }"),
                 "3:9 suite-E05 set: '\xc3\xa4\xc3\xb6' is not the name of a uniform\n"
                 "3:26 suite-E04 set.uA: nan is not a finite 32-bit number\n"}),

@@ -174,6 +174,25 @@ TEST(Terminal, SaysNothingOfPlainPassesAndNothingTwice) {
     EXPECT_NE(long400.find("380 more in a line each"), std::string::npos);
 }
 
+TEST(Terminal, TellsAWarningOfPassesOnceWithTheNumberOfShots) {
+    std::vector<ShotResult> shots(4, withVerdict(Verdict::passed));
+    const Diagnostic unknown = warning("glib-W23", "no program of the scene has a uniform 'uKe'");
+    for (std::size_t i = 1; i < shots.size(); ++i) {
+        shots[i].shot = "oval" + std::to_string(i);
+        shots[i].diagnostics = {unknown, unknown, note("draw-N01", "no LookAt")};
+    }
+    const std::string text = toText(runOf(shots), false);
+    EXPECT_TRUE(
+        text.starts_with("warning: no program of the scene has a uniform 'uKe' [glib-W23] in 3 shots, as "
+                         "start/oval1\n4 passed"))
+        << text;
+    for (int i = 0; i < 30; ++i)
+        shots[0].diagnostics.push_back(warning("glib-W23", "number " + std::to_string(i)));
+    const std::string many = toText(runOf(shots), false);
+    EXPECT_EQ(occurrences(many, "warning: "), 10) << many;
+    EXPECT_NE(many.find("21 more warnings are not shown"), std::string::npos) << many;
+}
+
 TEST(Terminal, NoByteOfASceneControlsTheTerminal) {
     ShotResult shot = failedShot();
     shot.reason =

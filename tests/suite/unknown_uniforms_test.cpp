@@ -1,0 +1,38 @@
+#include "suite/unknown_uniforms.h"
+
+#include <gtest/gtest.h>
+
+namespace glibra::suite {
+namespace {
+
+Shot shotThatNames(std::initializer_list<const char*> uniforms) {
+    Shot shot;
+    int line = 3;
+    for (const char* each : uniforms) shot.ownUniforms.push_back({each, {"s.toml", line++, 9}});
+    return shot;
+}
+
+TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
+    Diagnostics all{warning("glib-W23", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
+                    warning("glib-W23", "no Program 'Dots' has a uniform 'uA'")};
+    reportUnknownUniforms(shotThatNames({"uK", "uKe", "Dots:uA"}), all);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(
+        toString(all[0]),
+        "s.toml:4:9: error: no program of the scene has a uniform 'uKe'; did you mean 'uKd'? [suite-E19]");
+    EXPECT_EQ(toString(all[1]), "s.toml:5:9: error: no Program 'Dots' has a uniform 'uA' [suite-E19]");
+}
+
+TEST(UnknownUniforms, OfDefaultsAndOfTheSceneStayWarnings) {
+    const Diagnostics before{
+        warning("glib-W23", "no program of the scene has a uniform 'uDefault'"),
+        warning("glib-W23", "no shader of 'P' has a uniform 'uKe'", {"a.glib", 4, 1}),
+        warning("glib-W24", "uniform 'uKe' is declared but unused, so setting it has no effect")};
+    Diagnostics all = before;
+    reportUnknownUniforms(shotThatNames({"uKe"}), all);
+    ASSERT_EQ(all.size(), before.size());
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(toString(all[i]), toString(before[i]));
+}
+
+}  // namespace
+}  // namespace glibra::suite
