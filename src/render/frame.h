@@ -49,7 +49,8 @@ class FrameDrawer {
     /// with them. For programs made for tiles; others stay.
     void setShift(double x, double y) { shift_ = {x, y}; }
 
-    /// Leaves out what provably does not reach the tile; `samples`: of the window's target.
+    /// Leaves out what provably does not reach the tile, or the texture drawn into, as far as the device
+    /// knows the bounds of its mesh; `samples`: of the window's target, 0: draws everything.
     void leaveOutOfTile(int samples) { windowSamples_ = samples; }
 
     /// Of the plan's draws, counted over all passes in their order, only the first `draws` are drawn. Passes
@@ -78,7 +79,8 @@ class FrameDrawer {
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                         double time);
     void setLiterals(int program, const BuiltProgram& built);
-    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
+    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                   const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect, double time) const;
     void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
                      bool isWindow);
@@ -100,7 +102,7 @@ class FrameDrawer {
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     ViewMatrices view_;
     bool wireframe_ = false;
-    int windowSamples_ = 0;  ///< 0: all draws are drawn into all tiles
+    int windowSamples_ = 0;  ///< 0: all draws are drawn
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;
     Tile tile_;
