@@ -24,7 +24,7 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted) {
     std::string text =
         fmt::format("glibra render {} -o {} --size {}x{}", suite::shellWord(session.path().string()),
                     suite::shellWord(wanted.file.string()), options.width, options.height);
-    if (options.time != 0) text += fmt::format(" --time {}", options.time);
+    if (options.time != 0 && session.live().isAnimated()) text += fmt::format(" --time {}", options.time);
     if (wanted.frames > 1)
         text += fmt::format(" --frames {} --fps {}", wanted.frames, wanted.framesPerSecond);
     if (options.view == ViewPolicy::glman) text += " --view glman";

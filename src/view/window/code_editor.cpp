@@ -17,6 +17,8 @@ namespace {
 
 constexpr ImU32 kErrorLine = IM_COL32(220, 50, 40, 60);
 constexpr ImU32 kWarningLine = IM_COL32(230, 170, 30, 40);
+/// Giving a widget the keyboard takes that many frames and scrolls to its corner, which is not wanted.
+constexpr int kFramesOfFocus = 3;
 constexpr ImU32 kFound = IM_COL32(200, 160, 40, 80);
 constexpr ImU32 kFoundShown = IM_COL32(240, 150, 20, 170);
 constexpr ImU32 kErrorText = IM_COL32(255, 255, 255, 255);
@@ -115,6 +117,8 @@ int onEdit(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
+using Scroll = CodeView::Scroll;
+
 /// Where things stand on the screen.
 struct Layout {
     ImVec2 origin;  ///< of the first character
@@ -210,20 +214,22 @@ void drawCursor(const Layout& layout, std::string_view text, const std::vector<s
                                         ImGui::GetColorU32(ImGuiCol_Text), 1.5F);
 }
 
-/// Scrolls so far that the line, and from `x` on some characters, are seen.
-void reveal(const Layout& layout, int line, float x, bool inMiddle) {
+/// Scrolled so far that the line, and from `x` on some characters, are seen.
+Scroll revealed(Scroll scroll, const Layout& layout, int line, float x, bool inMiddle) {
     const float height = ImGui::GetWindowHeight() - ImGui::GetStyle().ScrollbarSize;
     const float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
     const float top = static_cast<float>(line - 1) * layout.lineHeight;
-    const float scroll = ImGui::GetScrollY();
-    if (top < scroll || top + 2 * layout.lineHeight > scroll + height)
-        ImGui::SetScrollY(std::max(0.F, inMiddle || top < scroll - height || top > scroll + 2 * height
-                                            ? top - height / 2
-                                            : (top < scroll ? top : top + 2 * layout.lineHeight - height)));
-    const float left = ImGui::GetScrollX();
-    if (x < left || x + layout.gutter + 2 * layout.lineHeight > left + width)
-        ImGui::SetScrollX(std::max(
-            0.F, x < left ? x - layout.lineHeight : x + layout.gutter + 4 * layout.lineHeight - width));
+    const bool isAbove = top < scroll.y;
+    if (isAbove || top + 2 * layout.lineHeight > scroll.y + height) {
+        const bool isFar = top < scroll.y - height || top > scroll.y + 2 * height;
+        scroll.y =
+            inMiddle || isFar ? top - height / 2 : (isAbove ? top : top + 2 * layout.lineHeight - height);
+    }
+    if (x < scroll.x)
+        scroll.x = x - layout.lineHeight;
+    else if (x + layout.gutter + 2 * layout.lineHeight > scroll.x + width)
+        scroll.x = x + layout.gutter + 4 * layout.lineHeight - width;
+    return {std::max(0.F, scroll.x), std::max(0.F, scroll.y)};
 }
 
 int charactersIn(std::string_view text) {
@@ -288,7 +294,10 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeM
                                   static_cast<int>(starts.size()));
     layout.lastLine = std::min(layout.firstLine + rows + 1, static_cast<int>(starts.size()));
     const bool goes = view.goTo || view.select;
-    if (goes) ImGui::SetKeyboardFocusHere();
+    if (goes && !view.isActive) {
+        ImGui::SetKeyboardFocusHere();
+        view.framesToHold = kFramesOfFocus;
+    }
     const int cursorBefore = view.cursor;
     // What is seen is drawn before the widget, under its selection.
     const std::string_view shown = text;
@@ -314,14 +323,21 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeM
         static_cast<std::size_t>(view.cursor) - starts[static_cast<std::size_t>(view.line - 1)]);
     view.column = charactersIn(before) + 1;
     const bool isLower = std::exchange(view.height, seen.y) > seen.y;
+    const bool holds = view.framesToHold > 0 && view.framesToHold-- > 0;
+    const Scroll scrolled{ImGui::GetScrollX(), ImGui::GetScrollY()};
+    Scroll scroll = holds ? view.scroll : scrolled;
     if (view.isActive && (view.cursor != cursorBefore || isChanged || goes || isLower))
-        reveal(layout, view.line, widthOf(before), goes);
+        scroll = revealed(scroll, layout, view.line, widthOf(before), goes);
     if (const auto byte = std::exchange(view.reveal, std::nullopt)) {
         const auto at = std::min(*byte, text.size());
         const int line = lineOf(starts, static_cast<int>(at));
         const std::size_t start = starts[static_cast<std::size_t>(line - 1)];
-        reveal(layout, line, widthOf(std::string_view(text).substr(start, at - start)), true);
+        scroll =
+            revealed(scroll, layout, line, widthOf(std::string_view(text).substr(start, at - start)), true);
     }
+    if (scroll.x != scrolled.x) ImGui::SetScrollX(scroll.x);
+    if (scroll.y != scrolled.y) ImGui::SetScrollY(scroll.y);
+    view.scroll = scroll;
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopFont();

@@ -31,6 +31,11 @@ struct CodeView {
     int generation = 0;                  ///< counted up when somebody else than the widget changes the text
     int cursor = 0, previousSize = 0;    ///< bytes
     float height = 0;                    ///< of what was seen
+    struct Scroll {
+        float x = 0, y = 0;
+    };
+    Scroll scroll;         ///< pixels
+    int framesToHold = 0;  ///< for which it stays whatever else scrolls
 };
 
 /// What is shown in a text besides the text.

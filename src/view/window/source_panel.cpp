@@ -266,6 +266,9 @@ void sourcePanel(Ui& ui, Rectangle& free) {
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         fileTabs(ui);
         content(ui);
+        // Giving its text the keyboard scrolls this window too.
+        ImGui::SetScrollX(0);
+        ImGui::SetScrollY(0);
     }
     extent = isBeside ? ImGui::GetWindowWidth() : ImGui::GetWindowHeight();
     ImGui::End();
