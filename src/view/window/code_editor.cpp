@@ -225,9 +225,13 @@ Scroll revealed(Scroll scroll, const Layout& layout, int line, float x, bool inM
         scroll.y =
             inMiddle || isFar ? top - height / 2 : (isAbove ? top : top + 2 * layout.lineHeight - height);
     }
-    if (x < scroll.x)
+    // The beginning of the lines is seen too wherever that is possible.
+    const float right = x + layout.gutter + 2 * layout.lineHeight;
+    if (right <= width && (inMiddle || x < scroll.x))
+        scroll.x = 0;
+    else if (x < scroll.x)
         scroll.x = x - layout.lineHeight;
-    else if (x + layout.gutter + 2 * layout.lineHeight > scroll.x + width)
+    else if (right > scroll.x + width)
         scroll.x = x + layout.gutter + 4 * layout.lineHeight - width;
     return {std::max(0.F, scroll.x), std::max(0.F, scroll.y)};
 }
