@@ -7,7 +7,7 @@ build_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev 
  libegl-mesa0 libgl1-mesa-dri libosmesa6 libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libboost-dev"
 # What testing needs besides.
 test_packages="libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev glslang-tools clang-format clang-tidy python3
- chromium chromium-driver imagemagick procps xvfb xdotool openbox"
+ chromium chromium-driver imagemagick procps xvfb xdotool openbox libx11-dev"
 
 say() { printf 'glibra: %s\n' "$*" >&2; }
 

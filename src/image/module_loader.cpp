@@ -120,7 +120,7 @@ Result<Image> readByModule(Format format, std::span<const std::byte> file, const
 }
 
 Diagnostics writeByModule(const Image& image, Format format, const fs::path& path, const FileLabel& label,
-                          std::span<const fs::path> moduleFolders) {
+                          const std::string& comment, std::span<const fs::path> moduleFolders) {
     const auto module = loadModule(moduleFolders);
     if (!module) return {notInstalled(format, label)};
 
@@ -139,6 +139,7 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
                    : source.type == Component::u16 ? kGlibraU16
                                                    : kGlibraF32;
     request.pixels = source.data.data();
+    request.comment = comment.c_str();
     request.message = message.data();
     request.messageSize = message.size();
     if (module->write(&request) == kGlibraDone) return {};

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "image/format.h"
@@ -26,9 +27,10 @@ Result<Image> readByModule(Format format, std::span<const std::byte> file, const
                            std::span<const std::filesystem::path> moduleFolders);
 
 /// Writes a picture by the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
-/// quality 95, alpha is dropped where the format has none. Errors: file-E03 no module, file-E10 not written;
-/// both name `label`.
+/// quality 95, alpha is dropped where the format has none, and so is `comment`. Errors: file-E03 no module,
+/// file-E10 not written; both name `label`.
 Diagnostics writeByModule(const Image& image, Format format, const std::filesystem::path& path,
-                          const FileLabel& label, std::span<const std::filesystem::path> moduleFolders);
+                          const FileLabel& label, const std::string& comment,
+                          std::span<const std::filesystem::path> moduleFolders);
 
 }  // namespace glibra::image

@@ -30,8 +30,8 @@ Diagnostics writeOther(const Image& image, Format format, const fs::path& path, 
     if (fs::is_directory(path, failed)) return {cannotWrite(path, "it is a folder")};
     TemporaryFile temporary(path);
     if (temporary.path().empty()) return {temporary.failure()};
-    Diagnostics problems =
-        writeByModule(image, format, temporary.path(), {path.string(), {}}, options.moduleFolders);
+    Diagnostics problems = writeByModule(image, format, temporary.path(), {path.string(), {}},
+                                         options.comment, options.moduleFolders);
     if (hasError(problems)) return problems;
     return temporary.commit();
 }

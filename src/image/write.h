@@ -4,6 +4,7 @@
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -14,6 +15,8 @@ namespace glibra::image {
 
 struct WriteOptions {
     PngOptions png;
+    /// Kept by EXR ("comments"), TIFF (ImageDescription) and JPEG; PNG has texts of its own.
+    std::string comment;
     std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
 };
 

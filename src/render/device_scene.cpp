@@ -115,9 +115,16 @@ const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics& dia
         if (const Bounds* known = shared_->bounds.find(key)) return bounds = *known;
     const geometry::Mesh* made = mesh(shape, withTangents, diagnostics);
     if (!made) return bounds;
-    bounds = boundsOf(*made);
+    const Bounds* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
+    bounds = earlier ? *earlier : boundsOf(*made);
     if (shared_ && !key.empty() && !meshes_.at(shape).hasRemarks) shared_->bounds.add(key, bounds, 1);
     return bounds;
+}
+
+const Bounds* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
+    for (const auto& [shape, made] : meshes_)
+        if (made.mesh.get() == &mesh) return knownBounds(shape);
+    return nullptr;
 }
 
 const Bounds* DeviceScene::knownBounds(int shape) const {

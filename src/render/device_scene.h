@@ -85,6 +85,7 @@ class DeviceScene {
         std::string key;
     };
     std::shared_ptr<const geometry::Mesh> earlierMesh(const std::string& key);
+    [[nodiscard]] const Bounds* boundsOfMesh(const geometry::Mesh& mesh) const;
     std::shared_ptr<const DeviceMesh> earlierDeviceMesh(const std::string& key, const plan::FramePlan& plan,
                                                         std::size_t planned);
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);

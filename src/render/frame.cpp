@@ -74,6 +74,11 @@ void enable(GLenum capability, bool on) {
         glDisable(capability);
 }
 
+bool writesImages(const plan::PlannedDraw& planned) {
+    return std::any_of(planned.textures.begin(), planned.textures.end(),
+                       [](const plan::TextureUse& use) { return use.isImage; });
+}
+
 }  // namespace
 
 double timerAt(double time, double period) {
@@ -324,12 +329,18 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
 }
 
-bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
+bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                              const gpu::Target& target, bool isWindow) const {
     const Bounds* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
-    if (!bounds) return false;
-    const Lens lens =
-        lensOf(*planned.draw, planned.submission.topology, view_,
-               {width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)}, context_.capabilities());
+    if (!bounds || writesImages(planned)) return false;
+    const Screen window{width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)};
+    const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
+    Lens lens = lensOf(*planned.draw, planned.submission.topology, view_, isWindow ? window : texture,
+                       context_.capabilities());
+    if (wireframe_ && lens.filled) {
+        lens.filled = false;
+        lens.reach = planned.draw->raster.lineWidth / 2 + 1;
+    }
     return sightOf(placed(*bounds, built.interface.facts.placement), lens) != Sight::possible;
 }
 
@@ -367,7 +378,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     if (drawnWith == nullptr) return diagnostics;
     const BuiltProgram& built = *drawnWith;
     const bool isUsable = ownProgramOf(planned) != nullptr;
-    if (isWindow && isUsable && isOutOfTile(planned, built)) {
+    if (isUsable && isOutOfTile(planned, built, target, isWindow)) {
         stats_.add("draws out of their tile", 1);
         return diagnostics;
     }
@@ -395,9 +406,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     submit(planned);
     if (hook_) hook_(planned, isWindow, false);
     if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    const bool writesImages = std::any_of(planned.textures.begin(), planned.textures.end(),
-                                          [](const plan::TextureUse& use) { return use.isImage; });
-    if (writesImages) glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (writesImages(planned)) glMemoryBarrier(GL_ALL_BARRIER_BITS);
     stats_.add("draws", 1);
     stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount));
     return diagnostics;

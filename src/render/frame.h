@@ -49,7 +49,8 @@ class FrameDrawer {
     /// with them. For programs made for tiles; others stay.
     void setShift(double x, double y) { shift_ = {x, y}; }
 
-    /// Leaves out what provably does not reach the tile; `samples`: of the window's target.
+    /// Leaves out what provably does not reach the tile, or the texture drawn into, as far as the device
+    /// knows the bounds of its mesh; `samples`: of the window's target, 0: draws everything.
     void leaveOutOfTile(int samples) { windowSamples_ = samples; }
     /// From now on draws whose programs always write 1 for alpha are not blended. The window's colours must
     /// be bytes: floats would keep the sign of a zero that blending loses.
@@ -81,7 +82,8 @@ class FrameDrawer {
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                         double time);
     void setLiterals(int program, const BuiltProgram& built);
-    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
+    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                   const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect, double time) const;
     void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
                      bool isWindow);
@@ -104,7 +106,7 @@ class FrameDrawer {
     ViewMatrices view_;
     bool wireframe_ = false;
     bool blendsOpaque_ = true;
-    int windowSamples_ = 0;  ///< 0: all draws are drawn into all tiles
+    int windowSamples_ = 0;  ///< 0: all draws are drawn
     DrawHook hook_;
     const BuiltProgram* fallback_ = nullptr;
     Tile tile_;

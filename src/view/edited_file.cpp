@@ -88,6 +88,18 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
 
 EditedFile::EditedFile(std::filesystem::path path) : path_(std::move(path)) {
     takeDisk();
+    history_ = TextHistory(text_);
+}
+
+void EditedFile::recordWhole() {
+    history_.endStep();
+    history_.record(text_);
+    history_.endStep();
+}
+
+void EditedFile::revert() {
+    text_ = savedText_;
+    recordWhole();
 }
 
 bool EditedFile::readBytes(std::string& bytes) {
@@ -150,6 +162,7 @@ bool EditedFile::lookAtDisk() {
     diskBytes_ = std::move(bytes);
     hasConflict_ = false;
     decode(diskBytes_);
+    recordWhole();
     return true;
 }
 
@@ -169,6 +182,7 @@ void EditedFile::takeDisk() {
     if (!readBytes(bytes)) return;
     diskBytes_ = std::move(bytes);
     decode(diskBytes_);
+    recordWhole();
 }
 
 Diagnostics EditedFile::save() {

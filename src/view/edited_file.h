@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "view/text_history.h"
+
 namespace glibra::view {
 
 class EditedFile {
@@ -34,7 +36,9 @@ class EditedFile {
     /// The text is that of the disk; what was typed is lost.
     void takeDisk();
     /// The text as it was read or saved last.
-    void revert() { text_ = savedText_; }
+    void revert();
+    /// What was typed into it, and every other text that it has had. Whoever changes text() records it.
+    TextHistory& history() { return history_; }
     /// Writes the file, whole or not at all, with the line ends, mark and encoding it had. If the disk has
     /// something that the user has not seen, nothing is written: hasConflict() is true then.
     Diagnostics save();
@@ -44,11 +48,14 @@ class EditedFile {
     [[nodiscard]] std::string encoded() const;
     /// The bytes on the disk now; false if there are none to be had.
     bool readBytes(std::string& bytes);
+    /// The text has become another one at once.
+    void recordWhole();
 
     std::filesystem::path path_;
     std::string text_, savedText_;
     std::string diskBytes_;  ///< when last looked at and understood
     std::string whyReadOnly_;
+    TextHistory history_{std::string()};
     bool hasMark_ = false, hasCarriageReturns_ = false, isLatin_ = false, hasConflict_ = false;
 };
 

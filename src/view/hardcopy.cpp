@@ -3,24 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
+#include <utility>
 
-#include "image/write.h"
-#include "render/job.h"
-#include "render/scene_renderer.h"
 #include "suite/verdict_commands.h"
+#include "view/hardcopy_job.h"
 
 namespace glibra::view {
-namespace {
-
-bool isFloatFormat(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == ".exr" || ending == ".hdr" || ending == ".pfm";
-}
-
-}  // namespace
-
 std::string setArguments(const Session& session) {
     std::string text;
     for (const std::string& each : session.renderOptions().set)
@@ -33,7 +24,7 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted) {
     std::string text =
         fmt::format("glibra render {} -o {} --size {}x{}", suite::shellWord(session.path().string()),
                     suite::shellWord(wanted.file.string()), options.width, options.height);
-    if (options.time != 0) text += fmt::format(" --time {}", options.time);
+    if (options.time != 0 && session.live().isAnimated()) text += fmt::format(" --time {}", options.time);
     if (wanted.frames > 1)
         text += fmt::format(" --frames {} --fps {}", wanted.frames, wanted.framesPerSecond);
     if (options.view == ViewPolicy::glman) text += " --view glman";
@@ -43,25 +34,17 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted) {
     return text + suite::viewArguments(options.viewState);
 }
 
-Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted,
-                          const std::function<bool(int)>& progress) {
-    RenderOptions options = session.renderOptions(wanted.width, wanted.height);
-    options.floatPixels = isFloatFormat(wanted.file);
-    image::WriteOptions writing;
-    writing.png.text = {{"Software", "glibra"}, {"Comment", renderCommand(session, wanted)}};
-    render::Stats stats;
-    Result<render::SceneRenderer> loaded =
-        render::SceneRenderer::load(context, session.path(), options, stats);
-    Diagnostics diagnostics = std::move(loaded.diagnostics);
-    if (!loaded) return diagnostics;
-    for (int i = 0; i < wanted.frames; ++i) {
-        Result<image::Image> picture = loaded->draw(options.time + i / wanted.framesPerSecond, stats);
-        append(diagnostics, std::move(picture.diagnostics));
-        if (!picture) break;
-        append(diagnostics,
-               image::writeImage(*picture, render::frameFile(wanted.file, i, wanted.frames), writing));
-        if (hasError(diagnostics) || (progress && !progress(i + 1))) break;
-    }
+bool isVideo(const std::filesystem::path& file) {
+    constexpr std::array<std::string_view, 6> kEndings{".mp4", ".webm", ".mkv", ".avi", ".mov", ".gif"};
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted) {
+    Result<HardcopyJob> job = HardcopyJob::begin(context, session, wanted);
+    Diagnostics diagnostics = std::move(job.diagnostics);
+    while (job && !job->isDone()) append(diagnostics, job->step());
     return diagnostics;
 }
 

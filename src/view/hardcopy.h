@@ -4,7 +4,6 @@
 #include <glibra/diagnostic.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "gpu/context.h"
@@ -15,7 +14,7 @@ namespace glibra::view {
 struct Hardcopy {
     std::filesystem::path file;
     int width = 0, height = 0;  ///< pixels; 0: as on the screen
-    int frames = 1;             ///< several: NAME_0000.png ..., from the present time on
+    int frames = 1;             ///< from the present time on; several that are no video: NAME_0000.png ...
     double framesPerSecond = 30;
 };
 
@@ -26,17 +25,12 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted);
 /// The command line's words from the scene's values on: "--set uKd=.5 --set ...".
 std::string setArguments(const Session& session);
 
-/// Draws and writes. PNG files carry the command line under the keyword "Comment". `progress` is told the
-/// number of frames written and may end it by false.
-Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted,
-                          const std::function<bool(int)>& progress = {});
+/// True if the ending is that of a video: .mp4, .webm, .mkv, .avi, .mov, .gif.
+bool isVideo(const std::filesystem::path& file);
 
-/// The frames as a video, encoded by the program ffmpeg, which is told in what it finds wrong; the ending of
-/// the file decides the format. file-E10 if there is no ffmpeg.
-Diagnostics writeVideo(gpu::Context& context, const Session& session, const Hardcopy& wanted,
-                       const std::function<bool(int)>& progress = {});
-
-/// True if a program ffmpeg is found in PATH.
-bool hasFfmpeg();
+/// Draws and writes all of it. PNG files carry the command line under the keyword "Comment", EXR, TIFF, JPEG
+/// and most videos as their comment or description; BMP has no place for it. A video is encoded by the
+/// program ffmpeg, and file-E10 without it. For one frame after the other: HardcopyJob.
+Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted);
 
 }  // namespace glibra::view

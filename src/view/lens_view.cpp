@@ -196,7 +196,10 @@ Diagnostics LensView::draw(const gpu::Target& picture, const ViewState& view, co
         drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
             if (isWindow) drawNormals(draw, request, begins);
         });
+        // Normals may reach into the picture from outside.
+        scene_.drawOutOfSight(true);
         append(diagnostics, scene_.draw(picture, view, request.time, request.axes));
+        scene_.drawOutOfSight(false);
         drawer.setDrawHook({});
         return diagnostics;
     }

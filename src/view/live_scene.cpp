@@ -11,6 +11,16 @@
 #include "scene/view.h"
 
 namespace glibra::view {
+namespace {
+
+constexpr int kSamples = 1;  ///< of the pictures that a window shows
+
+bool hasTangents(const plan::PlannedMesh& mesh) {
+    return std::find(mesh.attributes.begin(), mesh.attributes.end(), geometry::kTangent) !=
+           mesh.attributes.end();
+}
+
+}  // namespace
 
 /// Everything that refers to something else here, in the order of dependence.
 struct LiveScene::State {
@@ -57,8 +67,11 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     programs.forgetPrevious();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
+    for (const plan::PlannedMesh& each : plan.meshes)
+        device.bounds(each.shape, hasTangents(each), diagnostics);
     append(diagnostics, device.prepare(plan, programs));
     drawer.emplace(context, scene, plan, programs, device, drawStats);
+    drawer->leaveOutOfTile(kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
     return diagnostics;
@@ -148,6 +161,14 @@ const render::Stats& LiveScene::loadStats() const {
     return state_->loadStats;
 }
 
+const render::Stats& LiveScene::drawStats() const {
+    return state_->drawStats;
+}
+
+void LiveScene::drawOutOfSight(bool on) {
+    state_->drawer->leaveOutOfTile(on ? 0 : kSamples);
+}
+
 void LiveScene::setValue(const Knob& knob) {
     for (const int program : apply(knob, state_->plan)) state_->drawer->forgetLiterals(program);
 }
@@ -189,10 +210,8 @@ render::FrameDrawer& LiveScene::drawer() {
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
-    const bool withTangents = std::find(planned.attributes.begin(), planned.attributes.end(),
-                                        geometry::kTangent) != planned.attributes.end();
     Diagnostics alreadyTold;
-    return state_->device.mesh(planned.shape, withTangents, alreadyTold);
+    return state_->device.mesh(planned.shape, hasTangents(planned), alreadyTold);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
     return state_->device.deviceMesh(draw.mesh);

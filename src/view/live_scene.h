@@ -49,7 +49,12 @@ class LiveScene {
     /// What translating, compiling, reading and the rest of loading took.
     [[nodiscard]] const render::Stats& loadStats() const;
 
+    /// Counts of all frames: "draws", and "draws out of their tile", which were left out.
+    [[nodiscard]] const render::Stats& drawStats() const;
+
     void setValue(const Knob& knob);
+    /// Draws also what provably reaches no pixel, for views that show more of it than its surface.
+    void drawOutOfSight(bool on);
     /// Draws a frame of the target's size.
     Diagnostics draw(const gpu::Target& target, const ViewState& view, double time, bool axes);
     /// Matrices of the frame drawn last.

@@ -27,6 +27,20 @@ class OnePixel {
     ~OnePixel() { glDisable(GL_SCISSOR_TEST); }
 };
 
+/// Number of the draw among all into the window, those counted that are not drawn.
+int ordinalOf(const scene::Scene& scene, const scene::Draw& wanted) {
+    int ordinal = 0;
+    for (const scene::Pass& pass : scene.passes) {
+        if (!pass.targets.empty()) continue;
+        for (const auto& step : pass.steps) {
+            const auto* draw = std::get_if<scene::Draw>(&step);
+            if (draw == &wanted) return ordinal;
+            if (draw != nullptr) ++ordinal;
+        }
+    }
+    return ordinal;
+}
+
 struct Counted {
     const plan::PlannedDraw* draw = nullptr;
     gpu::Name<deleteQuery> query;
@@ -68,7 +82,7 @@ std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double 
     const glm::dvec4 clip((x + .5) / picture.width() * 2 - 1, (row + .5) / picture.height() * 2 - 1,
                           depth * 2.0 - 1, 1);
     const glm::dvec4 eye = scene::inverseOrZero(scene.view().projection(draw.projection, aspect)) * clip;
-    Picked picked{draw.place.line, last, draw.word, {}, {}};
+    Picked picked{draw.place.line, ordinalOf(scene.scene(), draw), draw.word, {}, {}};
     if (eye.w == 0) return picked;
     picked.eye = glm::dvec3(eye) / eye.w;
     picked.point = glm::dvec3(scene::inverseOrZero(scene.view().modelView(draw)) * glm::dvec4(picked.eye, 1));

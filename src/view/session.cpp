@@ -343,6 +343,12 @@ RenderOptions Session::renderOptions(int width, int height) const {
     return options;
 }
 
+std::string Session::onlyOnScreen() const {
+    std::string words = wireframe_ ? "wireframe" : "";
+    if (lens_ == Lens::picture) return words;
+    return words + (words.empty() ? "" : " and ") + "the view '" + std::string(nameOf(lens_)) + "'";
+}
+
 bool Session::isChanged() const {
     return view_ != ViewState{} ||
            std::any_of(knobs_.begin(), knobs_.end(), [](const Knob& each) { return each.isChanged(); });

@@ -101,6 +101,9 @@ class Session {
 
     /// What `glibra render` needs to give this picture, of that size (0: the present one).
     [[nodiscard]] RenderOptions renderOptions(int width = 0, int height = 0) const;
+    /// What the window shows and neither `glibra render` nor a suite can: "wireframe", "wireframe and the
+    /// view 'depth'"; empty if the picture is all there is.
+    [[nodiscard]] std::string onlyOnScreen() const;
     /// True if a value or the view differs from what the file says.
     [[nodiscard]] bool isChanged() const;
 

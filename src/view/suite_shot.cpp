@@ -93,6 +93,8 @@ std::string shotText(const Session& session, const std::string& name, const fs::
     const RenderOptions options = session.renderOptions();
     std::string text = fmt::format("[[shot]]\nname = {}\nscript = {}\nsize = [{}, {}]\n", tomlText(name),
                                    tomlText(session.path(), folder), options.width, options.height);
+    if (const std::string without = session.onlyOnScreen(); !without.empty())
+        text += fmt::format("# The picture as glibra render draws it, without {}.\n", without);
     if (options.time != 0 && session.live().isAnimated()) text += fmt::format("time = {}\n", options.time);
     if (!options.set.empty()) text += "set = { " + setText(options.set) + " }\n";
     if (options.view == ViewPolicy::glman) text += "view = \"glman\"\n";

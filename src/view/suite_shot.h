@@ -11,8 +11,8 @@
 namespace glibra::view {
 
 /// A [[shot]] with the scene, the picture's size, changed values, time (if a program reads it), view, axes:
-/// everything that `glibra render` would be told. Paths are written relative to `folder`, where the suite
-/// file is.
+/// everything that `glibra render` would be told; a comment says what else the screen shows
+/// (Session::onlyOnScreen). Paths are written relative to `folder`, where the suite file is.
 std::string shotText(const Session& session, const std::string& name, const std::filesystem::path& folder);
 
 /// Adds the shot at the end of a suite file, which is made if it is not there. What it held stays byte for

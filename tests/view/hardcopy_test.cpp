@@ -1,4 +1,5 @@
-#include "view/hardcopy.h"
+#include "view/hardcopy_job.h"
+#include "view/video_encoder.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -78,10 +79,13 @@ TEST_F(ChangedScene, TheCommandLineGivesTheSameBytes) {
     }
 }
 
-TEST_F(ChangedScene, ThePngCarriesTheCommandLine) {
-    const view::Hardcopy wanted{folder / "a.png"};
-    ASSERT_FALSE(hasError(view::writeHardcopy(context(), session, wanted)));
-    EXPECT_NE(folder.read("a.png").find(view::renderCommand(session, wanted)), std::string::npos);
+TEST_F(ChangedScene, ThePictureCarriesTheCommandLine) {
+    for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg"}) {
+        const view::Hardcopy wanted{folder / name};
+        const Diagnostics problems = view::writeHardcopy(context(), session, wanted);
+        ASSERT_FALSE(hasError(problems)) << text(problems);
+        EXPECT_NE(folder.read(name).find(view::renderCommand(session, wanted)), std::string::npos) << name;
+    }
 }
 
 TEST_F(ChangedScene, FramesGoOnFromThePresentTime) {
@@ -97,13 +101,46 @@ TEST_F(ChangedScene, FramesGoOnFromThePresentTime) {
 TEST_F(ChangedScene, AVideoHoldsTheFramesAsked) {
     if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     const view::Hardcopy wanted{folder / "a.mp4", 65, 41, 7, 10};
-    const Diagnostics problems = view::writeVideo(context(), session, wanted);
+    const Diagnostics problems = view::writeHardcopy(context(), session, wanted);
     ASSERT_FALSE(hasError(problems)) << text(problems);
     const std::string command =
         "ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width -of csv=p=0 '" +
         wanted.file.string() + "' >'" + (folder / "probe.txt").string() + "'";
     ASSERT_EQ(std::system(command.c_str()), 0);
     EXPECT_EQ(folder.read("probe.txt"), "66,7\n");
+}
+
+TEST_F(ChangedScene, AVideoThatIsStoppedLeavesNoFile) {
+    if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
+    {
+        auto job = view::HardcopyJob::begin(context(), session, {folder / "a.mp4", 64, 40, 5, 10});
+        ASSERT_TRUE(job) << text(job.diagnostics);
+        EXPECT_FALSE(hasError(job->step()));
+        EXPECT_FALSE(hasError(job->step()));
+        EXPECT_EQ(job->framesWritten(), 2);
+        EXPECT_FALSE(job->isDone());
+    }
+    std::vector<std::string> left;
+    for (const auto& each : std::filesystem::directory_iterator(folder / ""))
+        left.push_back(each.path().filename());
+    EXPECT_EQ(left, std::vector<std::string>{"scene.glib"});
+}
+
+TEST_F(ChangedScene, AHardcopyUnderWayIsOfTheStateThatItBeganWith) {
+    auto job = view::HardcopyJob::begin(context(), session, {folder / "a.png", 0, 0, 2, 4});
+    ASSERT_TRUE(job) << text(job.diagnostics);
+    const std::vector<std::byte> before = pixelsOf(session);
+    session.resetValues();
+    session.resetTransforms();
+    EXPECT_FALSE(hasError(job->step()));
+    session.setNeedsFrame();
+    session.drawIfNeeded();
+    EXPECT_FALSE(pixelsOf(session) == before);
+    EXPECT_FALSE(hasError(job->step()));
+    EXPECT_TRUE(job->isDone());
+    const auto first = image::readImage(folder / "a_0000.png");
+    ASSERT_TRUE(first);
+    EXPECT_TRUE(rgb(*first) == before);
 }
 
 TEST_F(ChangedScene, WhatCannotBeWrittenIsSaid) {

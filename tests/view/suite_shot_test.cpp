@@ -101,6 +101,25 @@ TEST(SuiteShot, IsAddedBelowWhatTheFileHasAndNeverTwiceUnderOneName) {
     EXPECT_EQ(folder.read("s.toml"), "[[shot]\n");
 }
 
+TEST(SuiteShot, SaysWhatOfTheScreenItLeavesOut) {
+    const SceneFolder folder("WindowSize 16 16\nSphere 1\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    EXPECT_EQ(view::shotText(session, "ball", ".").find('#'), std::string::npos);
+    session.setWireframe(true);
+    session.setLens(view::Lens::depth);
+    session.drawIfNeeded();
+    EXPECT_EQ(session.onlyOnScreen(), "wireframe and the view 'depth'");
+    ASSERT_TRUE(view::appendShot(folder / "s.toml", "ball", session).empty());
+    EXPECT_NE(folder.read("s.toml").find("without wireframe and the view 'depth'"), std::string::npos)
+        << folder.read("s.toml");
+    session.setWireframe(false);
+    session.setLens(view::Lens::picture);
+    session.drawIfNeeded();
+    Diagnostics said;
+    EXPECT_TRUE(pictureOf(folder / "s.toml", said) == pixelsOf(session)) << text(said);
+}
+
 TEST(SuiteShot, StrangeNamesOfFilesAreQuoted) {
     const SceneFolder folder("");
     folder.write("a \"b\" [c].glib", "WindowSize 16 16\nSphere 1\n");

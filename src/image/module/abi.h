@@ -9,7 +9,7 @@
 extern "C" {
 
 /// Raised whenever anything below changes; the program refuses a module with another number.
-constexpr int kGlibraModuleVersion = 1;
+constexpr int kGlibraModuleVersion = 2;
 
 enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
 enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
@@ -35,6 +35,7 @@ struct GlibraWriteRequest {
     int components;  ///< 3 or 4
     int type;
     const void* pixels;
+    const char* comment;  ///< for formats that keep one; null or empty: none
     char* message;
     size_t messageSize;
 };

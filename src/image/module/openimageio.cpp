@@ -176,6 +176,8 @@ int writePicture(const GlibraWriteRequest& request) {
     spec.attribute("jpeg:subsampling", "4:4:4");  // colours at full resolution
     // Formats that keep a date get this one instead of now: equal pictures are equal files.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
+    if (request.comment != nullptr && *request.comment != 0)
+        spec.attribute("ImageDescription", request.comment);
     if (!output->open(request.path, spec)) throw Failure{output->geterror()};
     const auto stride = static_cast<OIIO::stride_t>(typeOf(request.type).size()) * request.components;
     if (!output->write_image(typeOf(request.type), request.pixels, stride) || !output->close())

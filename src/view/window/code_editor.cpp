@@ -17,6 +17,10 @@ namespace {
 
 constexpr ImU32 kErrorLine = IM_COL32(220, 50, 40, 60);
 constexpr ImU32 kWarningLine = IM_COL32(230, 170, 30, 40);
+/// Giving a widget the keyboard takes that many frames and scrolls to its corner, which is not wanted.
+constexpr int kFramesOfFocus = 3;
+constexpr ImU32 kFound = IM_COL32(200, 160, 40, 80);
+constexpr ImU32 kFoundShown = IM_COL32(240, 150, 20, 170);
 constexpr ImU32 kErrorText = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kErrorPlate = IM_COL32(165, 35, 30, 235);
 constexpr ImU32 kWarningPlate = IM_COL32(140, 100, 10, 235);
@@ -86,7 +90,15 @@ int onEdit(ImGuiInputTextCallbackData* data) {
         return 0;
     }
     CodeView& view = editing.view;
-    if (view.goTo) {
+    if (const auto text = std::exchange(view.newText, std::nullopt)) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, text->data(), text->data() + text->size());
+    }
+    if (const auto range = std::exchange(view.select, std::nullopt)) {
+        const auto inside = [&](std::size_t at) { return std::min(static_cast<int>(at), data->BufTextLen); };
+        data->SelectionStart = inside(range->begin);
+        data->CursorPos = data->SelectionEnd = inside(range->end);
+    } else if (view.goTo) {
         const std::vector<std::size_t> starts =
             lineStarts({data->Buf, static_cast<std::size_t>(data->BufTextLen)});
         const int line = std::clamp(*view.goTo, 1, static_cast<int>(starts.size()));
@@ -99,8 +111,13 @@ int onEdit(ImGuiInputTextCallbackData* data) {
     }
     view.cursor = data->CursorPos;
     view.previousSize = data->BufTextLen;
+    const auto [first, last] = std::minmax(data->SelectionStart, data->SelectionEnd);
+    view.selection = {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+    if (first == last) view.selection.begin = view.selection.end = static_cast<std::size_t>(view.cursor);
     return 0;
 }
+
+using Scroll = CodeView::Scroll;
 
 /// Where things stand on the screen.
 struct Layout {
@@ -130,6 +147,23 @@ void drawMarks(const Layout& layout, std::string_view text, const std::vector<st
                            {left + widthOf(each.text) + pad, top + layout.lineHeight - 1},
                            isError ? kErrorPlate : kWarningPlate, 3);
         draw.AddText({left, top}, kErrorText, each.text.c_str());
+    }
+}
+
+/// Places that a search has found, as far as they stand in one line.
+void drawFound(const Layout& layout, std::string_view text, const std::vector<std::size_t>& starts,
+               const CodeMarks& marks) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < marks.found.size(); ++i) {
+        const TextRange& each = marks.found[i];
+        if (each.end > text.size()) break;
+        const int line = lineOf(starts, static_cast<int>(each.begin));
+        if (line < layout.firstLine || line > layout.lastLine) continue;
+        const std::size_t start = starts[static_cast<std::size_t>(line - 1)];
+        const float left = layout.origin.x + widthOf(text.substr(start, each.begin - start));
+        const float width = widthOf(text.substr(each.begin, each.end - each.begin));
+        draw.AddRectFilled({left, layout.top(line)}, {left + width, layout.top(line) + layout.lineHeight},
+                           i == marks.shown ? kFoundShown : kFound, 2);
     }
 }
 
@@ -180,20 +214,26 @@ void drawCursor(const Layout& layout, std::string_view text, const std::vector<s
                                         ImGui::GetColorU32(ImGuiCol_Text), 1.5F);
 }
 
-/// Scrolls so far that the line, and from `x` on some characters, are seen.
-void reveal(const Layout& layout, int line, float x, bool inMiddle) {
+/// Scrolled so far that the line, and from `x` on some characters, are seen.
+Scroll revealed(Scroll scroll, const Layout& layout, int line, float x, bool inMiddle) {
     const float height = ImGui::GetWindowHeight() - ImGui::GetStyle().ScrollbarSize;
     const float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
     const float top = static_cast<float>(line - 1) * layout.lineHeight;
-    const float scroll = ImGui::GetScrollY();
-    if (top < scroll || top + 2 * layout.lineHeight > scroll + height)
-        ImGui::SetScrollY(std::max(0.F, inMiddle || top < scroll - height || top > scroll + 2 * height
-                                            ? top - height / 2
-                                            : (top < scroll ? top : top + 2 * layout.lineHeight - height)));
-    const float left = ImGui::GetScrollX();
-    if (x < left || x + layout.gutter + 2 * layout.lineHeight > left + width)
-        ImGui::SetScrollX(std::max(
-            0.F, x < left ? x - layout.lineHeight : x + layout.gutter + 4 * layout.lineHeight - width));
+    const bool isAbove = top < scroll.y;
+    if (isAbove || top + 2 * layout.lineHeight > scroll.y + height) {
+        const bool isFar = top < scroll.y - height || top > scroll.y + 2 * height;
+        scroll.y =
+            inMiddle || isFar ? top - height / 2 : (isAbove ? top : top + 2 * layout.lineHeight - height);
+    }
+    // The beginning of the lines is seen too wherever that is possible.
+    const float right = x + layout.gutter + 2 * layout.lineHeight;
+    if (right <= width && (inMiddle || x < scroll.x))
+        scroll.x = 0;
+    else if (x < scroll.x)
+        scroll.x = x - layout.lineHeight;
+    else if (right > scroll.x + width)
+        scroll.x = x + layout.gutter + 4 * layout.lineHeight - width;
+    return {std::max(0.F, scroll.x), std::max(0.F, scroll.y)};
 }
 
 int charactersIn(std::string_view text) {
@@ -211,11 +251,12 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
     // Esc would undo everything since the widget got the keyboard.
     const int escape = std::exchange(io.KeyMap[ImGuiKey_Escape], -1);
-    const bool isChanged = ImGui::InputTextMultiline(
-        label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
-        ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackResize |
-            ImGuiInputTextFlags_CallbackAlways | (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
-        onEdit, &editing);
+    const bool isChanged =
+        ImGui::InputTextMultiline(label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
+                                  ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_CallbackResize |
+                                      ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_NoUndoRedo |
+                                      (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
+                                  onEdit, &editing);
     io.KeyMap[ImGuiKey_Escape] = escape;
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
@@ -224,12 +265,15 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
 
 }  // namespace
 
-bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<const CodeMark> marks,
-                Dialect dialect, bool isReadOnly, float below) {
+bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks, Dialect dialect,
+                bool isReadOnly, float below) {
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
+    // While it has the keyboard the widget has a text of its own, which onEdit() changes.
+    const bool isReplaced = view.newText && !view.isActive;
+    if (isReplaced) text = *std::exchange(view.newText, std::nullopt);
     std::vector<std::size_t> starts = lineStarts(text);
     // Somebody else may have made it shorter.
     view.cursor = std::clamp(view.cursor, 0, static_cast<int>(text.size()));
@@ -253,17 +297,21 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<c
     layout.firstLine = std::clamp(static_cast<int>(ImGui::GetScrollY() / lineHeight) + 1, 1,
                                   static_cast<int>(starts.size()));
     layout.lastLine = std::min(layout.firstLine + rows + 1, static_cast<int>(starts.size()));
-    const bool goes = view.goTo.has_value();
-    if (goes) ImGui::SetKeyboardFocusHere();
+    const bool goes = view.goTo || view.select;
+    if (goes && !view.isActive) {
+        ImGui::SetKeyboardFocusHere();
+        view.framesToHold = kFramesOfFocus;
+    }
     const int cursorBefore = view.cursor;
     // What is seen is drawn before the widget, under its selection.
     const std::string_view shown = text;
-    drawMarks(layout, shown, starts, marks);
-    drawGutter(layout, view, marks);
+    drawMarks(layout, shown, starts, marks.lines);
+    drawGutter(layout, view, marks.lines);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
     draw.PushClipRect({window.x + layout.gutter - 2, window.y},
                       {window.x + ImGui::GetWindowWidth(), window.y + ImGui::GetWindowHeight()}, true);
+    drawFound(layout, shown, starts, marks);
     drawText(layout, shown, starts, dialect);
     if (view.isActive) drawCursor(layout, shown, starts, view);
     draw.PopClipRect();
@@ -279,12 +327,25 @@ bool codeEditor(const char* name, std::string& text, CodeView& view, std::span<c
         static_cast<std::size_t>(view.cursor) - starts[static_cast<std::size_t>(view.line - 1)]);
     view.column = charactersIn(before) + 1;
     const bool isLower = std::exchange(view.height, seen.y) > seen.y;
+    const bool holds = view.framesToHold > 0 && view.framesToHold-- > 0;
+    const Scroll scrolled{ImGui::GetScrollX(), ImGui::GetScrollY()};
+    Scroll scroll = holds ? view.scroll : scrolled;
     if (view.isActive && (view.cursor != cursorBefore || isChanged || goes || isLower))
-        reveal(layout, view.line, widthOf(before), goes);
+        scroll = revealed(scroll, layout, view.line, widthOf(before), goes);
+    if (const auto byte = std::exchange(view.reveal, std::nullopt)) {
+        const auto at = std::min(*byte, text.size());
+        const int line = lineOf(starts, static_cast<int>(at));
+        const std::size_t start = starts[static_cast<std::size_t>(line - 1)];
+        scroll =
+            revealed(scroll, layout, line, widthOf(std::string_view(text).substr(start, at - start)), true);
+    }
+    if (scroll.x != scrolled.x) ImGui::SetScrollX(scroll.x);
+    if (scroll.y != scrolled.y) ImGui::SetScrollY(scroll.y);
+    view.scroll = scroll;
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopFont();
-    return isChanged;
+    return isChanged || isReplaced;
 }
 
 }  // namespace glibra::view

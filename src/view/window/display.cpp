@@ -149,6 +149,13 @@ double Display::refreshRate() const {
     return mode && mode->refreshRate > 0 ? mode->refreshRate : kUsualRefreshRate;
 }
 
+bool Display::hasSwapControl() {
+    constexpr std::array<const char*, 3> kExtensions{"GLX_EXT_swap_control", "GLX_MESA_swap_control",
+                                                     "GLX_SGI_swap_control"};
+    return std::any_of(kExtensions.begin(), kExtensions.end(),
+                       [](const char* each) { return glfwExtensionSupported(each) == GLFW_TRUE; });
+}
+
 void Display::present() {
     glfwSwapBuffers(window_);
 }

@@ -37,7 +37,10 @@ class Display {
     [[nodiscard]] std::pair<int, int> framebufferSize() const;
     /// How much larger than at 96 dots an inch text should be.
     [[nodiscard]] float contentScale() const;
+    /// Pictures a second that the primary monitor shows; 60 if it does not say.
     [[nodiscard]] double refreshRate() const;
+    /// True if the driver can wait for the monitor between two pictures, which it is then told to.
+    [[nodiscard]] static bool hasSwapControl();
 
     void present();
     /// Takes events; waits for one if `seconds` is not 0, for ever if it is negative.

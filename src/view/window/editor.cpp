@@ -1,8 +1,6 @@
 #include "view/window/editor.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +9,8 @@
 #include <sstream>
 #include <string_view>
 #include <vector>
+
+#include "view/detached_process.h"
 
 namespace glibra::view {
 namespace {
@@ -61,13 +61,8 @@ std::string openInEditor(const Place& place) {
     } else {
         addPlace(full, place);
     }
-    std::vector<char*> arguments;
-    arguments.reserve(full.size() + 1);
-    for (std::string& each : full) arguments.push_back(each.data());
-    arguments.push_back(nullptr);
-    pid_t process = -1;
-    if (posix_spawnp(&process, arguments.front(), nullptr, nullptr, arguments.data(), environ) != 0)
-        return fmt::format("cannot start '{}'", full.front());
+    const std::string failure = startDetached(full);
+    if (!failure.empty()) return fmt::format("cannot start '{}': {}", full.front(), failure);
     return fmt::format("{}:{} opened with {}", place.file, place.line, editor);
 }
 

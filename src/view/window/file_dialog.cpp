@@ -133,11 +133,12 @@ void entry(Ui& ui) {
 void fileDialog(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     if (std::exchange(dialog.isWanted, false)) {
-        const fs::path folder = ui.session.hasScene() ? ui.session.path().parent_path()
-                                : ui.settings.recent.empty()
-                                    ? fs::path(".")
-                                    : fs::path(ui.settings.recent.front()).parent_path();
-        showFolder(dialog, folder);
+        const fs::path usual = ui.session.hasScene() ? ui.session.path().parent_path()
+                               : ui.settings.recent.empty()
+                                   ? fs::path(".")
+                                   : fs::path(ui.settings.recent.front()).parent_path();
+        const fs::path wanted = std::exchange(dialog.folder, {});
+        showFolder(dialog, wanted.empty() ? usual : wanted);
         ImGui::OpenPopup(kTitle);
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

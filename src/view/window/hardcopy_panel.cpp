@@ -2,7 +2,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <utility>
 
 #include "view/hardcopy.h"
 #include "view/window/ui.h"
@@ -10,23 +12,53 @@
 namespace glibra::view {
 namespace {
 
-void write(Ui& ui, bool asVideo) {
-    HardcopyEntries& entries = ui.hardcopy;
-    Hardcopy wanted{entries.file.data(), entries.width, entries.height, entries.frames,
-                    static_cast<double>(entries.framesPerSecond)};
-    const Diagnostics problems =
-        asVideo ? writeVideo(ui.context, ui.session, wanted) : writeHardcopy(ui.context, ui.session, wanted);
-    entries.failed = hasError(problems);
-    if (!entries.failed) {
-        entries.message = "written: " + wanted.file.string();
-        return;
-    }
+void end(HardcopyEntries& entries, const Diagnostics& problems, const std::string& message) {
     const auto error = std::find_if(problems.begin(), problems.end(),
                                     [](const Diagnostic& each) { return each.severity == Severity::error; });
-    entries.message = toString(*error);
+    entries.failed = error != problems.end();
+    entries.message = entries.failed ? toString(*error) : message;
+    entries.job.reset();
+}
+
+void begin(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    const Hardcopy wanted{entries.file.data(), entries.width, entries.height, entries.frames,
+                          static_cast<double>(entries.framesPerSecond)};
+    Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, wanted);
+    if (!job) return end(entries, job.diagnostics, {});
+    entries.job = std::move(job.value);
+    entries.message = "written: " + wanted.file.string();
+    if (const std::string without = ui.session.onlyOnScreen(); !without.empty())
+        entries.message += ", without " + without;
+    entries.failed = false;
+}
+
+/// How far it is, and a way to end it.
+void progress(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    const int written = entries.job->framesWritten();
+    const int frames = entries.job->wanted().frames;
+    if (ImGui::Button("Stop"))
+        end(entries, {}, fmt::format("stopped after {} of {} frames", written, frames));
+    mark(ui, "hardcopy/stop");
+    ImGui::SameLine();
+    ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(frames), {-1, 0},
+                       fmt::format("{} of {}", written, frames).c_str());
 }
 
 }  // namespace
+
+void continueHardcopy(Ui& ui) {
+    HardcopyEntries& entries = ui.hardcopy;
+    if (!entries.job) return;
+    // Several small frames, but none so long that the window seems to hang.
+    constexpr std::chrono::milliseconds kAtOnce{30};
+    const auto start = std::chrono::steady_clock::now();
+    Diagnostics problems;
+    while (!entries.job->isDone() && std::chrono::steady_clock::now() - start < kAtOnce)
+        append(problems, entries.job->step());
+    if (entries.job->isDone()) end(entries, problems, entries.message);
+}
 
 void hardcopyPanel(Ui& ui) {
     const bool isOpen = ImGui::CollapsingHeader("Hardcopy");
@@ -35,7 +67,7 @@ void hardcopyPanel(Ui& ui) {
     HardcopyEntries& entries = ui.hardcopy;
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Frames, a second ").x);
     ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size());
-    mark(ui, "hardcopy/file");
+    markField(ui, "hardcopy/file", "File");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The ending decides: .png, .bmp, .exr, .jpg, .tif ...; .mp4 or .webm for a video");
     std::array<int, 2> size{entries.width, entries.height};
@@ -44,20 +76,18 @@ void hardcopyPanel(Ui& ui) {
         entries.width = std::clamp(size[0], 0, kMostPixels);
         entries.height = std::clamp(size[1], 0, kMostPixels);
     }
-    mark(ui, "hardcopy/size");
+    markField(ui, "hardcopy/size", "Size");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Pixels; 0: as on the screen (%d x %d)", ui.session.width(), ui.session.height());
     ImGui::InputInt("Frames", &entries.frames, 0);
     entries.frames = std::clamp(entries.frames, 1, 1'000'000);
-    mark(ui, "hardcopy/frames");
+    markField(ui, "hardcopy/frames", "Frames");
     ImGui::InputFloat("a second", &entries.framesPerSecond, 0, 0, "%.3g");
     entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
     ImGui::PopItemWidth();
-    const std::string ending = std::filesystem::path(entries.file.data()).extension().string();
-    const bool asVideo = ending == ".mp4" || ending == ".webm" || ending == ".mkv" || ending == ".avi" ||
-                         ending == ".mov" || ending == ".gif";
+    if (entries.job) return progress(ui);
     ImGui::BeginDisabled(entries.file[0] == 0);
-    if (ImGui::Button("Write")) write(ui, asVideo);
+    if (ImGui::Button("Write")) begin(ui);
     ImGui::EndDisabled();
     mark(ui, "hardcopy/write");
     ImGui::SameLine();
@@ -69,7 +99,7 @@ void hardcopyPanel(Ui& ui) {
                 .c_str());
     }
     mark(ui, "hardcopy/copy");
-    if (!entries.message.empty()) ImGui::TextWrapped("%s", entries.message.c_str());
+    if (!entries.message.empty() && !entries.job) ImGui::TextWrapped("%s", entries.message.c_str());
 }
 
 }  // namespace glibra::view

@@ -29,6 +29,7 @@ void InputRecorder::add(const FrameInput& frame) {
     if (!frame.text.empty()) json["text"] = frame.text;
     if (frame.windowSize) json["size"] = {frame.windowSize->first, frame.windowSize->second};
     if (frame.open) json["open"] = *frame.open;
+    if (!frame.dropped.empty()) json["drop"] = frame.dropped;
     out_ << json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
 }
 
@@ -39,7 +40,7 @@ std::vector<FrameInput> readInput(const std::filesystem::path& file) {
     for (std::string line; std::getline(in, line);) {
         const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
         if (!json.is_object()) continue;
-        frame = {frame.mouseX, frame.mouseY, frame.buttons, 0, {}, {}, {}, {}};
+        frame = {frame.mouseX, frame.mouseY, frame.buttons, 0, {}, {}, {}, {}, {}};
         const auto isPair = [&](const char* key) {
             const auto found = json.find(key);
             return found != json.end() && found->is_array() && found->size() == 2 &&
@@ -59,6 +60,9 @@ std::vector<FrameInput> readInput(const std::filesystem::path& file) {
         if (isPair("size")) frame.windowSize = {json["size"][0].get<int>(), json["size"][1].get<int>()};
         if (const auto open = json.find("open"); open != json.end() && open->is_string())
             frame.open = open->get<std::string>();
+        if (const auto drop = json.find("drop"); drop != json.end() && drop->is_array())
+            for (const auto& each : *drop)
+                if (each.is_string()) frame.dropped.push_back(each.get<std::string>());
         frames.push_back(frame);
     }
     return frames;

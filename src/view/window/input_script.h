@@ -18,7 +18,8 @@ struct FrameInput {
     std::vector<int> keys;  ///< GLFW's numbers of the keys that are down
     std::string text;       ///< characters entered, UTF-8
     std::optional<std::pair<int, int>> windowSize;
-    std::optional<std::string> open;  ///< a scene dropped on the window
+    std::optional<std::string> open;   ///< a scene, in place of the shown one
+    std::vector<std::string> dropped;  ///< files that fell on the window
     friend bool operator==(const FrameInput&, const FrameInput&) = default;
 };
 

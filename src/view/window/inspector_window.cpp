@@ -89,18 +89,18 @@ void settings(Ui& ui) {
     mark(ui, "inspector/channels");
     ImGui::SameLine();
     ImGui::SliderFloat("gain", &inspector.showing.gain, .01F, 100, "%.2f", ImGuiSliderFlags_Logarithmic);
-    mark(ui, "inspector/gain");
+    markField(ui, "inspector/gain", "gain");
     ImGui::SameLine();
     ImGui::SliderFloat("zoom", &inspector.zoom, .1F, 32, "%.2f", ImGuiSliderFlags_Logarithmic);
-    mark(ui, "inspector/zoom");
+    markField(ui, "inspector/zoom", "zoom");
     ImGui::PopItemWidth();
     const gpu::Texture* texture =
         inspector.chosen < 0 ? nullptr : ui.session.live().texture(inspector.chosen);
     const int slices = texture ? sliceCount(*texture) : 1;
     if (slices > 1) {
-        ImGui::SliderInt(texture->shape() == gpu::TextureShape::cube ? "face" : "slice", &inspector.slice, 0,
-                         slices - 1);
-        mark(ui, "inspector/slice");
+        const char* label = texture->shape() == gpu::TextureShape::cube ? "face" : "slice";
+        ImGui::SliderInt(label, &inspector.slice, 0, slices - 1);
+        markField(ui, "inspector/slice", label);
     }
     inspector.slice = std::clamp(inspector.slice, 0, slices - 1);
 }
@@ -140,8 +140,7 @@ void image(Ui& ui) {
 
 void inspectorWindow(Ui& ui) {
     if (!ui.inspector.isOpen || !ui.session.hasScene()) return;
-    ImGui::SetNextWindowSize({520 * ui.scale, 460 * ui.scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowPos({20 * ui.scale, 20 * ui.scale}, ImGuiCond_FirstUseEver);
+    placeFloating(ui, 20, 20, 520, 460);
     if (ImGui::Begin("Textures and targets", &ui.inspector.isOpen, ImGuiWindowFlags_NoCollapse)) {
         choose(ui);
         settings(ui);

@@ -66,7 +66,7 @@ void legend(const Ui& ui) {
 void lensControls(Ui& ui) {
     const Lens now = ui.session.lens();
     const bool isOpen = ImGui::BeginCombo("Show", std::string(nameOf(now)).c_str());
-    mark(ui, "view/lens");
+    markField(ui, "view/lens", "Show");
     if (isOpen) {
         for (int i = 0; i < kLensCount; ++i) {
             const auto lens = static_cast<Lens>(i);
@@ -87,7 +87,7 @@ void lensControls(Ui& ui) {
         auto length = static_cast<float>(ui.session.normalLength());
         if (ImGui::SliderFloat("Length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
             ui.session.setNormalLength(length);
-        mark(ui, "view/normalLength");
+        markField(ui, "view/normalLength", "Length");
     }
     legend(ui);
 }

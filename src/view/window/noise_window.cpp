@@ -20,10 +20,10 @@ constexpr float kPanelWidth = 300;
 template <std::size_t N, class Enumerator>
 void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
     if (!ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)))) {
-        mark(ui, "noise/{}", label);
+        markField(ui, fmt::format("noise/{}", label), label);
         return;
     }
-    mark(ui, "noise/{}", label);
+    markField(ui, fmt::format("noise/{}", label), label);
     for (std::size_t i = 0; i < N; ++i) {
         if (ImGui::Selectable(words.at(i), static_cast<std::size_t>(value) == i))
             value = static_cast<Enumerator>(i);
@@ -41,7 +41,7 @@ void functionControls(Ui& ui) {
     ImGui::EndDisabled();
     ImGui::SliderInt("Octaves", &options.octaves, 1, noise::kMostGraphOctaves, "%d",
                      ImGuiSliderFlags_AlwaysClamp);
-    mark(ui, "noise/Octaves");
+    markField(ui, "noise/Octaves", "Octaves");
     constexpr int kMostShownPoints = 64;
     if (ImGui::SliderInt("Points", &options.cells, 2, kMostShownPoints, "%d", ImGuiSliderFlags_AlwaysClamp)) {
         const auto isGone = [&](const auto& each) { return each.first >= options.cells; };
@@ -50,7 +50,7 @@ void functionControls(Ui& ui) {
         std::erase_if(options.curvatures, isGone);
         ui.shared.noise.chosen = std::min(ui.shared.noise.chosen, options.cells - 1);
     }
-    mark(ui, "noise/Points");
+    markField(ui, "noise/Points", "Points");
     ImGui::Checkbox("Turbulence", &options.turbulence);
     mark(ui, "noise/Turbulence");
     ImGui::SameLine();
@@ -62,7 +62,7 @@ void pointSlider(Ui& ui, const char* label, double value, double limit, std::map
     auto shown = static_cast<float>(value);
     const auto most = static_cast<float>(limit);
     if (ImGui::SliderFloat(label, &shown, -most, most, "%.3f")) values[ui.shared.noise.chosen] = shown;
-    mark(ui, "noise/{}", label);
+    markField(ui, fmt::format("noise/{}", label), label);
 }
 
 void pointControls(Ui& ui) {
@@ -114,13 +114,13 @@ void write(NoiseWindow& window, int dimensions) {
 void fileControls(Ui& ui) {
     NoiseWindow& window = ui.shared.noise;
     ImGui::InputText("File", window.file.data(), window.file.size());
-    mark(ui, "noise/File");
+    markField(ui, "noise/File", "File");
     std::array<int, 2> size{window.noise.width, window.noise.height};
     if (ImGui::InputInt2("Size", size.data())) {
         window.noise.width = std::clamp(size[0], 1, 16384);
         window.noise.height = std::clamp(size[1], 1, 16384);
     }
-    mark(ui, "noise/Size");
+    markField(ui, "noise/Size", "Size");
     if (ImGui::Button("Write graph")) write(window, 1);
     mark(ui, "noise/WriteGraph");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png or .svg, or .tex: a raw texture of one dimension");
@@ -169,8 +169,7 @@ void picture(Ui& ui, float side) {
 
 void noiseWindow(Ui& ui) {
     if (!ui.shared.noise.isOpen) return;
-    ImGui::SetNextWindowSize({820 * ui.scale, 560 * ui.scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowPos({40 * ui.scale, 30 * ui.scale}, ImGuiCond_FirstUseEver);
+    placeFloating(ui, 40, 30, 820, 560);
     if (ImGui::Begin("Noise", &ui.shared.noise.isOpen, ImGuiWindowFlags_NoCollapse)) {
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const float panel = std::min(kPanelWidth * ui.scale, room.x / 2);

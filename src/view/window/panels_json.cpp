@@ -22,6 +22,11 @@ void addPanels(nlohmann::ordered_json& state, const Ui& ui) {
                        {"changed", source.isChanged},
                        {"conflict", source.hasConflict},
                        {"translation", ui.shownTranslation}};
+    if (const FindBar& find = ui.source.find; find.isOpen)
+        state["find"] = {{"words", find.words.data()},
+                         {"replaces", find.replaces},
+                         {"count", find.found.size()},
+                         {"shown", find.shown}};
     const ExampleBrowser& examples = ui.shared.examples;
     const auto pictures = std::count_if(
         examples.tiles.begin(), examples.tiles.end(),

@@ -112,17 +112,21 @@ void errorLine(const Ui& ui, ImDrawList& list) {
 
 void pictureInput(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    bool begins = false;
     if (ui.dragButton < 0 && !io.WantCaptureMouse && isInPicture(ui, io.MousePos)) {
         for (int button = 0; button < 3; ++button)
             if (ImGui::IsMouseClicked(button)) {
                 ui.dragButton = button;
                 ui.dragLength = 0;
+                begins = true;
             }
         if (io.MouseWheel != 0)
             ui.session.drag(ui.mode, dragOf(ui, Gesture::scale, 0, -io.MouseWheel * kWheelPixels));
     }
     if (ui.dragButton < 0) return;
     if (ImGui::IsMouseDown(ui.dragButton)) {
+        // Where frames are slow the way to the first point falls into the frame of the click.
+        if (begins) return;
         if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
         ui.dragLength += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
         ui.session.drag(ui.mode,

@@ -43,6 +43,7 @@ void message(Ui& ui, const Diagnostic& each, int index) {
                 ImGui::SameLine();
             }
             if (ImGui::SmallButton("Edit")) ui.notice = openInEditor(each.place);
+            mark(ui, "message/{}/edit", index);
             ImGui::SameLine();
         }
     }

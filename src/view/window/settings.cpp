@@ -53,6 +53,8 @@ Settings readSettings(const fs::path& file) {
         const auto found = json.find(key);
         return found != json.end() && found->is_boolean() && found->get<bool>();
     };
+    if (const auto found = json.find("layout"); found != json.end() && found->is_string())
+        settings.layout = found->get<std::string>();
     settings.lightTheme = truth("lightTheme");
     settings.showSource = truth("showSource");
     if (const auto found = json.find("recent"); found != json.end() && found->is_array())
@@ -64,11 +66,15 @@ Settings readSettings(const fs::path& file) {
 
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
-    const nlohmann::ordered_json json{
-        {"windowWidth", settings.windowWidth},   {"windowHeight", settings.windowHeight},
-        {"panelWidth", settings.panelWidth},     {"sourceWidth", settings.sourceWidth},
-        {"sourceHeight", settings.sourceHeight}, {"showSource", settings.showSource},
-        {"lightTheme", settings.lightTheme},     {"recent", settings.recent}};
+    const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
+                                      {"windowHeight", settings.windowHeight},
+                                      {"panelWidth", settings.panelWidth},
+                                      {"sourceWidth", settings.sourceWidth},
+                                      {"sourceHeight", settings.sourceHeight},
+                                      {"showSource", settings.showSource},
+                                      {"lightTheme", settings.lightTheme},
+                                      {"layout", settings.layout},
+                                      {"recent", settings.recent}};
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);
     const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

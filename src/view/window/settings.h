@@ -12,6 +12,7 @@ struct Settings {
     float panelWidth = 0;                     ///< screen coordinates; 0: the usual
     float sourceWidth = 0, sourceHeight = 0;  ///< of the source panel beside and below the picture
     bool showSource = false;
+    std::string layout;  ///< where the floating windows stand, as the GUI writes it
     bool lightTheme = false;
     std::vector<std::string> recent;  ///< scenes, the last opened first
 

@@ -22,6 +22,7 @@ struct FileDialog {
     bool isWanted = false;  ///< it opens with the next frame
     bool inNewTab = false;  ///< what it opens gets a tab of its own
     bool focusEntry = false;
+    std::filesystem::path folder;  ///< to begin in; empty: that of the scene
     FolderList list;
     std::array<char, 4096> entry{};
 };

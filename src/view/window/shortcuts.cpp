@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -38,6 +39,20 @@ void goToTab(Ui& ui, int step) {
             static_cast<std::size_t>((static_cast<int>(ui.shared.shownTab) + step + count) % count);
 }
 
+void escape(Ui& ui) {
+    if (!closeFind(ui) && !ImGui::GetIO().WantTextInput) ui.session.clearPick();
+}
+
+/// Ctrl+Z belongs to the text while that is edited; every other entry has an undo of its own.
+void undo(Ui& ui, bool again) {
+    if (ui.sourceState.isActive) return undoTyping(ui, again);
+    if (ImGui::GetIO().WantTextInput) return;
+    if (again)
+        ui.history.redo(ui.session);
+    else
+        ui.history.undo(ui.session);
+}
+
 void toggleProjection(Ui& ui) {
     ViewState view = ui.session.view();
     view.projection = view.projection == ProjectionMode::orthographic ? ProjectionMode::perspective
@@ -71,7 +86,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_T, false, "T", "light or dark",
      [](Ui& ui) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
     {GLFW_KEY_TAB, false, "Tab", "panel", [](Ui& ui) { ui.showPanel = !ui.showPanel; }},
-    {GLFW_KEY_ESCAPE, false, "Esc", "forget the picked object", [](Ui& ui) { ui.session.clearPick(); }},
+    {GLFW_KEY_ESCAPE, false, "Esc", "close what finds; forget the picked object", escape, true},
     {GLFW_KEY_F5, false, "F5", "read the scene again", [](Ui& ui) { ui.requests.reload = true; }, true},
     {GLFW_KEY_E, false, "E", "the scene and its shaders as text",
      [](Ui& ui) { ui.settings.showSource = !ui.settings.showSource; }},
@@ -80,9 +95,14 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_S, true, "Ctrl+S", "save the text that is shown", saveSource, true},
     {GLFW_KEY_X, false, "X", "example scenes",
      [](Ui& ui) { ui.shared.examples.isOpen = !ui.shared.examples.isOpen; }},
-    {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view",
-     [](Ui& ui) { ui.history.undo(ui.session); }},
-    {GLFW_KEY_Y, true, "Ctrl+Y", "redo it", [](Ui& ui) { ui.history.redo(ui.session); }},
+    {GLFW_KEY_F, true, "Ctrl+F", "find in the text", [](Ui& ui) { openFind(ui, false); }, true},
+    {GLFW_KEY_H, true, "Ctrl+H", "find and replace", [](Ui& ui) { openFind(ui, true); }, true},
+    {GLFW_KEY_F3, false, "F3, Shift+F3", "the next place, the one before",
+     [](Ui& ui) { findAgain(ui, ImGui::GetIO().KeyShift); }, true},
+    {GLFW_KEY_G, true, "Ctrl+G", "go to a line of the text", askLine, true},
+    {GLFW_KEY_Z, true, "Ctrl+Z", "undo a change of values or view; in the text, of the text",
+     [](Ui& ui) { undo(ui, ImGui::GetIO().KeyShift); }, true},
+    {GLFW_KEY_Y, true, "Ctrl+Y", "redo it", [](Ui& ui) { undo(ui, true); }, true},
     {GLFW_KEY_O, true, "Ctrl+O", "open a scene", [](Ui& ui) { openDialog(ui, false); }, true},
     {GLFW_KEY_T, true, "Ctrl+T", "open a scene in a new tab", [](Ui& ui) { openDialog(ui, true); }, true},
     {GLFW_KEY_W, true, "Ctrl+W", "close the tab", [](Ui& ui) { ui.requests.closeTab = ui.shared.shownTab; },
@@ -95,6 +115,17 @@ const auto kShortcuts = std::to_array<Shortcut>({
      [](Ui& ui) { ui.shared.noise.isOpen = !ui.shared.noise.isOpen; }},
     {GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui) { ui.requests.close = true; }, true},
     {GLFW_KEY_SLASH, false, "?", "this list", [](Ui& ui) { ui.showHelp = !ui.showHelp; }},
+});
+
+constexpr auto kMouse = std::to_array<std::pair<const char*, const char*>>({
+    {"Left drag", "rotate"},
+    {"Middle drag, wheel", "scale"},
+    {"Right or Shift+left drag", "pan"},
+    {"Click", "pick the object"},
+    {"Double click on a slider", "type any value"},
+    {"Drop a scene", "open it in a tab"},
+    {"Drop a shader or texture", "show it where the scene uses it"},
+    {"Drop a folder", "choose one of its scenes"},
 });
 
 }  // namespace
@@ -111,30 +142,35 @@ void shortcuts(Ui& ui) {
 
 void helpWindow(Ui& ui) {
     if (!ui.showHelp) return;
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({io.DisplaySize.x / 2, io.DisplaySize.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
-    if (ImGui::Begin("Keys and mouse", &ui.showHelp,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const auto rows = static_cast<float>(kMouse.size() + kShortcuts.size() + 2);
+    const float height = rows * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) +
+                         2 * ImGui::GetFrameHeight();
+    // Side by side where one below the other would be too high, and there is room.
+    const bool isWide = height > screen.y && screen.x > 780 * ui.scale;
+    ImGui::SetNextWindowSize({std::min(screen.x, (isWide ? 980 : 520) * ui.scale),
+                              std::min(screen.y, isWide ? height * .62F : height)},
+                             ImGuiCond_Always);
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
+    if (ImGui::Begin(
+            "Keys and mouse", &ui.showHelp,
+            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
         const ImVec2 at = ImGui::GetWindowPos();
         const ImVec2 size = ImGui::GetWindowSize();
         ui.widgets["helpWindow"] = {at.x, at.y, size.x, size.y};
-        // Side by side where one below the other would be too high.
-        constexpr std::size_t kMouseRows = 5;
-        const std::size_t rows = kMouseRows + kShortcuts.size();
-        const float height = static_cast<float>(rows + 4) * ImGui::GetTextLineHeightWithSpacing();
-        const int columns = height > io.DisplaySize.y ? 4 : 2;
-        if (ImGui::BeginTable("keys", columns)) {
-            const auto row = [](const char* keys, const char* what) {
+        if (ImGui::BeginTable("keys", isWide ? 4 : 2)) {
+            const float keys = ImGui::CalcTextSize("Drop a shader or texture ").x;
+            for (int i = 0; i < (isWide ? 2 : 1); ++i) {
+                ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keys);
+                ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+            }
+            const auto row = [](const char* first, const char* second) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(keys);
+                ImGui::TextUnformatted(first);
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(what);
+                ImGui::TextWrapped("%s", second);
             };
-            row("Left drag", "rotate");
-            row("Middle drag, wheel", "scale");
-            row("Right or Shift+left drag", "pan");
-            row("Click", "pick the object");
-            row("Double click on a slider", "type any value");
+            for (const auto& [doing, what] : kMouse) row(doing, what);
             for (const Shortcut& each : kShortcuts) row(each.keys, each.what);
             ImGui::EndTable();
         }

@@ -167,6 +167,7 @@ void content(Ui& ui) {
     CodeView& view = panel.views[panel.chosen];
     buttons(ui, file, view);
     conflict(ui, file, view);
+    findBar(ui, file, view);
     std::vector<const Diagnostic*> about;
     std::vector<CodeMark> marks;
     for (const Diagnostic& each : ui.session.diagnostics())
@@ -185,9 +186,16 @@ void content(Ui& ui) {
                                                  line * (2 * static_cast<float>(about.size()) + .5F));
     const Dialect dialect =
         glib::sameWord(file.path().extension().string(), ".glib") ? Dialect::glib : Dialect::glsl;
-    codeEditor(panel.chosen.string().c_str(), file.text(), view, marks, dialect, !file.whyReadOnly().empty(),
-               below);
+    const FindBar& find = panel.find;
+    const int cursorBefore = view.cursor;
+    const bool isChanged =
+        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown}, dialect,
+                   !file.whyReadOnly().empty(), below);
     mark(ui, "source/text");
+    if (isChanged)
+        file.history().record(file.text());
+    else if (view.cursor != cursorBefore)
+        file.history().endStep();
     ui.sourceState = {panel.chosen.string(), view.line,        view.column,
                       view.isActive,         file.isChanged(), file.hasConflict()};
     if (about.empty()) return;
@@ -258,6 +266,9 @@ void sourcePanel(Ui& ui, Rectangle& free) {
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         fileTabs(ui);
         content(ui);
+        // Giving its text the keyboard scrolls this window too.
+        ImGui::SetScrollX(0);
+        ImGui::SetScrollY(0);
     }
     extent = isBeside ? ImGui::GetWindowWidth() : ImGui::GetWindowHeight();
     ImGui::End();

@@ -11,6 +11,7 @@
 
 #include "view/source_files.h"
 #include "view/window/code_editor.h"
+#include "view/window/find_bar.h"
 
 namespace glibra::view {
 
@@ -21,6 +22,7 @@ struct SourcePanel {
     bool follow = false;           ///< the bar of tabs has to show `chosen`
     std::optional<Place> goTo;     ///< a place that is to be shown
     std::map<std::filesystem::path, CodeView> views;
+    FindBar find;
 };
 
 }  // namespace glibra::view

@@ -39,6 +39,8 @@ void append(Ui& ui) {
                                            "'{}' is a shot of {} now; `glibra test --update` makes its "
                                            "golden picture",
                                            name, file.filename().string());
+    if (const std::string without = ui.session.onlyOnScreen(); !entries.failed && !without.empty())
+        entries.message += "; it shows the picture without " + without;
     if (!entries.failed) put(entries.name, freeShotName(file, ui.session));
 }
 
@@ -52,12 +54,12 @@ void suitePanel(Ui& ui) {
     propose(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
     ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
-    mark(ui, "suite/file");
+    markField(ui, "suite/file", "Suite");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("A suite file for `glibra test`; it is made if it is not there\n%s",
                           entries.file.data());
     ImGui::InputText("Shot", entries.name.data(), entries.name.size());
-    mark(ui, "suite/name");
+    markField(ui, "suite/name", "Shot");
     ImGui::PopItemWidth();
     ImGui::BeginDisabled(entries.file[0] == 0 || entries.name[0] == 0);
     if (ImGui::Button("Add shot")) append(ui);

@@ -31,6 +31,7 @@ class Tabs {
     Tabs(gpu::Context& context, RenderOptions options, Shared& shared, float scale);
 
     Tab& shown() { return *tabs_[shown_]; }
+    Tab& at(std::size_t tab) { return *tabs_[tab]; }
     [[nodiscard]] std::size_t count() const { return tabs_.size(); }
     [[nodiscard]] std::size_t number() const { return shown_; }
 

@@ -61,6 +61,11 @@ void applyTheme(bool light, float scale) {
     style.FrameRounding = 3;
     style.GrabRounding = 3;
     style.WindowBorderSize = 0;
+    // White fields on light grey are seen by their borders.
+    if (light) {
+        style.FrameBorderSize = 1;
+        style.Colors[ImGuiCol_Border] = ImVec4(.62F, .62F, .62F, 1);
+    }
     style.GrabMinSize = 12;
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;

@@ -39,13 +39,13 @@ void timePanel(Ui& ui) {
         clock.play(false);
         clock.setTime(time);
     }
-    mark(ui, "time/scrub");
+    markField(ui, "time/scrub", "Seconds");
     double speed = clock.speed();
     const double slowest = -4;
     const double fastest = 4;
     if (ImGui::SliderScalar("Speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "%.2f x"))
         clock.setSpeed(speed);
-    mark(ui, "time/speed");
+    markField(ui, "time/speed", "Speed");
     ImGui::PopItemWidth();
     ui.session.setClock(clock);
 }

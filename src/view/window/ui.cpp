@@ -13,11 +13,27 @@ void mark(Ui& ui, std::string_view name) {
     ui.widgets[std::string(name)] = {low.x, low.y, size.x, size.y};
 }
 
+void markField(Ui& ui, std::string_view name, std::string_view label) {
+    mark(ui, name);
+    const auto made = ui.widgets.find(std::string(name));
+    if (made == ui.widgets.end()) return;
+    const float width = ImGui::CalcTextSize(label.data(), label.data() + label.size(), true).x;
+    if (width > 0) made->second[2] -= width + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
 namespace {
 
 constexpr float kPanelWidth = 380;
 constexpr float kNarrowestPanel = 240;
 constexpr float kWidestPart = .8F;
+
+/// Of the status line, which stays in sight however far the sections are scrolled.
+float noticeHeight(const Ui& ui) {
+    if (ui.notice.empty()) return 0;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::CalcTextSize(ui.notice.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
+           3 * style.ItemSpacing.y;
+}
 
 /// Returns the panel's width.
 float panel(Ui& ui) {
@@ -31,6 +47,7 @@ float panel(Ui& ui) {
     if (ImGui::Begin("Controls", nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse)) {
         scenePanel(ui);
+        ImGui::BeginChild("sections", {0, -noticeHeight(ui)});
         messagesPanel(ui);
         if (ui.session.hasScene()) {
             uniformsPanel(ui);
@@ -40,7 +57,11 @@ float panel(Ui& ui) {
             suitePanel(ui);
             costPanel(ui);
         }
-        if (!ui.notice.empty()) ImGui::TextWrapped("%s", ui.notice.c_str());
+        ImGui::EndChild();
+        if (!ui.notice.empty()) {
+            ImGui::Separator();
+            ImGui::TextWrapped("%s", ui.notice.c_str());
+        }
     }
     const float width = ImGui::GetWindowWidth();
     ImGui::End();
@@ -49,6 +70,17 @@ float panel(Ui& ui) {
 }
 
 }  // namespace
+
+void placeFloating(const Ui& ui, float left, float top, float width, float height) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(width * ui.scale, screen.x), std::min(height * ui.scale, screen.y));
+    ImGui::SetNextWindowSizeConstraints(
+        {std::min(240 * ui.scale, screen.x), std::min(160 * ui.scale, screen.y)}, screen);
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos(
+        {std::min(left * ui.scale, screen.x - size.x), std::min(top * ui.scale, screen.y - size.y)},
+        ImGuiCond_FirstUseEver);
+}
 
 void showAll(Ui& ui) {
     ui.widgets.clear();

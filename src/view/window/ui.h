@@ -15,6 +15,7 @@
 
 #include "gpu/context.h"
 #include "view/frame_cost.h"
+#include "view/hardcopy_job.h"
 #include "view/history.h"
 #include "view/session.h"
 #include "view/texel_view.h"
@@ -60,7 +61,8 @@ struct HardcopyEntries {
     int width = 0, height = 0;  ///< 0: as on the screen
     int frames = 1;
     float framesPerSecond = 30;
-    std::string message;  ///< how the last one went
+    std::optional<HardcopyJob> job;  ///< that is under way
+    std::string message;             ///< how the last one went
     bool failed = false;
 };
 
@@ -115,6 +117,8 @@ struct Ui {
 
 /// Remembers where the widget made last stands, under a name for tests and scripts, if somebody asks for it.
 void mark(Ui& ui, std::string_view name);
+/// The same of a field with its label beside it: where the field alone stands.
+void markField(Ui& ui, std::string_view name, std::string_view label);
 /// The same; the name is only put together when it is wanted.
 template <class... Arguments>
 requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Arguments...> format,
@@ -129,6 +133,8 @@ void uniformsPanel(Ui& ui);
 void viewPanel(Ui& ui);
 void timePanel(Ui& ui);
 void hardcopyPanel(Ui& ui);
+/// The next frames of a hardcopy that is under way, whether its panel is open or not.
+void continueHardcopy(Ui& ui);
 void costPanel(Ui& ui);
 void suitePanel(Ui& ui);
 void inspectorWindow(Ui& ui);
@@ -142,6 +148,10 @@ void exampleWindow(Ui& ui);
 void fileDialog(Ui& ui);
 /// Asks before text that is not saved would be lost.
 void questionDialog(Ui& ui);
+
+/// The next window floats: at first there and of that size, and never larger than the screen. In screen
+/// coordinates at a scale of 1.
+void placeFloating(const Ui& ui, float left, float top, float width, float height);
 
 // These take their part of what is left of the window.
 void tabBar(Ui& ui, Rectangle& free);

@@ -1,5 +1,6 @@
 // Transforms by numbers, projection, axes, background.
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
@@ -34,7 +35,7 @@ void modes(Ui& ui) {
 bool drag(Ui& ui, const char* label, double* values, int count, float speed) {
     const bool changed =
         ImGui::DragScalarN(label, ImGuiDataType_Double, values, count, speed, nullptr, nullptr, "%.4g");
-    mark(ui, "transform/{}", label);
+    if (ui.shared.marksWidgets) markField(ui, fmt::format("transform/{}", label), label);
     return changed;
 }
 
@@ -65,7 +66,7 @@ void projection(Ui& ui) {
     ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Projection ").x);
     if (ImGui::Combo("Projection", &mode, "as in the scene\0perspective\0orthographic\0"))
         view.projection = static_cast<ProjectionMode>(mode);
-    mark(ui, "view/projection");
+    markField(ui, "view/projection", "Projection");
 
     bool axes = ui.session.axes();
     if (ImGui::Checkbox("Axes", &axes)) ui.session.setAxes(axes);

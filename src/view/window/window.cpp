@@ -15,8 +15,11 @@
 #include "gpu/context.h"
 #include "image/file.h"
 #include "view/file_watch.h"
+#include "view/frame_pacer.h"
 #include "view/state_json.h"
 #include "view/window/display.h"
+#include "view/window/dropped.h"
+#include "view/window/gui.h"
 #include "view/window/input_script.h"
 #include "view/window/key_queue.h"
 #include "view/window/panels_json.h"
@@ -37,28 +40,9 @@ double secondsSince(RealClock::time_point start) {
     return std::chrono::duration<double>(RealClock::now() - start).count();
 }
 
-/// ImGui with its two backends.
-class Gui {
-  public:
-    Gui(const Display& display, float scale, bool light) {
-        IMGUI_CHECKVERSION();
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        // A blinking cursor would be a reason to draw.
-        ImGui::GetIO().ConfigInputTextCursorBlink = false;
-        loadFonts(scale);
-        applyTheme(light, scale);
-        ImGui_ImplGlfw_InitForOpenGL(display.handle(), true);
-        ImGui_ImplOpenGL3_Init("#version 410 core");
-    }
-    Gui(const Gui&) = delete;
-    Gui& operator=(const Gui&) = delete;
-    ~Gui() {
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
-    }
-};
+double now() {
+    return std::chrono::duration<double>(RealClock::now().time_since_epoch()).count();
+}
 
 class Window {
   public:
@@ -79,8 +63,10 @@ class Window {
     void takeRequests();
     void takeAnswer();
     void quit();
+    bool hasWork();
     void waitForWork();
     bool nextInput();
+    void record();
     void drawFrame();
     void present();
     void writeState();
@@ -97,12 +83,15 @@ class Window {
     std::vector<FrameInput> replay_;
     std::size_t replayed_ = 0;
     std::vector<int> replayedKeys_;
+    std::vector<std::string> dropped_, recordedDrops_;
+    std::pair<int, int> recordedSize_;
     KeyQueue keys_;
     int framesWanted_ = kFramesAfterEvent;
     std::uint64_t framesPresented_ = 0;
     std::uint64_t reloads_ = 0;
     bool lightTheme_ = false;
     RealClock::time_point lastFrame_ = RealClock::now();
+    FramePacer pacer_;
     std::optional<RealClock::time_point> changeSaved_;
     double loadMilliseconds_ = 0, firstDrawMilliseconds_ = 0, editToPicture_ = 0;
     std::string writtenState_;
@@ -114,10 +103,11 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
       display_(display),
       context_(context),
       tabs_(context, arguments.options, shared_, display.contentScale()),
-      watch_([] { Display::wake(); }) {
+      watch_([] { Display::wake(); }),
+      pacer_(display.refreshRate(), Display::hasSwapControl()) {
     shared_.settings = readSettings(settingsFile());
     lightTheme_ = shared_.settings.lightTheme;
-    gui_.emplace(display, display.contentScale(), lightTheme_);
+    gui_.emplace(display, display.contentScale(), shared_.settings);
     shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) recorder_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
@@ -203,8 +193,22 @@ void Window::takeChanges() {
     framesWanted_ = kFramesAfterEvent;
 }
 
+/// Scenes get a tab each; of the rest those that an open scene uses are shown where it does.
 void Window::takeDropped() {
-    for (const std::filesystem::path& each : display_.takeDropped()) openScene(each, true);
+    for (const std::filesystem::path& each : display_.takeDropped()) dropped_.push_back(each.string());
+    std::string notice;
+    for (const std::string& each : dropped_) {
+        const Dropped dropped = takeDroppedFile(tabs_, each);
+        if (dropped.isScene) openScene(each, true);
+        if (dropped.tab && *dropped.tab != tabs_.number()) {
+            tabs_.show(*dropped.tab);
+            followTab();
+        }
+        notice += (notice.empty() || dropped.notice.empty() ? "" : "\n") + dropped.notice;
+    }
+    if (!dropped_.empty()) ui().notice = std::move(notice);
+    if (recorder_) recordedDrops_.insert(recordedDrops_.end(), dropped_.begin(), dropped_.end());
+    dropped_.clear();
 }
 
 void Window::takeRequests() {
@@ -228,22 +232,27 @@ void Window::takeRequests() {
     }
 }
 
+bool Window::hasWork() {
+    for (std::size_t i = 0; i < tabs_.count(); ++i)
+        if (tabs_.at(i).ui.hardcopy.job) return true;
+    return framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size();
+}
+
 void Window::waitForWork() {
-    const bool isBusy = framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size();
-    if (!isBusy) {
+    if (!hasWork()) {
         display_.takeEvents(-1);
         lastFrame_ = RealClock::now();
     } else if (replayed_ < replay_.size()) {
         display_.takeEvents(0);
     } else {
-        // Where presenting does not wait for the screen, this does.
-        const double rest = 1 / display_.refreshRate() - secondsSince(lastFrame_);
-        display_.takeEvents(std::max(0.0, rest));
-        while (session().isMoving() && secondsSince(lastFrame_) < .95 / display_.refreshRate())
-            std::this_thread::sleep_for(std::chrono::duration<double>(
-                std::max(1e-4, 1 / display_.refreshRate() - secondsSince(lastFrame_))));
+        display_.takeEvents(pacer_.rest(now()));
+        // Events do not hurry a scene that moves.
+        while (session().isMoving() && pacer_.rest(now()) > 0)
+            std::this_thread::sleep_for(std::chrono::duration<double>(pacer_.rest(now())));
     }
-    if (display_.takeActivity()) framesWanted_ = kFramesAfterEvent;
+    if (!display_.takeActivity()) return;
+    framesWanted_ = kFramesAfterEvent;
+    pacer_.setRate(display_.refreshRate());
 }
 
 bool Window::nextInput() {
@@ -252,6 +261,7 @@ bool Window::nextInput() {
     imposeInput(frame);
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui().requests.open = *frame.open;
+    dropped_ = frame.dropped;
     const bool control = ImGui::GetIO().KeyCtrl;
     for (const int key : frame.keys)
         if (std::find(replayedKeys_.begin(), replayedKeys_.end(), key) == replayedKeys_.end())
@@ -261,15 +271,24 @@ bool Window::nextInput() {
     return true;
 }
 
+void Window::record() {
+    FrameInput frame = presentInput();
+    if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
+    frame.dropped = std::exchange(recordedDrops_, {});
+    recorder_->add(frame);
+}
+
 void Window::drawFrame() {
     const double passed = std::min(kLongestStep, secondsSince(lastFrame_));
     lastFrame_ = RealClock::now();
+    pacer_.begin(now());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     keys_.add(display_.takeKeyEvents());
     ui().pressed = keys_.begin();
     const bool isReplayed = nextInput();
-    if (recorder_) recorder_->add(presentInput());
+    if (recorder_) record();
+    for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
     Ui& ui = tabs_.shown().ui;
     ui.session.advance(isReplayed ? 1.0 / 60 : passed);
     tabs_.writeTitles();
@@ -340,10 +359,12 @@ void Window::writeState() {
     state["mode"] = static_cast<int>(ui.mode);
     state["typing"] = ui.typing;
     state["notice"] = ui.notice;
-    state["hardcopyMessage"] = ui.hardcopy.message;
+    state["hardcopyMessage"] = ui.hardcopy.job ? std::string() : ui.hardcopy.message;
     state["lightTheme"] = lightTheme_;
     state["inspected"] = ui.inspector.hovered;
-    state["waiting"] = framesWanted_ <= 0 && !session().isMoving() && replayed_ >= replay_.size();
+    state["refreshRate"] = display_.refreshRate();
+    state["swapControl"] = Display::hasSwapControl();
+    state["waiting"] = !hasWork();
     timespec cpu{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
     state["cpuSeconds"] = static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * 1e-9;
@@ -357,6 +378,7 @@ void Window::writeState() {
 
 void Window::remember() {
     std::tie(shared_.settings.windowWidth, shared_.settings.windowHeight) = display_.size();
+    shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
     writeSettings(shared_.settings, settingsFile());
 }
 
@@ -396,7 +418,7 @@ Diagnostics Window::run() {
         waitForWork();
         takeRequests();
         takeChanges();
-        if (framesWanted_ > 0 || session().isMoving() || replayed_ < replay_.size()) drawFrame();
+        if (hasWork()) drawFrame();
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }

@@ -148,6 +148,11 @@ class Window:
         self.xdotool("type", "--delay", "40", "--", text)
         time.sleep(3 * PAUSE)
 
+    def drop(self, *files):
+        """Files fall on the window, out of a file manager; returns when it has them. Paths or whole URIs."""
+        uris = [each if "://" in str(each) else pathlib.Path(each).as_uri() for each in files]
+        subprocess.run([os.environ["GLIBRA_DROP"], self.id, *uris], env=self.environment, check=True)
+
     def resize(self, width, height):
         self.xdotool("windowsize", "--sync", self.id, str(width), str(height))
 

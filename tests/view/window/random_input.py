@@ -7,14 +7,15 @@ import json
 import random
 import sys
 
-KEYS = [32, 46, 44, 49, 50, 51, 52, 82, 80, 65, 87, 76, 84, 258, 256, 294, 90, 89, 47, 73, 257, 259, 86, 86, 78, 69]
+KEYS = [32, 46, 44, 49, 50, 51, 52, 82, 80, 65, 87, 76, 84, 258, 256, 294, 90, 89, 47, 73, 257, 259, 86, 86, 78, 69, 70, 71, 72, 292]
 CONTROL = 341
 SHIFT = 340
 QUIT = 81
 TEXTS = ["1", "-", ".", "9e9", "e", "abc", "0.5", "\t"]
 
 
-def frames(seed, count, scenes):
+def frames(seed, count, scenes, drops=()):
+    drops = [*scenes, *drops]
     choose = random.Random(seed)
     width, height = 980, 600
     x, y, buttons = 0.0, 0.0, 0
@@ -40,8 +41,10 @@ def frames(seed, count, scenes):
         elif kind < 0.99:
             width, height = choose.randint(1, 1300), choose.randint(1, 850)
             frame["size"] = [width, height]
-        else:
+        elif kind < 0.995:
             frame["open"] = choose.choice(scenes)
+        else:
+            frame["drop"] = choose.sample(drops, choose.randint(1, 2))
         frame["mouse"] = [round(x, 1), round(y, 1)]
         frame["buttons"] = buttons
         yield frame

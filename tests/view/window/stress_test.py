@@ -83,6 +83,8 @@ class Stress(WindowTest):
         shutil.copy(OVALS, self.files / "ovals.glib")
         scenes = [str(self.files / each) for each in ("kinds.glib", "broken.glib", "none.glib", "moving.glib",
                                                       "passes.glib", "ovals.glib")]
+        drops = [str(self.files / each) for each in ("a.frag", "moving.frag", "a.vert", "gone.txt", "nothing.png", ".")]
+        (self.files / "gone.txt").write_text("text")
         # An editor that does nothing; a folder of its own for whatever buttons write.
         written = self.files / "written"
         written.mkdir()
@@ -94,7 +96,7 @@ class Stress(WindowTest):
         for part in range(PARTS):
             with self.subTest(part=part):
                 script = self.files / "random.jsonl"
-                events = frames(SEED * 1000 + part, EVENTS // PARTS, scenes)
+                events = frames(SEED * 1000 + part, EVENTS // PARTS, scenes, drops)
                 script.write_text("".join(json.dumps(each) + "\n" for each in events))
                 state_file = written / "state.json"
                 vandal = Vandal(self.files, SEED * 1000 + part)

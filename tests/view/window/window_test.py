@@ -258,6 +258,13 @@ class Time(WindowTest):
         window = self.open(scene, "--size", "200x600")
         first = window.wait(lambda s: s["moving"] and s["framesDrawn"] > 5)
         window.wait(lambda s: s["framesDrawn"] > first["framesDrawn"] + 10 and s["time"] > first["time"])
+        # No more pictures than the screen shows, although nothing here waits for a screen. A window that falls behind
+        # counts less time than has passed.
+        begin = window.state()
+        end = window.wait(lambda s: s["time"] > begin["time"] + 1)
+        self.assertEqual(end["refreshRate"], 60)
+        self.assertFalse(end["swapControl"], "the driver of a virtual display")
+        self.assertLess(end["framesPresented"] - begin["framesPresented"], 1.1 * 60 * (end["time"] - begin["time"]) + 2)
         window.key("space")
         window.wait(lambda s: not s["playing"])
         paused = window.settle()
@@ -316,7 +323,7 @@ class Frame(WindowTest):
     def test_hardcopy_is_what_the_screen_shows(self):
         window = self.open(OVALS, "--size", "320x1020", "--set", "uAd=0.4")
         window.click("hardcopy")
-        window.click("hardcopy/file", across=0.2)
+        window.click("hardcopy/file", across=0.9)
         file = self.files / "copy.png"
         window.type(str(file))
         window.key("Return")
@@ -343,6 +350,40 @@ class Frame(WindowTest):
         again = self.open(OVALS, settings=settings)
         again.wait(lambda s: s["window"] == [913, 517] and s["lightTheme"])
 
+    def test_a_long_hardcopy_leaves_the_window_usable_and_can_be_stopped(self):
+        window = self.open(self.files / "moving.glib", "--size", "200x900", "--paused")
+        window.click("hardcopy")
+        window.click("hardcopy/file")
+        window.type(str(self.files / "film.png"))
+        window.click("hardcopy/frames")
+        window.key("ctrl+a")
+        window.type("100000")
+        window.key("Return")
+        window.click("hardcopy/write")
+        window.wait(lambda s: "hardcopy/stop" in s["widgets"])
+        window.move(20, 20)
+        window.key("a")
+        window.wait(lambda s: s["axes"] and "hardcopy/stop" in s["widgets"])
+        window.click("hardcopy/stop")
+        told = window.wait(lambda s: s["hardcopyMessage"] and s["waiting"])["hardcopyMessage"]
+        written = len(list(self.files.glob("film_*.png")))
+        self.assertEqual(told, f"stopped after {written} of 100000 frames")
+        self.assertLess(written, 100000)
+
+    def test_floating_windows_stand_where_they_stood(self):
+        settings = self.files / "settings"
+        window = self.open(OVALS, "--size", "700x500", settings=settings)
+        window.key("n")
+        left, top, _, _ = window.wait(lambda s: "noise/graph" in s["widgets"])["widgets"]["noise/graph"]
+        window.drag((left + 100, top - 20), (left + 160, top + 30))
+        moved = window.wait(lambda s: s["widgets"]["noise/graph"][0] == left + 60)["widgets"]["noise/graph"]
+        window.key("n", "ctrl+q")
+        window.process.wait()
+        again = self.open(OVALS, settings=settings)
+        again.move(20, 400)
+        again.key("n")
+        again.wait(lambda s: s["widgets"].get("noise/graph") == moved)
+
     def test_help_lists_the_keys(self):
         window = self.open(OVALS, "--size", "600x600")
         window.click("help")
@@ -354,7 +395,7 @@ class Looking(WindowTest):
         window = self.open(self.files / "kinds.glib", "--size", "600x600")
         window.click("view/inspector")
         window.wait(lambda s: "inspector/image" in s["widgets"])
-        window.move(*window.point("inspector/what", 0.3))
+        window.move(*window.point("inspector/what"))
         left, top, _, _ = window.state()["widgets"]["inspector/image"]
         window.move(left + 40.5, top + 30.5)
         told = window.wait(lambda s: s["inspected"])["inspected"]
@@ -456,6 +497,16 @@ class Replay(WindowTest):
         self.assertEqual(replayed["knobs"], recorded["knobs"])
         self.assertEqual(replayed["view"], recorded["view"])
         self.assertTrue(replayed["axes"])
+
+    def test_the_way_to_a_click_in_the_same_frame_turns_nothing(self):
+        script, state = self.files / "click.jsonl", self.files / "state.json"
+        frames = 4 * [{"mouse": [10, 10], "buttons": 0}] + [{"mouse": [150, 120], "buttons": 1}] + [{"buttons": 0}] * 2
+        script.write_text("".join(json.dumps(each) + "\n" for each in frames))
+        subprocess.run([PROGRAM, "view", str(OVALS), "--size", "320x240", "--replay", str(script), "--state", str(state)],
+                       env=dict(self.desktop.environment, XDG_CONFIG_HOME=str(self.files / "fresh")), check=True)
+        end = json.loads(state.read_text())
+        self.assertIn("picked", end)
+        self.assertEqual(end["view"]["eye"], [float(i % 5 == 0) for i in range(16)])
 
     def test_random_input_does_no_harm(self):
         (self.files / "broken.glib").write_text("Program {\nSphere -1 9999999 2\nVertex none.vert\nObj none.obj\n")

@@ -1,0 +1,63 @@
+#include "view/window/dropped.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "glib/text.h"
+#include "view/file_use.h"
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string show(Ui& ui, const FileUse& use, const std::string& name) {
+    switch (use.kind) {
+        case FileUse::Kind::none:
+            return {};
+        case FileUse::Kind::text:
+            showSource(ui, use.place);
+            return {};
+        case FileUse::Kind::texture:
+            ui.inspector.isOpen = true;
+            ui.inspector.chosen = use.texture;
+            ui.inspector.slice = 0;
+            return {};
+        case FileUse::Kind::data:
+            break;
+    }
+    showSource(ui, use.place);
+    return fmt::format("{} is used by line {} of this scene", name, use.place.line);
+}
+
+}  // namespace
+
+Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
+    const std::string name = file.filename().string();
+    std::error_code failure;
+    if (fs::is_directory(file, failure)) {
+        Shared& shared = tabs.shown().ui.shared;
+        shared.dialog.isWanted = shared.dialog.inNewTab = true;
+        shared.dialog.folder = file;
+        return {};
+    }
+    if (!fs::exists(file, failure))
+        return {false, {}, fmt::format("{}: there is no such file", file.string())};
+    if (!std::ifstream(file)) return {false, {}, fmt::format("{}: it cannot be read", file.string())};
+    if (glib::sameWord(file.extension().string(), ".glib")) {
+        if (tabs.find(file) == tabs.number()) return {false, {}, fmt::format("{} is open already", name)};
+        return {true, {}, {}};
+    }
+    for (std::size_t i = 0; i < tabs.count(); ++i) {
+        const std::size_t index = (tabs.number() + i) % tabs.count();
+        Tab& tab = tabs.at(index);
+        if (!tab.session.hasScene()) continue;
+        const FileUse use = useOf(tab.session.live(), file);
+        if (use.kind != FileUse::Kind::none) return {false, index, show(tab.ui, use, name)};
+    }
+    return {false, {}, fmt::format("{} is neither a scene (.glib) nor a file that an open scene uses", name)};
+}
+
+}  // namespace glibra::view
