@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "plan/near_name.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
@@ -99,7 +99,7 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         if (i < used.size() && used[i]) continue;
         const std::string& name = overrides[i].name;
         diagnostics.push_back(warning("glib-W23", fmt::format("no program of the scene has a uniform '{}'{}",
-                                                              name, suggestion(name, names))));
+                                                              name, suggestionFor(name, names))));
     }
     return diagnostics;
 }
