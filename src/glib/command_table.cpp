@@ -352,6 +352,12 @@ const CommandRow* findCommand(std::string_view word) {
     return nullptr;
 }
 
+std::string_view nameOf(CommandId id) {
+    for (const CommandRow& row : kRows)
+        if (row.id == id) return row.name();
+    return {};
+}
+
 std::string_view nearestCommand(std::string_view word) {
     std::vector<std::string_view> names;
     for (const CommandRow& row : kRows)

@@ -81,6 +81,9 @@ std::span<const CommandRow> commandTable();
 /// The row of a command word or alias, in any case; null if there is none.
 const CommandRow* findCommand(std::string_view word);
 
+/// The command's word, as the reference spells it.
+std::string_view nameOf(CommandId id);
+
 /// The command or alias that lies nearest to an unknown word, spelled as in the table; empty if none is near.
 std::string_view nearestCommand(std::string_view word);
 

@@ -83,6 +83,10 @@ constexpr CatalogueRow kRows[] = {
      "12 components of the picture are NaN, 0 infinite; the first at pixel 31, 8"},
     {"draw-W07", Severity::warning,
      "the driver has 4 samples a pixel, with which edges are up to 0.25 px off; the bound is 0.1 px"},
+    {"draw-W08", Severity::warning,
+     "this loop runs up to 100,000 rounds, but the driver ends a shader's loops after 65,535; the picture "
+     "may "
+     "be wrong"},
     {"draw-N01", Severity::note,
      "no LookAt: eye moved back by 4.125 along z (use --view glman to switch this off)"},
     {"draw-N02", Severity::note, "the picture has only one colour"},

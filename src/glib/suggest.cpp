@@ -9,7 +9,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr std::size_t kLongestWord = 64;
+constexpr std::size_t kLongestWord = 128;
 
 std::size_t allowedEdits(std::size_t length) {
     if (length <= 2) return 0;
@@ -40,14 +40,15 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return rows[a.size() % 3][b.size()];
 }
 
-std::string nearestName(std::string_view word, std::span<const std::string_view> candidates) {
+std::string nearestName(std::string_view word, std::span<const std::string_view> candidates,
+                        std::size_t prefix) {
     if (word.size() > kLongestWord) return {};
-    const std::size_t allowed = allowedEdits(word.size());
+    const std::size_t allowed = allowedEdits(word.size() - std::min(prefix, word.size()));
     std::size_t best = allowed + 1;
     std::string_view nearest;
     for (const std::string_view candidate : candidates) {
         const std::size_t shorter = std::min(word.size(), candidate.size());
-        if (std::max(word.size(), candidate.size()) - shorter > allowed) continue;
+        if (std::max(word.size(), candidate.size()) - shorter > allowed || candidate == word) continue;
         const std::size_t distance = editDistance(word, candidate);
         if (distance < best) {
             best = distance;
@@ -55,6 +56,12 @@ std::string nearestName(std::string_view word, std::span<const std::string_view>
         }
     }
     return std::string(nearest);
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates,
+                       std::size_t prefix) {
+    const std::string nearest = nearestName(word, candidates, prefix);
+    return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 
 }  // namespace glibra::glib

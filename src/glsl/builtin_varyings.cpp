@@ -5,58 +5,14 @@
 #include <algorithm>
 #include <array>
 
+#include "glsl/builtin_varying_table.h"
 #include "glsl/rules.h"
 #include "glsl/usage.h"
 
 namespace glibra::glsl {
 namespace {
 
-enum Varying : std::size_t {
-    frontColor,
-    backColor,
-    frontSecondary,
-    backSecondary,
-    texCoord,
-    fog,
-    kVaryingCount
-};
-
-struct Row {
-    std::string_view name;  ///< without gl_
-    std::string_view type;
-    std::string_view unwritten;  ///< what a reader gets if no stage writes it
-    bool color;
-};
-constexpr std::array<Row, kVaryingCount> kRows = {
-    {{"FrontColor", "vec4", "glibra_CurrentColor", true},
-     {"BackColor", "vec4", "glibra_CurrentColor", true},
-     {"FrontSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
-     {"BackSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
-     {"TexCoord", "vec4", "vec4(0., 0., 0., 1.)", false},
-     {"FogFragCoord", "float", "0.", false}}};
-constexpr int kMostTexCoords = 32;
-
-std::string user(Varying which) {
-    return "gl_" + std::string(kRows[which].name);
-}
-std::string own(Varying which) {
-    return "glibra_" + std::string(kRows[which].name);
-}
-
-/// The variable that a word names, `input` for the names with In; kVaryingCount for other words.
-Varying varyingOf(std::string_view word, bool& input) {
-    input = false;
-    if (!word.starts_with("gl_")) return kVaryingCount;
-    std::string_view name = word.substr(3);
-    for (std::size_t i = 0; i < kVaryingCount; ++i) {
-        if (name == kRows[i].name) return static_cast<Varying>(i);
-        if (name.ends_with("In") && name.substr(0, name.size() - 2) == kRows[i].name) {
-            input = true;
-            return static_cast<Varying>(i);
-        }
-    }
-    return kVaryingCount;
-}
+using namespace varyings;
 
 /// What a stage does with one varying.
 struct Access {
@@ -70,6 +26,12 @@ struct Access {
     std::uint32_t readPlace = kNone;
 };
 using Accesses = std::array<Access, kVaryingCount>;
+
+/// How a varying's value comes to a fragment, as a stage redeclared it.
+struct Interpolation {
+    std::string qualifier;  ///< "flat", "smooth", "noperspective" or empty
+    bool centroid = false;
+};
 
 char letter(Stage stage) {
     return "vcegf"[static_cast<std::size_t>(stage)];
@@ -166,6 +128,7 @@ class Varyings {
     }
 
     /// `varying vec4 gl_TexCoord[4];` gives a size, `flat in vec4 gl_Color;` an interpolation; neither stays.
+    /// The fragment stage has the last word on interpolation: its gl_Color is front and back colour.
     void removeRedeclarations(Unit& unit) {
         for (Variable& variable : unit.variables) {
             bool input = false;
@@ -179,9 +142,23 @@ class Varyings {
             if (which == texCoord && !declarator.dimensions.empty() &&
                 integerValue(unit, declarator.dimensions.back(), size) && size > 0 && size <= kMostTexCoords)
                 texCoords_ = std::max(texCoords_, static_cast<int>(size));
-            if (variable.interpolation == "flat") flat_ = true;
+            if (!color) {
+                interpolate(which, variable);
+            } else if (variable.name == "gl_Color") {
+                interpolate(frontColor, variable);
+                interpolate(backColor, variable);
+            } else {
+                interpolate(frontSecondary, variable);
+                interpolate(backSecondary, variable);
+            }
             variable.removed = true;
         }
+    }
+
+    void interpolate(Varying which, const Variable& variable) {
+        Interpolation& own = interpolations_[which];
+        if (!variable.interpolation.empty()) own.qualifier = variable.interpolation;
+        own.centroid = own.centroid || variable.centroid;
     }
 
     /// gl_PerVertex of core GLSL has none of these members; without a declaration it has all that are left.
@@ -219,19 +196,28 @@ class Varyings {
         return index > 0 && accesses_[index - 1][which].written && accesses_[index][which].read;
     }
 
-    [[nodiscard]] std::string block(std::size_t reader) const {
+    /// Of a member of the block that the fragment stage reads; `direction` is the block's, which centroid
+    /// needs before 4.20.
+    [[nodiscard]] std::string qualifiers(Varying which, std::string_view direction) const {
+        const Interpolation& own = interpolations_[which];
+        const bool byCommand = program_.request->flatColors && kRows[which].color && own.qualifier.empty();
+        std::string text = byCommand ? "flat" : own.qualifier;
+        if (own.centroid) text += (text.empty() ? "centroid " : " centroid ") + std::string(direction);
+        return text.empty() ? text : text + " ";
+    }
+
+    [[nodiscard]] std::string block(std::size_t reader, std::string_view direction) const {
         std::string members;
-        const bool flat =
-            (program_.request->flatColors || flat_) && program_.units[reader].stage == Stage::fragment;
+        const bool rasterised = program_.units[reader].stage == Stage::fragment;
         for (std::size_t k = 0; k < kVaryingCount; ++k) {
             const auto which = static_cast<Varying>(k);
             if (!passes(reader, which)) continue;
-            members += std::string(flat && kRows[k].color ? " flat " : " ") + typeOf(which) + " " +
+            members += " " + (rasterised ? qualifiers(which, direction) : "") + typeOf(which) + " " +
                        std::string(kRows[k].name) + size(which) + ";";
         }
         if (members.empty()) return {};
-        return std::string("glibra_Varyings_") + letter(program_.units[reader - 1].stage) + " {" + members +
-               " }";
+        return std::string(direction) + " glibra_Varyings_" + letter(program_.units[reader - 1].stage) +
+               " {" + members + " }";
     }
 
     void stage(std::size_t index) {
@@ -245,9 +231,9 @@ class Varyings {
     }
 
     void inputs(std::size_t index, Unit& unit) {
-        const std::string text = block(index);
+        const std::string text = block(index, "in");
         const bool array = unit.stage != Stage::fragment;
-        if (!text.empty()) unit.declare("in " + text + " glibra_in" + (array ? "[];" : ";"));
+        if (!text.empty()) unit.declare(text + " glibra_in" + (array ? "[];" : ";"));
         for (std::size_t k = 0; k < kVaryingCount; ++k) {
             const auto which = static_cast<Varying>(k);
             const Access& access = accesses_[index][k];
@@ -316,8 +302,8 @@ class Varyings {
         const bool control = unit.stage == Stage::tessControl;
         const std::size_t reader = index + 1;
         const bool last = reader >= program_.units.size() || program_.units[reader].stage == Stage::fragment;
-        const std::string text = reader < program_.units.size() ? block(reader) : "";
-        if (!text.empty()) unit.declare("out " + text + " glibra_out" + (control ? "[];" : ";"));
+        const std::string text = reader < program_.units.size() ? block(reader, "out") : "";
+        if (!text.empty()) unit.declare(text + " glibra_out" + (control ? "[];" : ";"));
         std::vector<std::string> copies;
         for (std::size_t k = 0; k < kVaryingCount; ++k) {
             const auto which = static_cast<Varying>(k);
@@ -428,7 +414,7 @@ class Varyings {
     const std::vector<TokenWalk>& walks_;
     std::vector<Accesses> accesses_;
     int texCoords_ = 1;
-    bool flat_ = false;
+    std::array<Interpolation, kVaryingCount> interpolations_;
 };
 
 }  // namespace

@@ -124,11 +124,14 @@ class Completion {
             unit_.prologue.insert(unit_.prologue.begin(), synthesised);
         }
         std::string output;
-        if (layout_.output.empty())
-            output = request.geometryOutput.empty() ? "triangle_strip" : request.geometryOutput;
+        if (layout_.output.empty()) {
+            layout_.output = request.geometryOutput.empty() ? "triangle_strip" : request.geometryOutput;
+            output = layout_.output;
+        }
         vertices(most, components, output);
         if (!output.empty()) unit_.prologue.insert(unit_.prologue.begin(), "layout(" + output + ") out;");
         program_.result->geometryInput = layout_.input;
+        program_.result->geometryOutput = layout_.output;
     }
 
   private:
@@ -230,8 +233,11 @@ void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report) {
 }
 
 void readFactsAsIs(ProgramUnits& program) {
-    if (const Unit* unit = program.find(Stage::geometry))
-        program.result->geometryInput = layoutOf(*unit).input;
+    if (const Unit* unit = program.find(Stage::geometry)) {
+        Layout layout = layoutOf(*unit);
+        program.result->geometryInput = std::move(layout.input);
+        program.result->geometryOutput = std::move(layout.output);
+    }
     const Unit* fragment = program.find(Stage::fragment);
     if (!fragment) return;
     const bool old = fragment->isUsed("gl_FragColor") || fragment->isUsed("gl_FragData");

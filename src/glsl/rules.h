@@ -39,6 +39,9 @@ void completeGeometryLayout(ProgramUnits& program);
 void readFactsAsIs(ProgramUnits& program);
 /// 7.8.
 void checkTessellation(ProgramUnits& program);
+/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the stages that see patches is then
+/// larger by glibra_FirstPatch, the number of patches in the earlier ones.
+void countPatchesInWhole(ProgramUnits& program);
 /// 7.9: the user's own interfaces between stages.
 void connectStages(ProgramUnits& program);
 /// 7.10: W09, W10, W20, W21, W22.

@@ -4,6 +4,7 @@
 
 #include "glsl/emit.h"
 #include "glsl/facts.h"
+#include "glsl/loops.h"
 #include "glsl/rules.h"
 #include "glsl/source.h"
 #include "glsl/usage.h"
@@ -17,7 +18,6 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const StageSource* a, const StageSource* b) { return a->stage < b->stage; });
     program.units.reserve(ordered.size());  // tokens point into a unit's text: it must not move
-    program.units.reserve(ordered.size());
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
             const std::size_t slash = each->path.find_last_of("/\\");
@@ -65,6 +65,7 @@ void applyRules(ProgramUnits& program) {
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
     checkTessellation(program);
+    countPatchesInWhole(program);
     completeGeometryLayout(program);
     collectFacts(program);
     connectStages(program);
@@ -103,7 +104,10 @@ TranslatedProgram translate(const ProgramRequest& request) {
         }
     }
     if (!program.report.failed())
-        for (Unit& unit : program.units) result.stages.push_back(request.shim ? emit(unit) : emitAsIs(unit));
+        for (Unit& unit : program.units) {
+            result.stages.push_back(request.shim ? emit(unit) : emitAsIs(unit));
+            result.stages.back().loops = loopsOf(unit);
+        }
     result.diagnostics = program.report.take();
     return result;
 }

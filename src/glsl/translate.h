@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/counted_loop.h"
+
 namespace glibra::glsl {
 
 enum class Stage { vertex, tessControl, tessEvaluation, geometry, fragment };
@@ -85,7 +87,8 @@ struct TranslatedStage {
     Stage stage = Stage::vertex;
     std::string source;  ///< complete text for glShaderSource
     LineMap lineMap;
-    std::string path;  ///< the stage's own file
+    std::string path;                ///< the stage's own file
+    std::vector<CountedLoop> loops;  ///< that main runs and that can be counted, those of its functions too
 };
 
 /// A uniform as declared in a source, whether or not the compiler keeps it.
@@ -116,6 +119,8 @@ struct TranslatedProgram {
     int patchVertices = 0;                      ///< layout(vertices = n) of the control stage; 0: none
     std::string
         geometryInput;  ///< the geometry stage's input primitive, plain GLSL word; empty: no such stage
+    std::string
+        geometryOutput;  ///< "points", "line_strip" or "triangle_strip" that it delivers; empty: likewise
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written
     Placement placement = Placement::unknown;

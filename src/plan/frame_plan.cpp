@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "plan/loop_rounds.h"
 #include "plan/needs.h"
 #include "plan/overrides.h"
 #include "plan/skipped.h"
 #include "plan/submission.h"
 #include "plan/texture_uses.h"
 #include "plan/uniform_names.h"
+#include "scene/primitives.h"
 
 namespace glibra::plan {
 namespace {
@@ -106,9 +109,15 @@ class FramePlanner {
             if (units) state.units = std::move(*units);
             state.unitProblems = std::move(units.diagnostics);
         }
+        append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }));
         plan_.programs.push_back(std::move(program));
         states_.push_back(std::move(state));
         return entry->second;
+    }
+
+    int loopLimit() {
+        if (!loopLimit_) loopLimit_ = options_.loopLimit ? options_.loopLimit() : 0;
+        return *loopLimit_;
     }
 
     /// What the samplers of a draw read; equal for draws with the same program, slots and wrap.
@@ -330,7 +339,8 @@ class FramePlanner {
     std::map<std::tuple<int, int, bool>, std::vector<TextureUse>> uses_;
     std::vector<int> meshOfShape_;
     std::vector<std::set<std::string_view>> reads_;  ///< attributes of each shape that a program reads
-    std::set<int> incomplete_;                       ///< programs of draw-W01
+    std::optional<int> loopLimit_;
+    std::set<int> incomplete_;  ///< programs of draw-W01
     std::set<std::tuple<int, std::string, std::string>> remarks_;
     std::set<std::tuple<std::string, std::string, std::string, int, int>> said_;
     FramePlan plan_;

@@ -92,8 +92,11 @@ struct PlanOptions {
     std::vector<Override> overrides;
     int maxTextureUnits = 80;  ///< of the driver, all stages together
     int maxImageUnits = 8;     ///< of the driver
-    bool everything = false;   ///< glibra check, --no-skip: skip nothing
-    bool shareMeshes = true;   ///< false: a mesh for each draw
+    /// Rounds after which the driver ends a shader's loops, 0: never. Asked at most once, and only if a
+    /// needed program has long ones. Empty: never.
+    std::function<int()> loopLimit{};
+    bool everything = false;  ///< glibra check, --no-skip: skip nothing
+    bool shareMeshes = true;  ///< false: a mesh for each draw
     /// Why nothing of the draw can be seen, in words; empty: perhaps it can, or it has other effects than on
     /// its target. Asked at most once for each draw, before its program is; not asked with `everything`.
     std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
@@ -102,13 +105,9 @@ struct PlanOptions {
 /// The program that draws it in this pass: its own, or the built-in one if that lacks a stage.
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
-/// Topology of the mesh that a shape will give, known from the command alone.
-geometry::Topology topologyOf(const scene::Shape& shape);
-
 /// Plans one frame of the scene, which must outlive the plan. Errors are in the diagnostics; a picture of a
 /// plan with errors is not to be kept, but a window may show the rest: draws with an error of their own are
-/// left out, those of an unusable program are in it. Shp counts as lines; the mesh that render reads from the
-/// file has the last word.
+/// left out, those of an unusable program are in it.
 FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
                     const MayWriteImages& mayWriteImages, const PlanOptions& options);
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "plan/submission.h"
+#include "scene/primitives.h"
 
 namespace glibra::plan {
 namespace {

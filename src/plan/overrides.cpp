@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "glib/text.h"
-#include "plan/near_name.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {
@@ -108,7 +108,7 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         const std::string where =
             program.empty() ? "program of the scene" : "Program " + glib::quoted(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
-        const std::string near = isElsewhere ? "" : suggestion(name, names);
+        const std::string near = isElsewhere ? "" : suggestionFor(name, names);
         diagnostics.push_back(
             warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::quoted(name), near)));
     }

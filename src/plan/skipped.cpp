@@ -106,6 +106,7 @@ class SkipList {
     void addMeshes() {
         std::vector<const PlannedMesh*> planned(scene_.shapes.size());
         for (const PlannedMesh& mesh : plan_.meshes) planned.at(static_cast<std::size_t>(mesh.shape)) = &mesh;
+        const std::vector<int> draws = drawsOfShapes();
         std::vector<Skipped> attributes;
         for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
             const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
@@ -115,12 +116,23 @@ class SkipList {
                 continue;
             }
             useFile(scene_.shapes[i].file);
+            if (draws[i] > 1) add("mesh", fmt::format("{}: one for all its {} draws", word, draws[i]), place);
             for (const std::string& attribute : attributesOf(scene_.shapes[i]))
                 if (!contains(planned[i]->attributes, attribute))
                     attributes.push_back(
                         {"attribute", fmt::format("{} of {}: no program reads it", attribute, word), place});
         }
         skipped_.insert(skipped_.end(), attributes.begin(), attributes.end());
+    }
+
+    /// Planned draws of each shape.
+    [[nodiscard]] std::vector<int> drawsOfShapes() const {
+        std::vector<int> draws(scene_.shapes.size());
+        for (const PlannedPass& pass : plan_.passes)
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<PlannedDraw>(&step))
+                    ++draws.at(static_cast<std::size_t>(draw->draw->shape));
+        return draws;
     }
 
     void addTextures() {

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
+
+#include "glib/command_table.h"
+#include "scene/primitives.h"
 
 namespace glibra::plan {
 namespace {
@@ -13,64 +17,43 @@ namespace {
 using geometry::Topology;
 using glib::CommandId;
 
-/// What is known of a geometry command without making its mesh. `sizes` are the arguments that must not be
-/// zero; `relative` is the command that draws the same as lines, or of lines as triangles.
-struct ShapeRow {
-    CommandId command;
-    Topology topology;
-    std::array<int, 3> sizes;  ///< indices into Shape::numbers, -1: no more
-    std::string_view lines;    ///< for a program that wants lines
-    std::string_view triangles;
+/// Commands that draw the same as triangles and as lines.
+struct Counterpart {
+    CommandId solid, wire;
 };
-constexpr int kNo = -1;
-constexpr std::array<ShapeRow, 28> kShapes{{
-    {CommandId::box, Topology::triangles, {0, 1, 2}, "WireBox", ""},
-    {CommandId::sphere, Topology::triangles, {0, kNo, kNo}, "WireSphere", ""},
-    {CommandId::cylinder, Topology::triangles, {0, 1, kNo}, "WireCylinder", ""},
-    {CommandId::cone, Topology::triangles, {0, 1, kNo}, "WireCone", ""},
-    {CommandId::torus, Topology::triangles, {0, 1, kNo}, "WireTorus", ""},
-    {CommandId::teapot, Topology::triangles, {kNo, kNo, kNo}, "WireTeapot", ""},
-    {CommandId::soccerball, Topology::triangles, {0, kNo, kNo}, "", ""},
-    {CommandId::diskXY, Topology::triangles, {1, kNo, kNo}, "", ""},
-    {CommandId::quadXY, Topology::triangles, {1, kNo, kNo}, "", ""},
-    {CommandId::quadXZ, Topology::triangles, {1, kNo, kNo}, "", ""},
-    {CommandId::quadYZ, Topology::triangles, {1, kNo, kNo}, "", ""},
-    {CommandId::quadBox, Topology::triangles, {kNo, kNo, kNo}, "", ""},
-    {CommandId::xarrow, Topology::triangles, {kNo, kNo, kNo}, "", ""},
-    {CommandId::pointCloud, Topology::points, {kNo, kNo, kNo}, "", ""},
-    {CommandId::jitterCloud, Topology::points, {kNo, kNo, kNo}, "", ""},
-    {CommandId::wireSphere, Topology::lines, {0, kNo, kNo}, "", "Sphere"},
-    {CommandId::wireTorus, Topology::lines, {0, 1, kNo}, "", "Torus"},
-    {CommandId::wireCylinder, Topology::lines, {0, 1, kNo}, "", "Cylinder"},
-    {CommandId::wireCone, Topology::lines, {0, 1, kNo}, "", "Cone"},
-    {CommandId::wireCube, Topology::lines, {0, kNo, kNo}, "", "Box"},
-    {CommandId::wireBox, Topology::lines, {0, 1, 2}, "", "Box"},
-    {CommandId::wireTeapot, Topology::lines, {kNo, kNo, kNo}, "", "Teapot"},
-    {CommandId::obj, Topology::triangles, {kNo, kNo, kNo}, "WireObj", ""},
-    {CommandId::wireObj, Topology::lines, {kNo, kNo, kNo}, "", "Obj"},
-    {CommandId::objAdj, Topology::trianglesAdjacency, {kNo, kNo, kNo}, "WireObj", "Obj"},
-    {CommandId::objPatch, Topology::patches, {kNo, kNo, kNo}, "WireObj", "Obj"},
-    {CommandId::shp, Topology::lines, {kNo, kNo, kNo}, "", ""},
-    {CommandId::linesAdjacency, Topology::linesAdjacency, {kNo, kNo, kNo}, "", ""},
-}};
+constexpr std::array kCounterparts =
+    std::to_array<Counterpart>({{CommandId::box, CommandId::wireBox},
+                                {CommandId::box, CommandId::wireCube},
+                                {CommandId::sphere, CommandId::wireSphere},
+                                {CommandId::cylinder, CommandId::wireCylinder},
+                                {CommandId::cone, CommandId::wireCone},
+                                {CommandId::torus, CommandId::wireTorus},
+                                {CommandId::teapot, CommandId::wireTeapot},
+                                {CommandId::obj, CommandId::wireObj},
+                                {CommandId::obj, CommandId::objAdj},
+                                {CommandId::obj, CommandId::objPatch}});
 constexpr int kObjPatchVertices = 3;
 
-const ShapeRow* rowOf(CommandId command) {
-    const auto* row = std::find_if(kShapes.begin(), kShapes.end(),
-                                   [&](const ShapeRow& each) { return each.command == command; });
-    return row == kShapes.end() ? nullptr : row;
+/// The command that draws this model or shape as lines or as triangles, if there is one and it is another.
+std::optional<CommandId> counterpartOf(CommandId command, Topology wanted) {
+    if (wanted == Topology::lines && (command == CommandId::objAdj || command == CommandId::objPatch))
+        return CommandId::wireObj;
+    for (const Counterpart& each : kCounterparts) {
+        if (wanted == Topology::lines && each.solid == command) return each.wire;
+        if (wanted == Topology::triangles && each.wire == command) return each.solid;
+    }
+    return std::nullopt;
 }
 
 /// "; use ObjAdj": a command that delivers the wanted kind, where there is an obvious one.
 std::string recommendation(CommandId command, std::string_view wanted) {
-    const ShapeRow* row = rowOf(command);
-    std::string_view word;
-    if (wanted == wordOf(Topology::trianglesAdjacency)) word = "ObjAdj";
-    if (wanted == wordOf(Topology::linesAdjacency)) word = "LinesAdjacency";
-    if (wanted == wordOf(Topology::points)) word = "PointCloud";
-    if (wanted == wordOf(Topology::lines) && row != nullptr) word = row->lines;
-    if (wanted == wordOf(Topology::triangles) && row != nullptr) word = row->triangles;
-    return word.empty() ? std::string() : fmt::format("; use {}", word);
+    std::optional<CommandId> other;
+    if (wanted == wordOf(Topology::trianglesAdjacency)) other = CommandId::objAdj;
+    if (wanted == wordOf(Topology::linesAdjacency)) other = CommandId::linesAdjacency;
+    if (wanted == wordOf(Topology::points)) other = CommandId::pointCloud;
+    for (const Topology each : {Topology::lines, Topology::triangles})
+        if (wanted == wordOf(each)) other = counterpartOf(command, each);
+    return other ? fmt::format("; use {}", glib::nameOf(*other)) : std::string();
 }
 
 int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
@@ -79,12 +62,6 @@ int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
 }
 
 }  // namespace
-
-geometry::Topology topologyOf(const scene::Shape& shape) {
-    if (shape.list != nullptr) return shape.list->topology;
-    const ShapeRow* row = rowOf(shape.command);
-    return row != nullptr ? row->topology : Topology::triangles;
-}
 
 std::string_view wordOf(Topology topology) {
     switch (topology) {
@@ -102,16 +79,6 @@ std::string_view wordOf(Topology topology) {
             break;
     }
     return "patches";
-}
-
-bool drawsNothing(const scene::Shape& shape) {
-    if (shape.list != nullptr) return shape.list->indices.empty();
-    const ShapeRow* row = rowOf(shape.command);
-    if (row == nullptr) return false;
-    return std::any_of(row->sizes.begin(), row->sizes.end(), [&](int index) {
-        return index >= 0 && static_cast<std::size_t>(index) < shape.numbers.size() &&
-               shape.numbers[static_cast<std::size_t>(index)] == 0;
-    });
 }
 
 std::string stageFileName(const scene::Scene& scene, const scene::Program& program, glsl::Stage stage) {
@@ -174,8 +141,7 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
     if (program == nullptr || draw.raster.pointSizeFromShader || !interface.facts.writesPointSize)
         return false;
     const std::string_view points = wordOf(Topology::points);
-    if (program->hasStage(glsl::Stage::geometry))
-        return program->geometryOutput.empty() || program->geometryOutput == points;
+    if (program->hasStage(glsl::Stage::geometry)) return interface.facts.geometryOutput == points;
     if (program->hasStage(glsl::Stage::tessEvaluation)) return interface.facts.tessellationOutput == points;
     return submission.topology == Topology::points;
 }

@@ -10,9 +10,6 @@ namespace glibra::plan {
 /// The language's word: "points", "lines", "lines_adjacency", "triangles", "triangles_adjacency", "patches".
 std::string_view wordOf(geometry::Topology topology);
 
-/// True for a shape of size zero and for a list without a primitive (language, 1.7): it draws nothing at all.
-bool drawsNothing(const scene::Shape& shape);
-
 /// How the draw is submitted with this program. Errors: draw-E02 (the geometry stage wants another kind),
 /// draw-E03 (the patch size does not fit), draw-E04 (patches without an evaluation stage), each with what to
 /// write instead. `program` is null for the built-in program.
@@ -20,8 +17,6 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
                                 const scene::Program* program, const ProgramInterface& interface);
 
 /// True if the program writes gl_PointSize, points reach the rasteriser, and the draw's mode is 0 (draw-W05).
-/// Of a geometry stage only the kind named by GeometryOutput is known; without one it is taken to deliver
-/// points.
 bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
                       const ProgramInterface& interface, const Submission& submission);
 

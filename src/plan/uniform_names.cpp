@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstddef>
 
+#include "glib/suggest.h"
+
 namespace glibra::plan {
 namespace {
 
@@ -69,6 +71,12 @@ bool isSuppliedName(std::string_view name) {
 
 bool isInternalName(std::string_view name) {
     return name.starts_with("glibra_") || name.starts_with("gl_");
+}
+
+std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
+    constexpr std::size_t kPrefix = 1;  // the u that most uniforms' names begin with
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return glib::suggestion(tag, candidates, kPrefix);
 }
 
 std::string_view rootName(std::string_view name) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,9 @@ bool isSuppliedName(std::string_view name);
 
 /// True for names that only translated sources have; messages never show them.
 bool isInternalName(std::string_view name);
+
+/// "; did you mean 'uShrink'?" with the nearest of these names of uniforms, or nothing.
+std::string suggestionFor(std::string_view tag, std::span<const std::string> names);
 
 /// `light` of `light[2].color`: the name under which a source declares it.
 std::string_view rootName(std::string_view name);

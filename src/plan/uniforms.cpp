@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "plan/near_name.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
 
@@ -205,7 +204,7 @@ class Resolver {
                         fmt::format("uniform '{}' is declared but unused, so the tag has no effect", tag),
                         given.tagPlace);
         const std::string hint =
-            member.empty() ? suggestion(tag, knownNames()) : "; did you mean '" + member + "'?";
+            member.empty() ? suggestionFor(tag, knownNames()) : "; did you mean '" + member + "'?";
         warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hint),
              given.tagPlace);
     }

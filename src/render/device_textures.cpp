@@ -114,6 +114,11 @@ Diagnostics DeviceScene::makeTexture(int index) {
         const auto [first, isNew] = pictures_.try_emplace(std::move(key), index);
         if (!isNew) {
             sameTexture_[index] = first->second;
+            stats_.skip("texture",
+                        fmt::format("unit {}: the one that line {} makes of the same file",
+                                    plan::slotText(texture.unit, texture.target),
+                                    scene_.textures[static_cast<std::size_t>(first->second)].place.line),
+                        texture.place);
             return {};
         }
     }

@@ -53,17 +53,37 @@ double roundedUpAtHalf(double lineWidth) {
                : lineWidth;
 }
 
+/// The translator's name for the number of patches in the draws before this one.
+constexpr const char* kFirstPatch = "glibra_FirstPatch";
+
+bool readsFirstPatch(const glsl::TranslatedProgram& program) {
+    return std::any_of(program.stages.begin(), program.stages.end(), [](const glsl::TranslatedStage& each) {
+        return each.source.find(kFirstPatch) != std::string::npos;
+    });
+}
+
+GLint firstPatchOfBoundProgram() {
+    GLint program = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    return glGetUniformLocation(static_cast<GLuint>(program), kFirstPatch);
+}
+
+/// A stage that reads the number of its primitive within the draw, which then has to stay one: a geometry
+/// stage, or one that is not translated.
+bool numbersWithinDraw(const glsl::TranslatedStage& stage) {
+    return stage.source.find("gl_PrimitiveID") != std::string::npos &&
+           stage.source.find(kFirstPatch) == std::string::npos;
+}
+
 /// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
 /// in 22.3.6): beyond 65,536 of them triangles join the wrong ones. At the highest level a patch has (level +
-/// 1)^2 vertices. A program that reads the number of its patch gets all of them in one draw, since each draw
-/// counts from 0.
+/// 1)^2 vertices; without a control stage the level is 1.
 int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program) {
-    constexpr int kAll = 1 << 24;
+    constexpr int kAll = 1 << 24;  // times 32 vertices a patch still fits an int
     const bool counts16 = driver.family.find("pipe") != std::string::npos;
-    if (!counts16 || program.patchVertices == 0) return kAll;
-    for (const glsl::TranslatedStage& stage : program.stages)
-        if (stage.source.find("gl_PrimitiveID") != std::string::npos) return kAll;
-    const int side = driver.maxTessellationLevel + 1;
+    if (!counts16 || std::any_of(program.stages.begin(), program.stages.end(), numbersWithinDraw))
+        return kAll;
+    const int side = program.patchVertices == 0 ? 2 : driver.maxTessellationLevel + 1;
     return std::max(1, 65'536 / (side * side));
 }
 
@@ -358,14 +378,20 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
     const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
     const GLenum mode = glMode(planned.submission.topology);
-    const int atOnce = mode == GL_PATCHES
-                           ? planned.submission.patchVertices *
-                                 patchesAtOnce(context_.capabilities(), programOf(planned)->interface.facts)
-                           : mesh.indexCount;
-    for (int first = 0; first < mesh.indexCount; first += atOnce)
-        glDrawElements(mode, std::min(atOnce, mesh.indexCount - first), GL_UNSIGNED_INT,
+    const auto drawPart = [&](int first, int count) {
+        glDrawElements(mode, count, GL_UNSIGNED_INT,
                        // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
                        reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
+    };
+    if (mode != GL_PATCHES) return drawPart(0, mesh.indexCount);
+    const glsl::TranslatedProgram& facts = programOf(planned)->interface.facts;
+    const GLint firstPatch = readsFirstPatch(facts) ? firstPatchOfBoundProgram() : -1;
+    const int atOnce = patchesAtOnce(context_.capabilities(), facts);
+    const int indices = atOnce * planned.submission.patchVertices;
+    for (int first = 0, patch = 0; first < mesh.indexCount; first += indices, patch += atOnce) {
+        if (firstPatch >= 0) glUniform1i(firstPatch, patch);
+        drawPart(first, std::min(indices, mesh.indexCount - first));
+    }
 }
 
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
@@ -379,7 +405,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     const BuiltProgram& built = *drawnWith;
     const bool isUsable = ownProgramOf(planned) != nullptr;
     if (isUsable && isOutOfTile(planned, built, target, isWindow)) {
-        stats_.add("draws out of their tile", 1);
+        stats_.add(kDrawsOutOfTheirTile, 1);
         return diagnostics;
     }
     context_.debugLog().setPlace(draw.place);

@@ -94,6 +94,7 @@ class JobRun {
         else
             drawFrames(*loaded, frameWritten);
         result_.failed = hasError(result_.diagnostics);
+        explainTiles();
         countCalls();
         if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
         if (job_.stats)
@@ -185,6 +186,14 @@ class JobRun {
                               job_.frames)
                 : fmt::format("{} of {} are copies of earlier ones with the same Timer", copies, job_.frames),
             {job_.scene.string(), 1, 1});
+    }
+
+    void explainTiles() {
+        for (const Stats::Count& each : stats_.counts)
+            if (each.name == kDrawsOutOfTheirTile)
+                stats_.skip("draws",
+                            fmt::format("{} lie outside the tile they would be drawn in", each.value),
+                            {job_.scene.string(), 1, 1});
     }
 
     void countCalls() {

@@ -10,11 +10,13 @@
 #include <set>
 
 #include "budget/budget.h"
+#include "gpu/loop_limit.h"
 #include "gpu/readback.h"
 #include "render/axes.h"
 #include "render/frame.h"
 #include "render/sight.h"
 #include "render/tiles.h"
+#include "scene/primitives.h"
 #include "scene/view.h"
 
 namespace glibra::render {
@@ -98,6 +100,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     plan::PlanOptions planOptions;
     planOptions.overrides = std::move(*overrides);
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
     if (!options.skip) device.separateTextures();
@@ -120,7 +123,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
 
 std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
                                              Diagnostics& diagnostics) {
-    const geometry::Topology topology = plan::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
+    const geometry::Topology topology = scene::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
     if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};

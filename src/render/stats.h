@@ -13,6 +13,9 @@
 
 namespace glibra::render {
 
+/// Name of a count.
+inline constexpr std::string_view kDrawsOutOfTheirTile = "draws out of their tile";
+
 struct Stats {
     struct Stage {
         std::string name;

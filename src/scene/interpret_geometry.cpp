@@ -51,15 +51,6 @@ std::string_view primitiveWord(geometry::Topology topology) {
     return "patches";
 }
 
-/// What the solid, wire and point forms consist of.
-geometry::Topology topologyOf(glib::CommandId command) {
-    if (command == glib::CommandId::pointCloud || command == glib::CommandId::jitterCloud)
-        return geometry::Topology::points;
-    return command >= glib::CommandId::wireSphere && command <= glib::CommandId::wireTeapot
-               ? geometry::Topology::lines
-               : geometry::Topology::triangles;
-}
-
 std::uint64_t combine(std::uint64_t hash, std::uint64_t value) {
     hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
     return hash * 0xff51afd7ed558ccdU;

@@ -26,6 +26,7 @@
 #include "geometry/sphere.h"
 #include "geometry/teapot.h"
 #include "geometry/torus.h"
+#include "glib/command_table.h"
 #include "glib/number.h"
 #include "image/file.h"
 
@@ -146,22 +147,6 @@ const PrimitiveRow* rowOf(CommandId command) {
     return row == std::end(kPrimitives) ? nullptr : row;
 }
 
-std::string_view wordOf(CommandId command) {
-    switch (command) {
-        case CommandId::wireObj:
-            return "WireObj";
-        case CommandId::objAdj:
-            return "ObjAdj";
-        case CommandId::objPatch:
-            return "ObjPatch";
-        case CommandId::shp:
-            return "Shp";
-        default:
-            break;
-    }
-    return "Obj";
-}
-
 Mesh objMesh(CommandId command, const geo::ObjModel& model, bool withTangents) {
     switch (command) {
         case CommandId::wireObj:
@@ -199,8 +184,8 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withT
     if (mesh->vertexCount() > kMostCommandVertices) {
         diagnostics.push_back(
             error("glib-E15",
-                  fmt::format("{} '{}' needs {} vertices; the limit is {}", wordOf(shape.command), file.name,
-                              glib::groupedText(static_cast<long long>(mesh->vertexCount())),
+                  fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command),
+                              file.name, glib::groupedText(static_cast<long long>(mesh->vertexCount())),
                               glib::groupedText(static_cast<long long>(kMostCommandVertices))),
                   file.place));
         return diagnostics;
@@ -223,6 +208,28 @@ Mesh primitiveMesh(const PrimitiveRow& row, const Shape& shape) {
 
 bool isPrimitive(CommandId command) {
     return rowOf(command) != nullptr;
+}
+
+Topology topologyOf(CommandId command) {
+    if (const PrimitiveRow* row = rowOf(command)) return row->topology;
+    switch (command) {
+        case CommandId::wireObj:
+        case CommandId::shp:
+            return Topology::lines;
+        case CommandId::objAdj:
+            return Topology::trianglesAdjacency;
+        case CommandId::objPatch:
+            return Topology::patches;
+        case CommandId::linesAdjacency:
+            return Topology::linesAdjacency;
+        default:
+            break;
+    }
+    return Topology::triangles;
+}
+
+Topology topologyOf(const Shape& shape) {
+    return shape.list ? shape.list->topology : topologyOf(shape.command);
 }
 
 bool drawsNothing(const Shape& shape) {
@@ -258,7 +265,7 @@ Result<Mesh> makeMesh(const Scene& scene, int shape, bool withTangents) {
         if (row != nullptr) return primitiveMesh(*row, wanted);
         if (wanted.file != kNone)
             return readModel(wanted, scene.files[static_cast<std::size_t>(wanted.file)], withTangents);
-        return error("glib-E09", fmt::format("{} without a file name", wordOf(wanted.command)), place);
+        return error("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)), place);
     } catch (const std::exception& problem) {
         return error("draw-E05", fmt::format("a mesh cannot be made: {}", problem.what()), place);
     }

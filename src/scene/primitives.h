@@ -21,6 +21,11 @@ inline constexpr std::uint64_t kMostListVertices = 1'048'576;
 /// True for a command that a shape with numbers alone comes from.
 bool isPrimitive(glib::CommandId command);
 
+/// Topology of the mesh that a command or a shape will give. Shp counts as lines: its file decides between
+/// those and points.
+geometry::Topology topologyOf(glib::CommandId command);
+geometry::Topology topologyOf(const Shape& shape);
+
 /// True for a shape of size zero and for a list without a primitive: it draws nothing (language, 1.7).
 bool drawsNothing(const Shape& shape);
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "gpu/loop_limit.h"
 #include "render/axes.h"
 #include "render/device_scene.h"
 #include "render/programs.h"
@@ -58,6 +59,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     }
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     plan = plan::planFrame(
         scene,
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {

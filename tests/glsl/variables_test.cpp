@@ -85,6 +85,45 @@ TEST(Colors, FlatMakesThemFlat) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
+TEST(Colors, KeepTheirOwnInterpolation) {
+    ProgramRequest request = program(
+        {{Stage::vertex,
+          "#version 130\nflat out vec4 gl_FrontColor;\nnoperspective out vec4 gl_FrontSecondaryColor;\n"
+          "centroid out vec4 gl_TexCoord[1];\nvoid main() { gl_FrontColor = gl_Color; "
+          "gl_FrontSecondaryColor = gl_Color.bgra; gl_TexCoord[0] = gl_MultiTexCoord0; gl_Position = "
+          "ftransform(); }\n"},
+         {Stage::fragment,
+          "#version 130\nflat in vec4 gl_Color;\nnoperspective in vec4 gl_SecondaryColor;\n"
+          "centroid in vec4 gl_TexCoord[1];\nvoid main() { gl_FragColor = gl_Color + gl_SecondaryColor + "
+          "gl_TexCoord[0]; }\n"}});
+    for (const bool flatColors : {false, true}) {
+        request.flatColors = flatColors;
+        const TranslatedProgram translated = translate(request);
+        for (const Stage stage : {Stage::vertex, Stage::fragment}) {
+            const std::string source = sourceOf(translated, stage);
+            EXPECT_TRUE(hasTokens(source, "flat vec4 FrontColor;"));
+            EXPECT_TRUE(hasTokens(source, "noperspective vec4 FrontSecondaryColor;"));
+            EXPECT_TRUE(hasTokens(source, stage == Stage::vertex ? "centroid out vec4 TexCoord[1];"
+                                                                 : "centroid in vec4 TexCoord[1];"));
+        }
+        EXPECT_EQ("", glslangErrors(translated));
+    }
+}
+
+TEST(Colors, OfOneStageAloneAreInterpolatedAsItSays) {
+    const TranslatedProgram translated = translateStages(
+        {{Stage::vertex,
+          "#version 130\nsmooth out vec4 gl_FrontColor;\nvoid main() { gl_FrontColor = "
+          "gl_FrontSecondaryColor = "
+          "gl_Color; gl_Position = ftransform(); }\n"},
+         {Stage::fragment,
+          "#version 130\nflat in vec4 gl_SecondaryColor;\nvoid main() { gl_FragColor = gl_Color + "
+          "gl_SecondaryColor; }\n"}});
+    EXPECT_TRUE(hasTokens(sourceOf(translated, Stage::vertex),
+                          "smooth vec4 FrontColor; flat vec4 FrontSecondaryColor;"));
+    EXPECT_EQ("", glslangErrors(translated));
+}
+
 TEST(Colors, GoThroughTessellation) {
     const TranslatedProgram translated = translateStages(
         {{Stage::vertex, kColorVertex},

@@ -215,6 +215,26 @@ in vec3 vNormal;
 out vec4 fColor;
 void main() { fColor = vec4(.5 + .5 * normalize(vNormal), 1.); }
 )glsl"}},
+        {.name = "v130_colors_each_interpolated_its_own_way",
+         .stages = {.vertex = R"glsl(#version 130
+flat out vec4 gl_FrontColor;
+noperspective out vec4 gl_FrontSecondaryColor;
+void main() {
+    gl_FrontColor = vec4(abs(gl_Normal), 1.);
+    gl_FrontSecondaryColor = vec4(gl_MultiTexCoord0.st, 0., 1.);
+    gl_TexCoord[0] = gl_MultiTexCoord0;
+    gl_Position = ftransform();
+}
+)glsl",
+                    .fragment = R"glsl(#version 130
+flat in vec4 gl_Color;
+noperspective in vec4 gl_SecondaryColor;
+void main() {
+    gl_FragColor = vec4(.5 * gl_Color.rgb + .5 * gl_SecondaryColor.rgb, 1.);
+    gl_FragColor.b += .5 * fract(8. * gl_TexCoord[0].s);
+}
+)glsl"},
+         .draws = "Rotate 60 1 0 0\nTorus 1.1 .5 12 16\nQuadXY -.5 1.8 3 3\n"},
         {.name = "v130_fragment_after_v120_vertex",
          .stages = {.vertex = R"glsl(#version 120
 varying vec3 vPoint;

@@ -154,7 +154,7 @@ class SceneByHand {
     }
     scene::Pass& window() { return target({}); }
 
-    int shape(glib::CommandId command, std::vector<double> numbers = {}) {
+    int shape(glib::CommandId command, std::vector<double> numbers = {1, 1, 4, 4}) {
         for (std::size_t i = 0; i < scene.shapes.size(); ++i)
             if (scene.shapes[i].command == command && scene.shapes[i].numbers == numbers)
                 return static_cast<int>(i);

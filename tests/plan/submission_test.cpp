@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "by_hand.h"
+#include "scene/primitives.h"
 
 namespace glibra::plan {
 namespace {
@@ -47,33 +48,6 @@ void expectError(const Result<Submission>& result, const char* id, const char* t
     EXPECT_EQ(result.diagnostics[0].text, text);
     EXPECT_EQ(result.diagnostics[0].severity, Severity::error);
     EXPECT_GT(result.diagnostics[0].place.line, 1);
-}
-
-TEST(TopologyOfShape, IsKnownFromTheCommand) {
-    EXPECT_EQ(topologyOf({CommandId::sphere, {}, -1, nullptr}), Topology::triangles);
-    EXPECT_EQ(topologyOf({CommandId::wireTorus, {}, -1, nullptr}), Topology::lines);
-    EXPECT_EQ(topologyOf({CommandId::jitterCloud, {}, -1, nullptr}), Topology::points);
-    EXPECT_EQ(topologyOf({CommandId::objAdj, {}, -1, nullptr}), Topology::trianglesAdjacency);
-    EXPECT_EQ(topologyOf({CommandId::objPatch, {}, -1, nullptr}), Topology::patches);
-    EXPECT_EQ(topologyOf({CommandId::shp, {}, -1, nullptr}), Topology::lines);
-}
-TEST(TopologyOfShape, OfAListIsTheLists) {
-    SceneByHand hand;
-    EXPECT_EQ(topologyOf(hand.scene.shapes[static_cast<std::size_t>(hand.list(Topology::linesAdjacency))]),
-              Topology::linesAdjacency);
-}
-
-TEST(EmptyShape, HasASizeOfZero) {
-    EXPECT_TRUE(drawsNothing({CommandId::sphere, {0, 60, 60}, -1, nullptr}));
-    EXPECT_TRUE(drawsNothing({CommandId::box, {1, 0, 1}, -1, nullptr}));
-    EXPECT_TRUE(drawsNothing({CommandId::quadXY, {.5, 0, 4, 4}, -1, nullptr}));
-    EXPECT_TRUE(drawsNothing({CommandId::cylinder, {1, -0.0, 6, 2}, -1, nullptr}));
-    EXPECT_FALSE(drawsNothing({CommandId::quadXY, {0, 1, 4, 4}, -1, nullptr}));
-    EXPECT_FALSE(drawsNothing({CommandId::teapot, {}, -1, nullptr}));
-    EXPECT_FALSE(drawsNothing({CommandId::sphere, {}, -1, nullptr}));
-}
-TEST(EmptyShape, IsAListWithoutAPrimitive) {
-    EXPECT_TRUE(drawsNothing({CommandId::glBegin, {}, -1, std::make_shared<geometry::Mesh>()}));
 }
 
 TEST(Submitting, WithoutTessellationIsTheShapesOwnKind) {
@@ -187,9 +161,9 @@ TEST(PointSize, MattersAfterAStageThatDeliversPoints) {
     tessellated.interface.facts.tessellationOutput = "points";
     EXPECT_TRUE(tessellated.ignores(CommandId::sphere));
     PointSizeCase geometry(kGeometry);
-    geometry.hand.scene.programs[0].geometryOutput = "triangle_strip";
+    geometry.interface.facts.geometryOutput = "triangle_strip";
     EXPECT_FALSE(geometry.ignores(CommandId::pointCloud));
-    geometry.hand.scene.programs[0].geometryOutput = "points";
+    geometry.interface.facts.geometryOutput = "points";
     EXPECT_TRUE(geometry.ignores(CommandId::sphere));
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <random>
 
+#include "render/job.h"
 #include "render/scene_renderer.h"
 #include "skip_runs.h"
 
@@ -77,6 +78,8 @@ TEST(SkipRule, FilesThatTwoStatementsNameAreReadOnce) {
                            "QuadXY 0 1\n" + program("tex", "uTex 6") + "QuadXY 1 .5\n"));
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 1U);
     EXPECT_EQ(pair.whole.calls.texturesFilled, 4U) << "two files, two noise textures";
+    EXPECT_EQ(pair.skipping.skipped("texture"),
+              Words{"unit 6 / 2D: the one that line 5 makes of the same file"});
 }
 
 TEST(SkipRule, NoAttributeThatNoLinkedProgramReads) {
@@ -93,6 +96,8 @@ TEST(SkipRule, OneMeshHoweverOftenItIsDrawn) {
     const BothWays thrice = drawBothWays(scene(program("plain") + "Sphere 1 20 20\n" + more));
     EXPECT_EQ(thrice.skipping.calls.bytesUploaded, once.skipping.calls.bytesUploaded);
     EXPECT_EQ(thrice.skipping.calls.draws, 3U);
+    EXPECT_EQ(thrice.skipping.skipped("mesh"), Words{"Sphere: one for all its 3 draws"});
+    EXPECT_TRUE(once.skipping.skipped("mesh").empty());
     EXPECT_EQ(thrice.whole.calls.buffersFilled, 15U);
 }
 
@@ -124,6 +129,7 @@ TEST(SkipRule, NoDrawThatAClearOfTheWindowCovers) {
     EXPECT_EQ(pair.skipping.calls.draws, 1U);
     EXPECT_EQ(pair.whole.calls.draws, 2U);
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U) << "its text is read, to see that it writes no image";
+    EXPECT_EQ(pair.skipping.skipped("draw"), Words{"Teapot: the window is cleared again on line 8"});
 }
 
 TEST(SkipRule, NoDrawOfSizeZero) {
@@ -243,7 +249,17 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
     const BothWays pair = drawBothWays(folder, options);
     EXPECT_EQ(pair.whole.calls.draws, 16U * 12 * 5);
     EXPECT_LT(pair.skipping.calls.draws, 16U * 12 * 2);
-    EXPECT_EQ(pair.skipping.calls.draws + pair.skipping.count("draws out of their tile"), 16U * 12 * 5);
+    const std::uint64_t spared = pair.skipping.count(std::string(render::kDrawsOutOfTheirTile));
+    EXPECT_EQ(pair.skipping.calls.draws + spared, 16U * 12 * 5);
+    render::Job job;
+    job.scene = folder / "scene.glib";
+    job.output = folder / "tiled.png";
+    job.options = options;
+    job.explain = true;
+    const render::JobResult done = render::runJob(sharedContext(), job, [](int) {});
+    EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside the tile they would be drawn in"),
+              std::string::npos)
+        << done.explanation;
 }
 
 TEST(SkipRule, WhatIsSkippedIsStillCheckedWhenNothingIs) {

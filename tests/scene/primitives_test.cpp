@@ -56,6 +56,7 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     for (const Expected& each : kShapes) {
         const Scene scene = run(std::string(each.text) + "\n");
         ASSERT_EQ(scene.shapes.size(), 1U) << each.text;
+        EXPECT_EQ(topologyOf(scene.shapes[0]), each.topology) << each.text;
         const auto mesh = makeMesh(scene, 0);
         ASSERT_TRUE(mesh) << each.text;
         EXPECT_EQ(static_cast<int>(mesh->vertexCount()), each.vertices) << each.text;

@@ -1,0 +1,67 @@
+#include "plan/loop_rounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "glib/number.h"
+
+namespace glibra::plan {
+namespace {
+
+/// The uniform's value if the scene or the command line gives it; 0 if nobody does. Nothing for what the
+/// runtime supplies, and for an initialiser in the shader.
+std::optional<double> valueOf(const PlannedProgram& program, std::string_view name) {
+    const std::vector<ActiveUniform>& uniforms = program.interface->uniforms;
+    const auto found = std::find_if(uniforms.begin(), uniforms.end(),
+                                    [&](const ActiveUniform& each) { return each.name == name; });
+    if (found == uniforms.end()) return std::nullopt;
+    const auto index = static_cast<int>(found - uniforms.begin());
+    std::optional<double> value;
+    const auto declared = program.interface->facts.uniforms.find(std::string(name));
+    if (declared == program.interface->facts.uniforms.end() || !declared->second.hasInitializer) value = 0;
+    for (const UniformBinding& each : program.values) {
+        if (each.uniform != index) continue;
+        const auto* literal = std::get_if<Literal>(&each.value);
+        if (literal == nullptr || literal->values.empty()) return std::nullopt;
+        value = literal->values.front();
+    }
+    return value;
+}
+
+}  // namespace
+
+Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit) {
+    Diagnostics diagnostics;
+    const glsl::UniformValue value = [&](std::string_view name) { return valueOf(program, name); };
+    for (const glsl::TranslatedStage& stage : program.interface->facts.stages) {
+        double all = 0;
+        double most = 0;
+        const glsl::CountedLoop* longest = nullptr;
+        for (const glsl::CountedLoop& each : stage.loops) {
+            const double rounds = glsl::totalRounds(each, value);
+            all += rounds;
+            if (rounds <= most) continue;
+            most = rounds;
+            longest = &each;
+        }
+        if (longest == nullptr || all <= kRoundsOfAnyDriver) continue;
+        const int allowed = limit();
+        if (allowed <= 0 || all <= allowed) continue;
+        const char* what = most <= allowed                          ? "the loops of this stage run"
+                           : glsl::roundsOf(*longest, value) < most ? "this loop and those in it run"
+                                                                    : "this loop runs";
+        diagnostics.push_back(warning(
+            "draw-W08",
+            fmt::format(
+                "{} up to {} rounds, but the driver ends a shader's loops after {}; the picture may be "
+                "wrong",
+                what, glib::groupedText(static_cast<long long>(most <= allowed ? all : most)),
+                glib::groupedText(allowed)),
+            longest->place));
+    }
+    return diagnostics;
+}
+
+}  // namespace glibra::plan

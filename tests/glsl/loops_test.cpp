@@ -1,0 +1,110 @@
+// Rounds of loops that can be known from the text and the uniforms' values.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "support.h"
+
+namespace glibra::glsl::test {
+namespace {
+
+const std::map<std::string, double, std::less<>> kValues{{"uN", 1000}, {"uM", 30}, {"uStep", .25}};
+std::optional<double> valueOf(std::string_view name) {
+    const auto found = kValues.find(name);
+    return found == kValues.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<CountedLoop> loopsOfText(const std::string& functions, const std::string& body) {
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment,
+        "#version 330\nout vec4 fColor;\nuniform int uN;\nuniform float uM, uStep;\nuniform "
+        "int uUnknown;\n" +
+            functions + "void main() {\n  int n = 0;\n  " + body + "\n  fColor = vec4(n);\n}\n");
+    EXPECT_EQ(translated.stages.size(), 1U) << ids(translated.diagnostics);
+    return translated.stages.empty() ? std::vector<CountedLoop>() : translated.stages[0].loops;
+}
+
+double rounds(const std::string& body, const std::string& functions = "") {
+    double all = 0;
+    for (const CountedLoop& each : loopsOfText(functions, body)) all += totalRounds(each, valueOf);
+    return all;
+}
+
+TEST(Loops, AreCountedInEverySpelling) {
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) n++;"), 1000);
+    EXPECT_EQ(rounds("for (int i = 0; i <= uN; i++) n++;"), 1001);
+    EXPECT_EQ(rounds("for (int i = uN; i > 0; i -= 3) n++;"), 334);
+    EXPECT_EQ(rounds("for (int i = uN; i >= 0; --i) n++;"), 1001);
+    EXPECT_EQ(rounds("for (int i = 0; uN > i; i += 2) n++;"), 500);
+    EXPECT_EQ(rounds("int i; for (i = 5; i < 2 * (uN - 5); i = i + 1) n++;"), 1985);
+    EXPECT_EQ(rounds("for (float t = -1.; t < 99.; t += uStep) { n++; }"), 400);
+    EXPECT_EQ(rounds("for (int i = 0, j = 9; i < 0x100; i++, j--) n += j;"), 256);
+    EXPECT_EQ(rounds("for (int i = 0; i < min(uN, 50); ++i) n++;"), 50);
+    EXPECT_EQ(rounds("for (uint i = 0u; i < uint(uM * 1.75); ++i) n++;"), 52);
+}
+
+TEST(Loops, MayEndEarlierAndCountAsTheyMayRun) {
+    EXPECT_EQ(rounds("for (int i = 0; i < uN && n < 7; ++i) { n++; if (n > 5) break; }"), 1000);
+}
+
+TEST(Loops, TakeConstantsAndVariablesThatKeepTheirValue) {
+    EXPECT_EQ(rounds("for (int i = 0; i < kMost; ++i) n++;", "const int kHalf = 350, kMost = 2 * kHalf;\n"),
+              700);
+    EXPECT_EQ(rounds("int most = int(uM) * 10; for (int i = 0; i < most; ++i) n++;"), 300);
+    EXPECT_EQ(rounds("for (int i = 0; i < MOST; ++i) n++;", "#define MOST (uN + 1)\n"), 1001);
+}
+
+TEST(Loops, InsideOthersMultiply) {
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (float j = 0.; j < uM; ++j) n++;"), 1000 * 31);
+    EXPECT_EQ(
+        rounds("for (int i = 0; i < uN; ++i) { if (n > 2) for (int j = 0; j < 40; ++j) n++; else n++; }"),
+        1000 * 41);
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) n++; for (int i = 0; i < uN; ++i) n++;"), 2000);
+}
+
+TEST(Loops, ThatCompilersWriteOutCountNothing) {
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 32; ++j) n++;"), 1000);
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 33; ++j) n++;"), 34'000);
+}
+
+TEST(Loops, OfFunctionsCountAtEachCall) {
+    const std::string sum = "int sum(int k) { for (int i = 0; i < uN; ++i) k++; return k; }\n";
+    EXPECT_EQ(rounds("n = sum(1);", sum), 1000);
+    EXPECT_EQ(rounds("n = sum(sum(1));", sum), 2000);
+    EXPECT_EQ(rounds("for (int i = 0; i < 100; ++i) n = sum(n);", sum), 100 * 1001);
+    EXPECT_EQ(rounds("n = 1;", sum), 0);
+}
+
+TEST(Loops, ThatNobodyCanCountAreNotCounted) {
+    for (const char* body :
+         {"for (;;) { if (n++ > 5) break; }", "while (n < uN) n++;",
+          "for (int i = 0; i < uUnknown; ++i) n++;", "for (int i = 0; i < uN; ++i) { n++; i += 2; }",
+          "for (int i = 0; i < uN; i *= 2) n++;",
+          "int most = uN; most += n; for (int i = 0; i < most; ++i) n++;",
+          "for (int i = 0; i < uN; --i) n++;", "for (int i = 0; i < uN; i += 0) n++;",
+          "for (int i = 9; i < int(gl_FragCoord.x); ++i) n++;"})
+        EXPECT_EQ(rounds(body), 0) << body;
+    // ... but those in them are.
+    EXPECT_EQ(rounds("while (n < 5) for (int i = 0; i < uN; ++i) n++;"), 1000);
+}
+
+TEST(Loops, StandWhereTheirWordDoes) {
+    const std::vector<CountedLoop> loops = loopsOfText("", "n++;\n    for (int i = 0; i < uN; ++i) n++;");
+    ASSERT_EQ(loops.size(), 1U);
+    EXPECT_EQ(loops[0].place.file, "a.frag");
+    EXPECT_EQ(loops[0].place.line, 9);
+    EXPECT_EQ(loops[0].place.column, 5);
+}
+
+TEST(Loops, OfFunctionsThatCallEachOtherWithoutEndEndTheSearch) {
+    std::string functions = "int f0(int k) { return k; }\n";
+    for (int i = 1; i < 60; ++i)
+        functions += "int f" + std::to_string(i) + "(int k) { return f" + std::to_string(i - 1) + "(k) + f" +
+                     std::to_string(i - 1) + "(k + 1); }\n";
+    EXPECT_EQ(rounds("n = f59(1);", functions), 0);
+    EXPECT_EQ(rounds("n = f(1);", "int f(int k) { return f(k); }\n"), 0);
+}
+
+}  // namespace
+}  // namespace glibra::glsl::test
