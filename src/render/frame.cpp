@@ -10,6 +10,8 @@
 
 #include "gpu/uniform.h"
 #include "plan/uniform_names.h"
+#include "render/gl_names.h"
+#include "render/patch_split.h"
 #include "render/sight.h"
 
 namespace glibra::render {
@@ -23,24 +25,6 @@ std::array<float, 4> asFloats(const glm::dvec4& color) {
             static_cast<float>(color.a)};
 }
 
-GLenum glMode(geometry::Topology topology) {
-    switch (topology) {
-        case geometry::Topology::points:
-            return GL_POINTS;
-        case geometry::Topology::lines:
-            return GL_LINES;
-        case geometry::Topology::linesAdjacency:
-            return GL_LINES_ADJACENCY;
-        case geometry::Topology::triangles:
-            return GL_TRIANGLES;
-        case geometry::Topology::trianglesAdjacency:
-            return GL_TRIANGLES_ADJACENCY;
-        case geometry::Topology::patches:
-            break;
-    }
-    return GL_PATCHES;
-}
-
 GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
@@ -51,40 +35,6 @@ double roundedUpAtHalf(double lineWidth) {
     return lineWidth - std::floor(lineWidth) == 0.5
                ? std::nextafter(static_cast<float>(lineWidth), std::numeric_limits<float>::max())
                : lineWidth;
-}
-
-/// The translator's name for the number of patches in the draws before this one.
-constexpr const char* kFirstPatch = "glibra_FirstPatch";
-
-bool readsFirstPatch(const glsl::TranslatedProgram& program) {
-    return std::any_of(program.stages.begin(), program.stages.end(), [](const glsl::TranslatedStage& each) {
-        return each.source.find(kFirstPatch) != std::string::npos;
-    });
-}
-
-GLint firstPatchOfBoundProgram() {
-    GLint program = 0;
-    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-    return glGetUniformLocation(static_cast<GLuint>(program), kFirstPatch);
-}
-
-/// A stage that reads the number of its primitive within the draw, which then has to stay one: a geometry
-/// stage, or one that is not translated.
-bool numbersWithinDraw(const glsl::TranslatedStage& stage) {
-    return stage.source.find("gl_PrimitiveID") != std::string::npos &&
-           stage.source.find(kFirstPatch) == std::string::npos;
-}
-
-/// Mesa's software drivers number the vertices that the patches of one draw become in 16 bits (seen
-/// in 22.3.6): beyond 65,536 of them triangles join the wrong ones. At the highest level a patch has (level +
-/// 1)^2 vertices; without a control stage the level is 1.
-int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program) {
-    constexpr int kAll = 1 << 24;  // times 32 vertices a patch still fits an int
-    const bool counts16 = driver.family.find("pipe") != std::string::npos;
-    if (!counts16 || std::any_of(program.stages.begin(), program.stages.end(), numbersWithinDraw))
-        return kAll;
-    const int side = program.patchVertices == 0 ? 2 : driver.maxTessellationLevel + 1;
-    return std::max(1, 65'536 / (side * side));
 }
 
 void enable(GLenum capability, bool on) {
@@ -385,7 +335,7 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
     };
     if (mode != GL_PATCHES) return drawPart(0, mesh.indexCount);
     const glsl::TranslatedProgram& facts = programOf(planned)->interface.facts;
-    const GLint firstPatch = readsFirstPatch(facts) ? firstPatchOfBoundProgram() : -1;
+    const GLint firstPatch = firstPatchLocation(facts);
     const int atOnce = patchesAtOnce(context_.capabilities(), facts);
     const int indices = atOnce * planned.submission.patchVertices;
     for (int first = 0, patch = 0; first < mesh.indexCount; first += indices, patch += atOnce) {

@@ -7,28 +7,13 @@
 #include <utility>
 
 #include "image/file.h"
+#include "render/gl_names.h"
 #include "scene/file_lookup.h"
 
 namespace glibra::render {
 namespace {
 
 constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
-GLenum glStage(glsl::Stage stage) {
-    switch (stage) {
-        case glsl::Stage::vertex:
-            return GL_VERTEX_SHADER;
-        case glsl::Stage::tessControl:
-            return GL_TESS_CONTROL_SHADER;
-        case glsl::Stage::tessEvaluation:
-            return GL_TESS_EVALUATION_SHADER;
-        case glsl::Stage::geometry:
-            return GL_GEOMETRY_SHADER;
-        case glsl::Stage::fragment:
-            break;
-    }
-    return GL_FRAGMENT_SHADER;
-}
 
 /// The bytes as text without a UTF-8 mark.
 std::string asText(const std::vector<std::byte>& bytes) {

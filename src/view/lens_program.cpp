@@ -7,25 +7,10 @@
 #include <vector>
 
 #include "gpu/uniform.h"
+#include "render/gl_names.h"
 
 namespace glibra::view {
 namespace {
-
-GLenum glStage(glsl::Stage stage) {
-    switch (stage) {
-        case glsl::Stage::vertex:
-            return GL_VERTEX_SHADER;
-        case glsl::Stage::tessControl:
-            return GL_TESS_CONTROL_SHADER;
-        case glsl::Stage::tessEvaluation:
-            return GL_TESS_EVALUATION_SHADER;
-        case glsl::Stage::geometry:
-            return GL_GEOMETRY_SHADER;
-        case glsl::Stage::fragment:
-            break;
-    }
-    return GL_FRAGMENT_SHADER;
-}
 
 bool hasStage(const render::BuiltProgram& built, glsl::Stage stage) {
     const auto& stages = built.interface.facts.stages;
