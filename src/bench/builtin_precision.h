@@ -40,6 +40,8 @@ class PrecisionRun {
                                        const ArgumentSweep& sweep, PrecisionStage stage, int side);
     /// Evaluates all of them once; does not wait.
     void draw() const;
+    /// Of arguments and results.
+    [[nodiscard]] double bytes() const { return 3. * side_ * side_ * 4 * sizeof(float); }
     /// Results of draw(): four floats an argument set, in the order of their indices.
     [[nodiscard]] Result<std::vector<float>> results(const gpu::Capabilities& capabilities) const;
 

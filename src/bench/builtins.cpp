@@ -108,6 +108,7 @@ Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const
         Point point;
         point.setting = sweep.setting;
         point.label = sweep.words;
+        point.memory = run->bytes();
         run->draw();
         if (stage == PrecisionStage::fragment)
             point.time = bench.time([&] {

@@ -54,12 +54,15 @@ double summedInDouble(int steps) {
 struct Method {
     const char* name;
     double (*largestError)(int steps);
+    std::size_t bytes;  ///< of what is kept from one step to the next
 };
 
 constexpr Method kMethods[] = {
-    {"float, t += dt", summed},          {"float, t += dt with compensation", summedWithCompensation},
-    {"float, t = i * dt", multiplied},   {"float, t = i / n", divided},
-    {"double, t += dt", summedInDouble},
+    {"float, t += dt", summed, sizeof(float)},
+    {"float, t += dt with compensation", summedWithCompensation, 2 * sizeof(float)},
+    {"float, t = i * dt", multiplied, sizeof(int)},
+    {"float, t = i / n", divided, sizeof(int)},
+    {"double, t += dt", summedInDouble, sizeof(double)},
 };
 
 constexpr const char* kShader = R"(uniform int uSteps;
@@ -84,12 +87,12 @@ vec4 value() {
 }
 )";
 
-Point pointOf(int steps, double error, const Timing& time) {
+Point pointOf(int steps, double error, const Timing& time, double bytes) {
     return {.setting = static_cast<double>(steps),
             .label = fmt::format("{} steps", steps),
             .error = error,
             .time = time,
-            .memory = {}};
+            .memory = bytes};
 }
 
 /// The last parameter only: of a sum that is the farthest off.
@@ -105,7 +108,8 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
         const Result<std::vector<Four>> values = shader->values();
         if (!values) return values.diagnostics;
         const double error = std::abs(static_cast<double>(values->front()[0]) - 1);
-        curve.points.push_back(pointOf(steps, error, bench.time([&] { shader->compute(); })));
+        curve.points.push_back(
+            pointOf(steps, error, bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -159,7 +163,8 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
                 const volatile double kept = method.largestError(steps);
                 static_cast<void>(kept);
             });
-            curve.points.push_back(pointOf(steps, method.largestError(steps), time));
+            curve.points.push_back(
+                pointOf(steps, method.largestError(steps), time, static_cast<double>(method.bytes)));
         }
     }
     std::vector<int> shaderCounts = counts;

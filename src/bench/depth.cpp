@@ -75,6 +75,15 @@ Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double fa
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 
+/// Of a pixel: 24 bits are kept in 32.
+double bitsKept(const DepthKind& kind) {
+    return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
+}
+/// Of a buffer with so many pixels a side.
+double bytesOf(const DepthKind& kind, int side) {
+    return bitsKept(kind) / 8 * side * side;
+}
+
 /// Where a gap is measured.
 struct Place {
     double setting = 0, far = 0, z = 0;
@@ -106,7 +115,10 @@ Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& c
         for (const Place& place : places) {
             Result<double> gap = smallestGap(*target, kind, place.far, place.z, bench.isQuick());
             if (!gap) return std::move(gap.diagnostics);
-            curve.points.push_back({.setting = place.setting, .label = place.label, .error = *gap});
+            curve.points.push_back({.setting = place.setting,
+                                    .label = place.label,
+                                    .error = *gap,
+                                    .memory = bytesOf(kind, kSide)});
             theory.points.push_back({.setting = place.setting,
                                      .label = place.label,
                                      .error = depthStep(kind, kNear, place.far, place.z) / place.z});
@@ -218,8 +230,10 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
             const double gap = steps * depthStep(kind, kNear, kFar, kDistance) / kDistance;
             Result<double> wrong = target->fighting(kind, kNear, kFar, kDistance, gap);
             if (!wrong) return std::move(wrong.diagnostics);
-            curve.points.push_back(
-                {.setting = steps, .label = fmt::format("{:.3g} steps", steps), .error = *wrong});
+            curve.points.push_back({.setting = steps,
+                                    .label = fmt::format("{:.3g} steps", steps),
+                                    .error = *wrong,
+                                    .memory = bytesOf(kind, kSide)});
             if (*wrong > 0)
                 clean = kNaN;
             else if (std::isnan(clean))
@@ -252,10 +266,9 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         Diagnostics problems;
         const Timing timing = bench.time([&] { problems = target->drawLayers(kind, kLayers); });
         if (!problems.empty()) return problems;
-        const int bits = kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;  // 24 bits are kept in 32
-        Point point{.setting = static_cast<double>(bits), .label = std::string(kind.name), .error = *gap};
+        Point point{.setting = bitsKept(kind), .label = std::string(kind.name), .error = *gap};
         point.time = timing;
-        point.memory = static_cast<double>(bits) / 8 * kCostSide * kCostSide;
+        point.memory = bytesOf(kind, kCostSide);
         figure.curves.push_back({.name = std::string(kind.name), .points = {point}});
     }
     const Point& standard = figure.curves[1].points.front();

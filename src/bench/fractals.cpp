@@ -122,13 +122,14 @@ void perturbed(const View& view, Counts& counts) {
 struct Method {
     const char* name;
     void (*draw)(const View&, Counts&);
+    bool hasOrbit = false;
 };
 
 constexpr Method kMethods[] = {
     {"CPU, float", plain<float>},
     {"CPU, double", plain<double>},
     {"CPU, long double", plain<long double>},
-    {"CPU, float by perturbation", perturbed},
+    {"CPU, float by perturbation", perturbed, true},
 };
 
 constexpr const char* kPlainShader = R"(uniform {0}vec2 uCentre;
@@ -200,12 +201,12 @@ struct Case {
     Counts truth{};
 };
 
-Point pointOf(const View& view, double error, const Timing& time) {
+Point pointOf(const View& view, double error, const Timing& time, double bytes) {
     return {.setting = view.zoom,
             .label = fmt::format("zoom {:.0e}", view.zoom),
             .error = error,
             .time = time,
-            .memory = {}};
+            .memory = bytes};
 }
 
 Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const std::vector<Case>& cases) {
@@ -224,8 +225,8 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const std::v
         if (!values) return values.diagnostics;
         Counts counts;
         for (const Four& value : *values) counts.push_back(static_cast<int>(value[0]));
-        curve.points.push_back(
-            pointOf(each.view, wrongShare(each.truth, counts), bench.time([&] { shader->compute(); })));
+        curve.points.push_back(pointOf(each.view, wrongShare(each.truth, counts),
+                                       bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -263,7 +264,9 @@ Result<std::vector<Figure>> measureFractals(Bench& bench) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const Case& each : cases) {
             const Timing time = bench.time([&] { method.draw(each.view, counts); });
-            curve.points.push_back(pointOf(each.view, wrongShare(each.truth, counts), time));
+            const std::size_t orbit = method.hasOrbit ? kMost * sizeof(glm::vec2) : 0;
+            curve.points.push_back(pointOf(each.view, wrongShare(each.truth, counts), time,
+                                           static_cast<double>(counts.size() * sizeof(int) + orbit)));
         }
     }
     for (const ShaderMethod& method : shaderMethods()) {

@@ -127,6 +127,10 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
     return figure;
 }
 
+double bytesOf(const gpu::Target& target) {
+    return static_cast<double>(target.width()) * target.height() * 4 * sizeof(float);
+}
+
 /// The light that makes that angle (degrees) with the view, tilted so that no row or column is special.
 glm::dvec3 lightAt(double angle) {
     const double a = angle * std::numbers::pi / 180;
@@ -196,7 +200,7 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                                         .label = fmt::format("{} times", factor),
                                         .error = *error,
                                         .time = {},
-                                        .memory = {}});
+                                        .memory = bytesOf(*target)});
             }
             figure.findings.push_back(bestFactor(curve));
             figure.curves.push_back(std::move(curve));
@@ -238,7 +242,7 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                         .label = fmt::format("{} degrees", angle),
                         .error = *error,
                         .time = {},
-                        .memory = {}};
+                        .memory = bytesOf(*target)};
             point.time = bench.time([&] {
                 target->bind();
                 drawWhole(*program);

@@ -23,7 +23,7 @@ struct Point {
     double error =
         0;  ///< against the reference, in the figure's errorUnit, never negative; NaN: not measurable
     std::optional<Timing> time{};    ///< absent where the cost cannot be told apart from nothing
-    std::optional<double> memory{};  ///< bytes
+    std::optional<double> memory{};  ///< bytes of the data that it works on: vertices, texels, pixels, state
     bool isOnFront =
         false;  ///< no other point of the figure is both as cheap and more accurate; set by the run
 };

@@ -150,6 +150,13 @@ double rootMeanSquare(const std::vector<double>& picture, const std::vector<doub
     return kByte * std::sqrt(sum / static_cast<double>(picture.size()));
 }
 
+/// Of the texels that the filter may read, smaller levels among them, and of the pixels.
+double bytesOf(const Filter& filter, const gpu::Target& target) {
+    const bool hasLevels = filter.minify != GL_NEAREST && filter.minify != GL_LINEAR;
+    const double texels = 4. * kCardSide * kCardSide * (hasLevels ? 4. / 3 : 1);
+    return texels + static_cast<double>(target.width()) * target.height() * sizeof(float);
+}
+
 Result<Point> measure(const Bench& bench, const CardPicture& picture, const View& view, const Filter& filter,
                       const std::vector<double>& wanted) {
     Result<gpu::Target> target = picture.target(filter.factor);
@@ -159,6 +166,7 @@ Result<Point> measure(const Bench& bench, const CardPicture& picture, const View
     if (!drawn) return std::move(drawn.diagnostics);
     Point point{.setting = filter.reads, .label = filter.label, .error = rootMeanSquare(*drawn, wanted)};
     point.time = timing;
+    point.memory = bytesOf(filter, *target);
     return point;
 }
 
@@ -302,6 +310,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
                     .label = fmt::format("{} pixels a texel", pixels),
                     .error = kByte * largest};
         point.time = timing;
+        point.memory = bytesOf(linear, *target);
         points.push_back(std::move(point));
     }
     return points;

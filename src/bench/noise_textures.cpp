@@ -296,8 +296,10 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, E
             Result<double> error = strip(*picture, *texture, way.wrap, way.middle);
             if (!error) return std::move(error.diagnostics);
             curveNamed(figure, way.name)
-                .points.push_back(
-                    {.setting = static_cast<double>(side), .label = texelsLabel(side), .error = *error});
+                .points.push_back({.setting = static_cast<double>(side),
+                                   .label = texelsLabel(side),
+                                   .error = *error,
+                                   .memory = volume.bytes()});
         }
     }
     const double inside = figure.curves[3].points.back().error;

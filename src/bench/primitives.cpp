@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bench/cut_shapes.h"
 #include "bench/drawn_solid.h"
 #include "bench/fit.h"
 #include "bench/solids.h"
@@ -255,6 +256,7 @@ Result<std::vector<Figure>> measurePrimitives(Bench& bench) {
                                 volumeFigure(sweeps), balanceFigure(bench, sweeps.front())};
     figures.push_back(triangleFigure(bench, sweeps, teapot.front()));
     for (Figure& each : teapot) figures.push_back(std::move(each));
+    for (Figure& each : cutShapeFigures(bench)) figures.push_back(std::move(each));
     Result<Figure> drawn = drawnFigure(bench);
     if (drawn) figures.push_back(std::move(*drawn));
     return {std::move(figures), std::move(drawn.diagnostics)};

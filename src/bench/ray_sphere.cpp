@@ -165,8 +165,8 @@ Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
 
 using Choice = double Outcome::*;
 
-Point pointOf(const Setting& setting, double error, const Timing& time) {
-    return {.setting = setting.value, .label = setting.label, .error = error, .time = time, .memory = {}};
+Point pointOf(const Setting& setting, double error, const Timing& time, double bytes) {
+    return {.setting = setting.value, .label = setting.label, .error = error, .time = time, .memory = bytes};
 }
 
 Curve cpuCurve(const Bench& bench, const Method& method, std::span<const Setting> settings, Choice choice) {
@@ -175,7 +175,8 @@ Curve cpuCurve(const Bench& bench, const Method& method, std::span<const Setting
     for (const Setting& setting : settings) {
         const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
         compute();
-        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice, bench.time(compute)));
+        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice, bench.time(compute),
+                                       kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
     }
     return curve;
 }
@@ -197,8 +198,8 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, std::span<co
         std::vector<double> hits;
         for (const Four& each : *values)
             hits.push_back(each[1] > .5F ? static_cast<double>(each[0]) : kMissed);
-        curve.points.push_back(
-            pointOf(setting, judge(setting.truths, hits).*choice, bench.time([&] { shader->compute(); })));
+        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice,
+                                       bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }

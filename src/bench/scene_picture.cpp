@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <random>
+#include <utility>
 #include <vector>
 
+#include "gpu/call_counter.h"
 #include "image/flip.h"
 #include "render/scene_renderer.h"
 
@@ -35,6 +39,36 @@ Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::
     return loaded->draw(0, stats);
 }
 
+double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,
+                         const RenderOptions& options) {
+    constexpr double kColorAndDepth = 8;
+    const gpu::CallCounter counter;
+    const Result<image::Image> picture = scenePicture(context, scene, options);
+    if (!picture) return std::numeric_limits<double>::quiet_NaN();
+    const double pixels = static_cast<double>(picture->width) * picture->height;
+    return static_cast<double>(counter.counts().bytesUploaded) +
+           kColorAndDepth * pixels * std::max(1, options.samples);
+}
+
+namespace {
+
+/// For the window, and then for each pass into a texture: the places of a square of side x side, in pixels
+/// from its middle. Each has an order of its own, the same at every run, so that no two move together.
+std::vector<std::vector<glm::dvec2>> sampleOrders(std::size_t passes, int side) {
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < side * side; ++i)
+        places.emplace_back((i % side + .5) / side - .5, (i / side + .5) / side - .5);
+    std::mt19937 random(1);
+    std::vector<std::vector<glm::dvec2>> orders{places};
+    while (orders.size() <= passes) {
+        for (std::size_t i = places.size(); i > 1; --i) std::swap(places[i - 1], places[random() % i]);
+        orders.push_back(places);
+    }
+    return orders;
+}
+
+}  // namespace
+
 Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem::path& scene,
                                     RenderOptions options, int side) {
     constexpr int kOneTile = 1 << 14;  // larger than any picture here
@@ -46,9 +80,13 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
     if (!loaded) return std::move(loaded.diagnostics);
     std::vector<double> sums;
     image::Image picture;
-    for (int i = 0; i < side * side; ++i) {
-        const int column = i % side, row = i / side;
-        loaded->setShift((column + .5) / side - .5, (row + .5) / side - .5);
+    const auto passes = static_cast<std::size_t>(std::ranges::count_if(
+        loaded->plan().passes, [](const plan::PlannedPass& pass) { return !pass.pass->targets.empty(); }));
+    const std::vector<std::vector<glm::dvec2>> orders = sampleOrders(passes, side);
+    for (std::size_t i = 0; i < orders.front().size(); ++i) {
+        std::vector<glm::dvec2> textures;
+        for (std::size_t pass = 1; pass < orders.size(); ++pass) textures.push_back(orders[pass][i]);
+        loaded->setShift(orders.front()[i], std::move(textures));
         Result<image::Image> sample = loaded->draw(0, stats);
         if (!sample) return sample;
         const std::vector<float> values = limited(*sample);

@@ -15,8 +15,14 @@ namespace glibra::bench {
 Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::path& scene,
                                   const RenderOptions& options);
 
+/// Bytes that the picture takes: what goes to the device for it, and its pixels with their depth.
+double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,
+                         const RenderOptions& options);
+
 /// The mean of side * side pictures, shifted by equal parts of a pixel against each other (a box filter of
-/// one pixel): RGB, floats. Each sample is limited to 0..1 first, as a screen's are.
+/// one pixel): RGB, floats. Each sample is limited to 0..1 first, as a screen's are. Every pass into a
+/// texture is shifted by the same parts of its texels, in an order of its own, so that textures are sampled
+/// as often as the window is.
 Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem::path& scene,
                                     RenderOptions options, int side);
 

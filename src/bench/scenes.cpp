@@ -46,6 +46,7 @@ struct Measured {
     int width = 0, height = 0;
     std::array<PictureError, kWays.size()> errors{};
     std::array<Timing, kWays.size()> times{};
+    std::array<double, kWays.size()> bytes{};
 };
 
 Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
@@ -66,6 +67,7 @@ Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene
         Result<image::Image> picture = scenePicture(context, scene.path, options);
         if (!picture) return std::move(picture.diagnostics);
         measured.errors[i] = pictureError(*reference, *picture);
+        measured.bytes[i] = scenePictureBytes(context, scene.path, options);
         measured.times[i] = bench.time([&] { picture = scenePicture(context, scene.path, options); });
     }
     return measured;
@@ -86,7 +88,7 @@ Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const 
                                     .label = all[rank].scene->name,
                                     .error = errorOf(all[rank].errors[i]),
                                     .time = all[rank].times[i],
-                                    .memory = {}});
+                                    .memory = all[rank].bytes[i]});
         figure.curves.push_back(std::move(curve));
     }
     constexpr std::size_t kTold = 10;
@@ -161,8 +163,8 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
     }
     if (all.empty()) return reasons;
     const std::string reference = fmt::format(
-        "the mean of {} pictures shifted by parts of a pixel, with the finest tessellation of the "
-        "scene's sliders and meshes within 1/{} of a pixel of their surfaces",
+        "the mean of {} pictures shifted by parts of a pixel, passes into textures by parts of a texel, with "
+        "the finest tessellation of the scene's sliders and meshes within 1/{} of a pixel of their surfaces",
         thorough.samplesASide * thorough.samplesASide, thorough.finest);
     const auto figure = [&](std::string name, std::string title, std::string error) {
         return Figure{.name = std::move(name),

@@ -51,6 +51,13 @@ Result<ShaderValues> ShaderValues::create(Bench& bench, std::string_view glsl, s
     return ShaderValues(capabilities, count, std::move(*built), std::move(*texture), std::move(*target));
 }
 
+double ShaderValues::bytes() const {
+    const gpu::TextureSize size = inputs_.size();
+    const double texels = static_cast<double>(size.width) * size.height;
+    const double pixels = static_cast<double>(target_.width()) * target_.height();
+    return (texels + pixels) * sizeof(Four);
+}
+
 void ShaderValues::compute() const {
     target_.bind();
     inputs_.bind(0);

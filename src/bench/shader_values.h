@@ -28,6 +28,8 @@ class ShaderValues {
     void compute() const;
     /// What the last compute() gave, one vector a value.
     [[nodiscard]] Result<std::vector<Four>> values() const;
+    /// Of the inputs and of what they become.
+    [[nodiscard]] double bytes() const;
     /// For uniforms of `glsl`.
     [[nodiscard]] const gpu::Program& program() const { return program_; }
 

@@ -82,7 +82,7 @@ MeshError meshError(const geometry::Mesh& mesh, Foot (*foot)(const glm::dvec3&, 
     return largest;
 }
 
-double outlineError(const geometry::Mesh& mesh, double (*extent)(const glm::dvec3&)) {
+double outlineError(const geometry::Mesh& mesh, const std::function<double(const glm::dvec3&)>& extent) {
     constexpr int kDirections = 360;
     const std::vector<glm::dvec3> positions = positionsOf(mesh);
     const std::array<std::array<glm::dvec3, 2>, 3> views{{

@@ -2,6 +2,7 @@
 // The solids in closed form: what their meshes are measured against. Lengths are in units of the radius,
 // while the meshes have a radius of .7, so that no vertex is exact because its numbers are round.
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
@@ -47,7 +48,7 @@ MeshError sphereError(const geometry::Mesh& mesh);
 
 /// Largest distance between the outlines of mesh and solid, seen from three sides without perspective: of
 /// their convex hulls, as the difference of the extents in 360 directions of each view.
-double outlineError(const geometry::Mesh& mesh, double (*extent)(const glm::dvec3&));
+double outlineError(const geometry::Mesh& mesh, const std::function<double(const glm::dvec3&)>& extent);
 
 /// Of a closed mesh, in cubed radii; positive if triangles are counter-clockwise from outside.
 double signedVolume(const geometry::Mesh& mesh);

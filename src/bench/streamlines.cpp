@@ -112,18 +112,20 @@ Traced dormandPrince(double tolerance) {
     return {largest, evaluations};
 }
 
-Point pointOf(const Bench& bench, std::string label, const std::function<Traced()>& trace) {
+Point pointOf(const Bench& bench, std::string label, std::size_t bytes,
+              const std::function<Traced()>& trace) {
     const Traced traced = trace();
     return {.setting = static_cast<double>(traced.evaluations),
             .label = std::move(label),
             .error = traced.error,
             .time = bench.time([&] { trace(); }),
-            .memory = {}};
+            .memory = static_cast<double>(bytes)};
 }
 
 struct Method {
     const char* name;
     Traced (*trace)(int steps);
+    std::size_t bytes;  ///< the place and the slopes of a step
 };
 
 }  // namespace
@@ -136,16 +138,16 @@ Figure streamlineFigure(const Bench& bench) {
     figure.errorName = "largest distance on the way";
     figure.errorUnit = "radii of the start";
     figure.reference = "the solution in closed form at the time of every step, z(t) = z0 / (1 - z0 t)";
-    constexpr Method kMethods[] = {{"Euler", euler},
-                                   {"midpoint", midpoint},
-                                   {"Runge-Kutta 4", rungeKutta<double>},
-                                   {"Runge-Kutta 4, float", rungeKutta<float>}};
+    constexpr Method kMethods[] = {{"Euler", euler, 2 * sizeof(Complex<double>)},
+                                   {"midpoint", midpoint, 3 * sizeof(Complex<double>)},
+                                   {"Runge-Kutta 4", rungeKutta<double>, 5 * sizeof(Complex<double>)},
+                                   {"Runge-Kutta 4, float", rungeKutta<float>, 5 * sizeof(Complex<float>)}};
     const int finest = bench.isQuick() ? 4096 : 65536;
     for (const Method& method : kMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (int steps = 256; steps <= finest; steps *= 4)
-            curve.points.push_back(
-                pointOf(bench, fmt::format("{} steps", steps), [&] { return method.trace(steps); }));
+            curve.points.push_back(pointOf(bench, fmt::format("{} steps", steps), method.bytes,
+                                           [&] { return method.trace(steps); }));
     }
     const int smallest = bench.isQuick() ? -6 : -12;
     for (const bool isDouble : {true, false}) {
@@ -153,7 +155,8 @@ Figure streamlineFigure(const Bench& bench) {
             Curve{isDouble ? "Dormand-Prince, adaptive" : "Dormand-Prince, adaptive, float", {}});
         for (int power = -2; power >= (isDouble ? smallest : std::max(smallest, -6)); power -= 2) {
             const double tolerance = std::pow(10., power);
-            curve.points.push_back(pointOf(bench, fmt::format("tolerance 1e{}", power), [&] {
+            const std::size_t bytes = 8 * (isDouble ? sizeof(Complex<double>) : sizeof(Complex<float>));
+            curve.points.push_back(pointOf(bench, fmt::format("tolerance 1e{}", power), bytes, [&] {
                 return isDouble ? dormandPrince<double>(tolerance) : dormandPrince<float>(tolerance);
             }));
         }

@@ -175,7 +175,8 @@ Result<std::vector<Figure>> measureSurface(const Bench& bench, const gpu::Capabi
             target->clearColor(0, {});
             Point point{.setting = level,
                         .label = fmt::format("level {:g}, {} triangles", level, vertices->size() / 3),
-                        .error = found.largest};
+                        .error = found.largest,
+                        .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))};
             point.time = bench.time([&] { tessellator->draw(levels); });
             worst.points.push_back(point);
             point.error = found.mean;

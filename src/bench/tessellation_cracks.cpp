@@ -193,6 +193,10 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
     const std::vector<float> levels =
         bench.isQuick() ? std::vector<float>{1, 3, 8, 32}
                         : std::vector<float>{1, 2, 3, 4, 5.5, 7, 8, 11.3F, 16, 24, 32, 45.9F, 62};
+    constexpr int kPicture = 256;  // pixels a side, for the time
+    Result<gpu::Target> target =
+        gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
+    if (!target) return std::move(target.diagnostics);
     for (const Evaluation evaluation :
          {Evaluation::bernstein, Evaluation::interpolated, Evaluation::symmetric})
         for (const Spacing spacing : kSpacings) {
@@ -201,15 +205,19 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
             Curve curve{.name = fmt::format("{}, {}", nameOf(evaluation), name(spacing))};
             Cracks all;
             for (const float level : levels) {
-                Result<std::vector<TessellatedVertex>> vertices =
-                    teapot->capture({.outer = level, .inner = level, .innerStep = 1});
+                const Levels stepped{.outer = level, .inner = level, .innerStep = 1};
+                Result<std::vector<TessellatedVertex>> vertices = teapot->capture(stepped);
                 if (!vertices) return std::move(vertices.diagnostics);
+                target->bind();
+                target->clearColor(0, {});
                 const Cracks found =
                     countCracks(shared, edgeVertices(*vertices, static_cast<int>(points.size() / 16)));
                 curve.points.push_back(
                     {.setting = static_cast<double>(level),
                      .label = fmt::format("level {:g}", level),
-                     .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices});
+                     .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices,
+                     .time = bench.time([&] { teapot->draw(stepped); }),
+                     .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))});
                 all.vertices += found.vertices;
                 all.different += found.different;
                 all.withoutPartner += found.withoutPartner;
@@ -267,17 +275,20 @@ Result<Figure> levelGaps(const Bench& bench, const gpu::Capabilities& capabiliti
         Curve curve{.name = std::string(name(spacing))};
         for (const float level : levels) {
             std::array<EdgeVertices, 2> sides;
+            double bytes = 0;
             for (std::size_t i = 0; i < 2; ++i) {
                 const float own = level + static_cast<float>(i);
                 Result<std::vector<TessellatedVertex>> vertices =
                     patch->capture({.outer = own, .inner = own});
                 if (!vertices) return std::move(vertices.diagnostics);
+                bytes += static_cast<double>(vertices->size() * sizeof(glm::vec3));
                 sides[i] = edgeVertices(*vertices, 1)[static_cast<std::size_t>(Side::left)];
             }
             curve.points.push_back(
                 {.setting = static_cast<double>(level),
                  .label = fmt::format("{:g} against {:g}", level, level + 1),
-                 .error = std::max(widestGap(sides[0], sides[1]), widestGap(sides[1], sides[0]))});
+                 .error = std::max(widestGap(sides[0], sides[1]), widestGap(sides[1], sides[0])),
+                 .memory = bytes});
         }
         figure.findings.push_back(orderSentence(curve, "level", 4));
         figure.curves.push_back(std::move(curve));

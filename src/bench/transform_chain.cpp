@@ -101,16 +101,17 @@ glm::dmat3 roundedOnce(int count) {
 struct Method {
     const char* name;
     glm::dmat3 (*rotate)(int count);
+    std::size_t bytes;  ///< of what is kept from one rotation to the next
 };
 
 constexpr Method kMethods[] = {
-    {"float matrices multiplied", multiplied<float>},
-    {"float, orthonormalised each time", orthonormalised},
-    {"float quaternions", quaternions},
-    {"float, angle summed up", summedAngle},
-    {"float, angle = i * step", computedAngle<float>},
-    {"angle in double, matrix rounded once", roundedOnce},
-    {"double matrices multiplied", multiplied<double>},
+    {"float matrices multiplied", multiplied<float>, sizeof(glm::mat3)},
+    {"float, orthonormalised each time", orthonormalised, sizeof(glm::mat3)},
+    {"float quaternions", quaternions, sizeof(glm::quat)},
+    {"float, angle summed up", summedAngle, sizeof(float)},
+    {"float, angle = i * step", computedAngle<float>, sizeof(int)},
+    {"angle in double, matrix rounded once", roundedOnce, sizeof(int)},
+    {"double matrices multiplied", multiplied<double>, sizeof(glm::dmat3)},
 };
 
 constexpr const char* kShader = R"(uniform mat3 uStep;
@@ -123,12 +124,12 @@ vec4 value() {
 }
 )";
 
-Point pointOf(int count, double error, const Timing& time) {
+Point pointOf(int count, double error, const Timing& time, double bytes) {
     return {.setting = static_cast<double>(count),
             .label = fmt::format("{} rotation{}", count, count == 1 ? "" : "s"),
             .error = error,
             .time = time,
-            .memory = {}};
+            .memory = bytes};
 }
 
 Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
@@ -151,7 +152,7 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
                 matrix[column][row] =
                     (*values)[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)];
         curve.points.push_back(pointOf(count, largestEntryError(exactRotation(count), matrix),
-                                       bench.time([&] { shader->compute(); })));
+                                       bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -177,7 +178,8 @@ Figure chainFigure(Bench& bench, Diagnostics& problems) {
                     // The result must reach memory, or the work is left out.
                     volatile double kept = method.rotate(count)[1][0];
                     static_cast<void>(kept);
-                })));
+                }),
+                        static_cast<double>(method.bytes)));
     }
     Result<Curve> shader = shaderCurve(bench, counts);
     append(problems, std::move(shader.diagnostics));

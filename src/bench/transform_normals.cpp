@@ -80,12 +80,12 @@ std::vector<ExactVector> exactNormals(const glm::dmat3& model) {
     return all;
 }
 
-Point pointOf(double ratio, double error, const Timing& time) {
+Point pointOf(double ratio, double error, const Timing& time, double bytes) {
     return {.setting = ratio,
             .label = fmt::format("1 : {:.0f}", ratio),
             .error = error,
             .time = time,
-            .memory = {}};
+            .memory = bytes};
 }
 
 void transformAll(const Method& method, const glm::dmat3& model, const std::vector<glm::vec3>& all,
@@ -112,7 +112,8 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<double>& ratios) {
         for (std::size_t i = 0; i < truth.size(); ++i)
             largest = std::max(largest,
                                degreesBetween(truth[i], {(*values)[i][0], (*values)[i][1], (*values)[i][2]}));
-        curve.points.push_back(pointOf(ratio, largest, bench.time([&] { shader->compute(); })));
+        curve.points.push_back(
+            pointOf(ratio, largest, bench.time([&] { shader->compute(); }), shader->bytes()));
     }
     return curve;
 }
@@ -143,7 +144,8 @@ Figure normalMatrixFigure(Bench& bench, Diagnostics& problems) {
             for (std::size_t i = 0; i < truth.size(); ++i)
                 largest = std::max(largest, degreesBetween(truth[i], glm::dvec3(results[i])));
             curve.points.push_back(
-                pointOf(ratio, largest, bench.time([&] { transformAll(method, model, all, results); })));
+                pointOf(ratio, largest, bench.time([&] { transformAll(method, model, all, results); }),
+                        static_cast<double>(2 * all.size() * sizeof(all[0]) + sizeof(glm::mat3))));
         }
     }
     Result<Curve> shader = shaderCurve(bench, ratios);

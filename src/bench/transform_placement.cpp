@@ -175,7 +175,7 @@ Curve cpuCurve(const Bench& bench, const CpuMethod& method, const Settings& sett
              .label = label,
              .error = largestError(exactResults(placement, points), results, placement.size),
              .time = bench.time([&] { method.transform(placement, points, results); }),
-             .memory = {}});
+             .memory = static_cast<double>(points.size() * (sizeof(points[0]) + sizeof(results[0])))});
     }
     return curve;
 }
@@ -199,7 +199,7 @@ Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, const Settin
              .label = label,
              .error = largestError(exactResults(placement, points), *results, placement.size),
              .time = bench.time([&] { shader->compute(); }),
-             .memory = {}});
+             .memory = shader->bytes()});
     }
     return curve;
 }

@@ -102,6 +102,15 @@ struct Volume {
     gpu::Texture texels, blocks;
     gpu::Sampler linear{gpu::Wrap::clampToEdge};
     gpu::Target target;
+
+    /// Of the texels and the picture, and of the blocks where they are read.
+    [[nodiscard]] double bytes(bool withBlocks) const {
+        const auto cube = [](const gpu::Texture& texture) {
+            return std::pow(texture.size().width, 3) * static_cast<double>(sizeof(float));
+        };
+        const double picture = static_cast<double>(target.width()) * target.height() * 4 * sizeof(float);
+        return cube(texels) + (withBlocks ? cube(blocks) : 0) + picture;
+    }
 };
 
 Result<gpu::Texture> upload(const gpu::Capabilities& capabilities, const VolumeField& field) {
@@ -223,6 +232,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
             if (!point) return std::move(point.diagnostics);
             point->setting = steps;
             point->label = fmt::format("{} steps", steps);
+            point->memory = volume.bytes(casting.skipsEmpty);
             curve.points.push_back(std::move(*point));
         }
         figure.findings.push_back(orderSentence(curve, "steps", 16, 256));
@@ -278,6 +288,7 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
             if (!point) return std::move(point.diagnostics);
             point->setting = threshold;
             point->label = fmt::format("below {}", threshold);
+            point->memory = volume.bytes(false);
             if (threshold == .01)
                 figure.findings.push_back(fmt::format(
                     "{}: ending below 1/100 takes {:.2f} of the time for an error of {}", curve.name,

@@ -55,9 +55,12 @@ std::vector<int> apply(const Choice& choice, scene::Scene& scene) {
         }
         draws[i]->shape = entry->second;
     }
-    for (const NoiseChoice& each : choice.noise)
-        std::get<scene::NoiseSource>(scene.textures.at(static_cast<std::size_t>(each.texture)).source).size =
-            each.size;
+    for (const NoiseChoice& each : choice.noise) {
+        scene::Texture& texture = scene.textures.at(static_cast<std::size_t>(each.texture));
+        auto& noise = std::get<scene::NoiseSource>(texture.source);
+        noise.size = each.format.size;
+        noise.texels = each.format.texels;
+    }
     return replaced;
 }
 

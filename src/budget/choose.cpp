@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,7 +10,10 @@
 #include <tuple>
 
 #include "budget/budget.h"
+#include "budget/choose_noise.h"
 #include "budget/least_counts.h"
+#include "budget/least_levels.h"
+#include "budget/pixel_text.h"
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
 #include "glib/command_table.h"
@@ -20,11 +24,6 @@ namespace glibra::budget {
 namespace {
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
-
-/// "0.249 px", with as many digits as tell it from the bound.
-std::string pixelText(double pixels) {
-    return fmt::format("{:.3g} px", pixels);
-}
 
 std::string_view countName(const SurfaceModel& model, const CountArgument& count) {
     if (count.byDefault > 0) {
@@ -53,6 +52,13 @@ struct Need {
     bool isMoved = false;
 };
 
+/// A draw of patches, into a picture of that size.
+struct TessellatedDraw {
+    std::size_t pass = 0, step = 0;
+    const scene::Draw* draw = nullptr;
+    glm::dvec2 size{0};
+};
+
 /// What draws must have in common to share a mesh.
 using MeshKey = std::tuple<int, std::array<bool, 2>, std::array<int, 2>, Fidelity>;
 
@@ -64,6 +70,7 @@ class Chooser {
     Choice choose() {
         for (const plan::PlannedPass& pass : plan_.passes) lookAt(pass);
         for (auto& [key, needs] : needs_) chooseCounts(key, needs);
+        for (const auto& [program, draws] : tessellated_) chooseLevels(program, draws);
         chooseNoise();
         chooseSamples();
         report();
@@ -77,13 +84,15 @@ class Chooser {
     struct Worst {
         double pixels = 0;
         const scene::Draw* draw = nullptr;
+        std::string word;
         std::string counts;
         int others = -1;
-        void add(double error, const scene::Draw& at, std::string with) {
+        void add(double error, const scene::Draw& at, std::string with, std::string_view what = {}) {
             ++others;
             if (error <= pixels) return;
             pixels = error;
             draw = &at;
+            word = what.empty() ? at.word : std::string(what);
             counts = std::move(with);
         }
     };
@@ -124,9 +133,12 @@ class Chooser {
         const std::optional<double> scale =
             model != nullptr ? scaleOf(model->bounds(numbers)) : std::optional<double>();
         noteNoise(planned, scale, size.y);
-        if (model == nullptr || scene::drawsNothing(shape)) return;
-
+        if (scene::drawsNothing(shape)) return;
         const ProgramFacts facts = programFacts(program);
+        if (facts.hasTessellation && planned.submission.patchVertices > 0)
+            tessellated_[planned.program].push_back({need.pass, need.step, &draw, size});
+        if (model == nullptr) return;
+
         if (draw.flatColors || facts.showsPrimitives)
             return decide(draw, "kept: its program shows the single triangles");
         if (facts.worksOnPrimitives)
@@ -150,6 +162,64 @@ class Chooser {
             needs_[{draw.shape, isFree, least, fidelity}].push_back(need);
         else
             keepStated(*model, numbers, fidelity, need);
+    }
+
+    /// One program's draws have its levels in common.
+    void chooseLevels(int program, const std::vector<TessellatedDraw>& draws) {
+        const plan::PlannedProgram& planned = plan_.programs[static_cast<std::size_t>(program)];
+        LevelsRequest levels{
+            levelUniforms(planned, request_.mostLevel), request_.overrideCounts, request_.maxError, {}};
+        const auto& uniforms = planned.interface->uniforms;
+        const auto nameOf = [&](int uniform) { return uniforms[static_cast<std::size_t>(uniform)].name; };
+        std::erase_if(levels.uniforms, [&](const LevelUniform& each) {
+            return std::any_of(request_.overrides.begin(), request_.overrides.end(),
+                               [&](const plan::Override& set) { return set.name == nameOf(each.uniform); });
+        });
+        if (levels.uniforms.empty() || !request_.patches) return;
+        levels.error = [&](std::span<const LevelValue> coarse, std::span<const LevelValue> fine) {
+            return levelError(draws, coarse, fine);
+        };
+        const std::optional<LeastLevels> found = leastLevels(levels);
+        const scene::Draw& first = *draws.front().draw;
+        if (!found) return decide(first, "kept: what its tessellation does cannot be measured");
+
+        std::string values, before;
+        for (std::size_t i = 0; i < found->values.size(); ++i) {
+            const auto& [uniform, value] = found->values[i];
+            const std::string_view comma = i > 0 ? ", " : "";
+            values += fmt::format("{}{} {:.4g}", comma, nameOf(uniform), value);
+            before += fmt::format("{}{:.4g}", comma, levels.uniforms[i].value);
+        }
+        decide(first, fmt::format("{}{}: at most {}", values,
+                                  levels.isFree ? " in place of " + before : " as the scene states",
+                                  pixelText(found->pixels)));
+        if (levels.isFree)
+            for (const auto& [uniform, value] : found->values)
+                choice_.levels.push_back(
+                    {nameOf(uniform), glib::UniformForm::number, {value}, programOf(planned)});
+        if (!found->isKept) (levels.isFree ? beyond_ : stated_).add(found->pixels, first, values);
+    }
+
+    /// As plan::Override::program names it.
+    [[nodiscard]] std::string programOf(const plan::PlannedProgram& planned) const {
+        return std::to_string(scene_.programs[static_cast<std::size_t>(planned.variant.program)].place.line);
+    }
+
+    [[nodiscard]] std::optional<double> levelError(const std::vector<TessellatedDraw>& draws,
+                                                   std::span<const LevelValue> coarse,
+                                                   std::span<const LevelValue> fine) const {
+        double largest = 0;
+        for (const TessellatedDraw& draw : draws) {
+            const auto from = request_.patches(draw.pass, draw.step, coarse);
+            const auto to = request_.patches(draw.pass, draw.step, fine);
+            if (!from || !to || from->size() != to->size()) return std::nullopt;
+            for (std::size_t i = 0; i < from->size(); ++i) {
+                const std::optional<double> pixels = patchError((*from)[i], (*to)[i], draw.size);
+                if (!pixels) return std::nullopt;
+                largest = std::max(largest, *pixels);
+            }
+        }
+        return largest;
     }
 
     void keepStated(const SurfaceModel& model, const std::vector<double>& numbers, Fidelity fidelity,
@@ -207,44 +277,23 @@ class Chooser {
         }
     }
 
-    /// A noise texture's period is taken to be one unit of the model that it is seen on; without a bound for
-    /// that, half the height of the picture.
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
         for (const plan::TextureUse& each : planned.textures) {
             if (each.texture < 0 || !std::holds_alternative<scene::NoiseSource>(
                                         scene_.textures[static_cast<std::size_t>(each.texture)].source))
                 continue;
-            auto& [period, draw] = noise_[each.texture];
-            period = std::max(period, scale.value_or(height / 2));
-            draw = planned.draw;
+            NoiseUse& use = noise_[each.texture];
+            use.period = std::max(use.period, scale.value_or(height / 2));
+            use.draw = planned.draw;
         }
     }
 
     void chooseNoise() {
-        for (const auto& [texture, use] : noise_) {
-            const auto& source =
-                std::get<scene::NoiseSource>(scene_.textures[static_cast<std::size_t>(texture)].source);
-            const double period = use.first;
-            const Place& place = use.second->place;
-            const std::string word = fmt::format("Noise{}D", source.dimensions);
-            const auto say = [&](std::string why) {
-                choice_.decisions.push_back({word, std::move(why), place});
-            };
-            const auto errorOf = [&](int size) {
-                return pixelText(noiseError(source.dimensions, size) * period);
-            };
-            if (source.file != scene::kNone) {
-                say("kept: its texels come from a file");
-            } else if (source.isSizeGiven && !request_.overrideCounts) {
-                say(fmt::format("{} as the scene states: about {}", source.size, errorOf(source.size)));
-            } else {
-                const int size = leastNoiseSize(source.dimensions, period, request_.maxError);
-                if (size != source.size) choice_.noise.push_back({texture, size});
-                say(fmt::format("{}{}: about {} where a period is {:.3g} px long", size,
-                                size == source.size ? " kept" : fmt::format(" in place of {}", source.size),
-                                errorOf(size), period));
-            }
-        }
+        ChosenNoise chosen = budget::chooseNoise(scene_, noise_, request_);
+        choice_.noise = std::move(chosen.choices);
+        std::move(chosen.decisions.begin(), chosen.decisions.end(), std::back_inserter(choice_.decisions));
+        for (const NoiseMiss& each : chosen.misses)
+            (each.isStated ? stated_ : beyond_).add(each.pixels, *each.draw, each.with, each.word);
     }
 
     void chooseSamples() {
@@ -270,27 +319,27 @@ class Chooser {
                              : std::string();
         };
         if (beyond_.draw != nullptr)
-            choice_.diagnostics.push_back(warning(
-                "draw-W07",
-                fmt::format("{} with {}, the most a mesh may have, is up to {} off; the bound is {}{}",
-                            beyond_.draw->word, beyond_.counts, pixelText(beyond_.pixels),
-                            pixelText(request_.maxError), others(beyond_.others)),
-                beyond_.draw->place));
-        if (stated_.draw != nullptr)
             choice_.diagnostics.push_back(
-                note("draw-N03",
-                     fmt::format("{} with {}, as the scene states, is up to {} off; --override-counts "
-                                 "chooses for it{}",
-                                 stated_.draw->word, stated_.counts, pixelText(stated_.pixels),
-                                 others(stated_.others)),
-                     stated_.draw->place));
+                warning("draw-W07",
+                        fmt::format("{} with {}, the most there may be, is up to {} off; the bound is {}{}",
+                                    beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
+                                    pixelText(request_.maxError), others(beyond_.others)),
+                        beyond_.draw->place));
+        if (stated_.draw != nullptr)
+            choice_.diagnostics.push_back(note(
+                "draw-N03",
+                fmt::format("{} with {}, as the scene states, is up to {} off; --override-counts "
+                            "chooses for it{}",
+                            stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
+                stated_.draw->place));
     }
 
     const scene::Scene& scene_;
     const plan::FramePlan& plan_;
     const Request& request_;
     std::map<MeshKey, std::vector<Need>> needs_;
-    std::map<int, std::pair<double, const scene::Draw*>> noise_;  ///< pixels a period, by texture
+    std::map<int, std::vector<TessellatedDraw>> tessellated_;  ///< by index into FramePlan::programs
+    std::map<int, NoiseUse> noise_;                            ///< by texture
     Worst beyond_, stated_;
     Choice choice_;
 };

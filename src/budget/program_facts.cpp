@@ -15,6 +15,15 @@ bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+bool showsPrimitives(std::string_view source) {
+    constexpr std::array kWords{"flat", "gl_PrimitiveID", "gl_VertexID"};
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](const char* each) { return hasWord(source, each); }) ||
+           (hasWord(source, "dFdx") && hasWord(source, "cross"));
+}
+
+}  // namespace
+
 bool hasWord(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
@@ -24,15 +33,6 @@ bool hasWord(std::string_view text, std::string_view word) {
     }
     return false;
 }
-
-bool showsPrimitives(std::string_view source) {
-    constexpr std::array kWords{"flat", "gl_PrimitiveID", "gl_VertexID"};
-    return std::any_of(kWords.begin(), kWords.end(),
-                       [&](const char* each) { return hasWord(source, each); }) ||
-           (hasWord(source, "dFdx") && hasWord(source, "cross"));
-}
-
-}  // namespace
 
 ProgramFacts programFacts(const plan::ProgramInterface& program) {
     ProgramFacts facts;
@@ -44,6 +44,7 @@ ProgramFacts programFacts(const plan::ProgramInterface& program) {
     for (const glsl::TranslatedStage& each : program.facts.stages) {
         facts.worksOnPrimitives = facts.worksOnPrimitives ||
                                   (each.stage != glsl::Stage::vertex && each.stage != glsl::Stage::fragment);
+        facts.hasTessellation = facts.hasTessellation || each.stage == glsl::Stage::tessEvaluation;
         facts.showsPrimitives = facts.showsPrimitives || showsPrimitives(each.source);
     }
     return facts;

@@ -1,6 +1,8 @@
 #pragma once
 // What of a program decides how fine the meshes have to be that it draws.
 
+#include <string_view>
+
 #include "plan/program_interface.h"
 
 namespace glibra::budget {
@@ -10,10 +12,14 @@ struct ProgramFacts {
     bool placesByMatrix = false;  ///< by the model-view-projection alone, as its text proves
     bool readsTexCoord = false;
     bool worksOnPrimitives = false;  ///< has a tessellation or geometry stage
+    bool hasTessellation = false;
     /// Something is flat on a triangle, counts triangles or vertices, or takes a normal from derivatives, as
     /// far as the words in its text say: with other counts it would show something else.
     bool showsPrimitives = false;
 };
+
+/// True if the text has it as a word of its own.
+bool hasWord(std::string_view text, std::string_view word);
 
 ProgramFacts programFacts(const plan::ProgramInterface& program);
 

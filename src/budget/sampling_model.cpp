@@ -16,21 +16,28 @@ int leastSamples(double maxError, int most) {
 }
 
 std::span<const int> noiseSizes(int dimensions) {
-    static constexpr std::array kSizes{32, 64, 128, 256, 512, 1024};
-    return std::span(kSizes).first(dimensions == 3 ? 4 : kSizes.size());
+    static constexpr std::array kSizes2{32, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+    static constexpr std::array kSizes3{32, 64, 96, 128, 160, 192, 224, 256};
+    return dimensions == 3 ? std::span<const int>(kSizes3) : std::span<const int>(kSizes2);
 }
 
-double noiseError(int dimensions, int size) {
-    const double interpolation = (dimensions == 3 ? 17.7 : 16.8) / size / size;
-    const double rounding = dimensions == 3 ? .00098 : .0015;
+double noiseError(int dimensions, NoiseFormat format) {
+    const double interpolation = (dimensions == 3 ? 33. : 30.) / format.size / format.size;
+    double rounding = dimensions == 3 ? .0017 : .0025;
+    if (format.texels == scene::NoiseTexels::shorts) rounding /= 257;
     return std::hypot(interpolation, rounding);
 }
 
-int leastNoiseSize(int dimensions, double pixelsPerPeriod, double maxError) {
+double meanNoiseStep(int dimensions) {
+    return dimensions == 3 ? .0013 : .00147;
+}
+
+NoiseFormat leastNoise(int dimensions, double maxError, const std::function<double(NoiseFormat)>& errorOf) {
     const std::span<const int> sizes = noiseSizes(dimensions);
     for (const int each : sizes)
-        if (noiseError(dimensions, each) * pixelsPerPeriod <= maxError) return each;
-    return sizes.back();
+        for (const scene::NoiseTexels texels : {scene::NoiseTexels::bytes, scene::NoiseTexels::shorts})
+            if (errorOf({each, texels}) <= maxError) return {each, texels};
+    return {sizes.back(), scene::NoiseTexels::shorts};
 }
 
 }  // namespace glibra::budget

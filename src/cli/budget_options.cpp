@@ -36,7 +36,7 @@ void addBudgetOptions(CLI::App& command, RenderOptions& options) {
         "is drawn more than N pixels from its place");
     command
         .add_flag("--override-counts", options.overrideCounts,
-                  "with --max-error: choose also what the scene states")
+                  "with --max-error: choose also what the scene states, tessellation levels among it")
         ->needs(bound);
 }
 

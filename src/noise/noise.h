@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "noise/texel_bytes.h"
+
 namespace glibra::noise {
 
 inline constexpr int kOctaves = 4;
@@ -37,5 +39,11 @@ bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads = 0);
 /// The same into memory of their own; empty where n is impossible.
 std::vector<std::uint8_t> noise3Texels(int n, int threads = 0);
 std::vector<std::uint8_t> noise2Texels(int n, int threads = 0);
+
+/// The same texels in 16 bits: (value - 1/510) * 65535 to the nearest, or the neighbour of it where both are
+/// about as near. 1/510 is what cutting to bytes takes away on the average, so that pictures keep the places
+/// of their contours with either.
+TexelShorts noise3Shorts(int n, int threads = 0);
+TexelShorts noise2Shorts(int n, int threads = 0);
 
 }  // namespace glibra::noise

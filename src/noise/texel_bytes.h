@@ -28,5 +28,6 @@ struct Unset : std::allocator<T> {
 
 /// A vector whose constructor and resize leave new bytes unset.
 using TexelBytes = std::vector<std::uint8_t, Unset<std::uint8_t>>;
+using TexelShorts = std::vector<std::uint16_t, Unset<std::uint16_t>>;
 
 }  // namespace glibra::noise

@@ -129,12 +129,10 @@ void forEachIndex(int count, int threads, const Work& work) {
     drain();
 }
 
-}  // namespace
-
-bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
-    if (n < 1 || n > kLargestSize3) return false;
+/// Calls row(octaves, rows, j, k) for every row of texels of a 3D texture.
+template <class Row>
+void forEachRow3(int n, int threads, const Row& row) {
     const auto size = static_cast<std::size_t>(n);
-    if (texels.size() != 4 * size * size * size) return false;
     const auto octaves = octaveRows(tables::kOctaves3, n);
     forEachIndex(n, threads, [&](int slice) {
         const auto k = static_cast<std::size_t>(slice);
@@ -153,23 +151,17 @@ bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
                                 {field.slopes[place.cell], field.slopes[next]},
                                 inFloats(place.at)};
             }
-            writeRow(rows, size, texels.data() + 4 * size * (j + size * k),
-                     [&](std::size_t octave, std::size_t i) {
-                         const auto& places = octaves[octave].places;
-                         return exactByte(octaves[octave].table, places[i], places[j], places[k]);
-                     });
+            row(octaves, rows, j, k);
         }
     });
-    return true;
 }
 
-bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
-    if (n < 1 || n > kLargestSize2) return false;
-    const auto size = static_cast<std::size_t>(n);
-    if (texels.size() != 4 * size * size) return false;
+/// Calls row(octaves, rows, j) for every row of texels of a 2D texture.
+template <class Row>
+void forEachRow2(int n, int threads, const Row& row) {
     const auto octaves = octaveRows(tables::kOctaves2, n);
-    forEachIndex(n, threads, [&](int row) {
-        const auto j = static_cast<std::size_t>(row);
+    forEachIndex(n, threads, [&](int index) {
+        const auto j = static_cast<std::size_t>(index);
         std::array<OctaveRow, kOctaves> rows;
         for (std::size_t octave = 0; octave < rows.size(); ++octave) {
             const auto& from = octaves[octave];
@@ -180,6 +172,46 @@ bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
                             {from.gradients[1][near], from.gradients[1][far]},
                             inFloats(place.at)};
         }
+        row(octaves, rows, j);
+    });
+}
+
+/// Writes a row of `n` RGBA texels of 16 bits. Floats are off by a 30th of their step at most.
+void writeShorts(const std::array<OctaveRow, kOctaves>& octaves, std::size_t n, std::vector<float>& sum,
+                 std::uint16_t* row) {
+    constexpr double kStepsPerUnit = 65535 / kUnitsPerValue;
+    constexpr auto kScale = static_cast<float>(kStepsPerUnit);
+    constexpr auto kMiddle =
+        static_cast<float>(65535 / 2. - 257 / 2. + .5);  // .5: truncation becomes rounding
+    sum.resize(n);
+    for (std::size_t octave = 0; octave < octaves.size(); ++octave) {
+        mergeRows(octaves[octave], n, sum.data());
+        for (std::size_t i = 0; i < n; ++i)
+            row[4 * i + octave] = static_cast<std::uint16_t>(static_cast<int>(kMiddle + kScale * sum[i]));
+    }
+}
+
+}  // namespace
+
+bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize3) return false;
+    const auto size = static_cast<std::size_t>(n);
+    if (texels.size() != 4 * size * size * size) return false;
+    forEachRow3(n, threads, [&](const auto& octaves, const auto& rows, std::size_t j, std::size_t k) {
+        writeRow(rows, size, texels.data() + 4 * size * (j + size * k),
+                 [&](std::size_t octave, std::size_t i) {
+                     const auto& places = octaves[octave].places;
+                     return exactByte(octaves[octave].table, places[i], places[j], places[k]);
+                 });
+    });
+    return true;
+}
+
+bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
+    if (n < 1 || n > kLargestSize2) return false;
+    const auto size = static_cast<std::size_t>(n);
+    if (texels.size() != 4 * size * size) return false;
+    forEachRow2(n, threads, [&](const auto& octaves, const auto& rows, std::size_t j) {
         writeRow(rows, size, texels.data() + 4 * size * j, [&](std::size_t octave, std::size_t i) {
             const auto& places = octaves[octave].places;
             return exactByte(octaves[octave].table, places[i], places[j]);
@@ -201,6 +233,28 @@ std::vector<std::uint8_t> noise2Texels(int n, int threads) {
     const auto size = static_cast<std::size_t>(n);
     std::vector<std::uint8_t> texels(4 * size * size);
     writeNoise2(n, texels, threads);
+    return texels;
+}
+
+TexelShorts noise3Shorts(int n, int threads) {
+    if (n < 1 || n > kLargestSize3) return {};
+    const auto size = static_cast<std::size_t>(n);
+    TexelShorts texels(4 * size * size * size);
+    forEachRow3(n, threads, [&](const auto&, const auto& rows, std::size_t j, std::size_t k) {
+        thread_local std::vector<float> sum;
+        writeShorts(rows, size, sum, texels.data() + 4 * size * (j + size * k));
+    });
+    return texels;
+}
+
+TexelShorts noise2Shorts(int n, int threads) {
+    if (n < 1 || n > kLargestSize2) return {};
+    const auto size = static_cast<std::size_t>(n);
+    TexelShorts texels(4 * size * size);
+    forEachRow2(n, threads, [&](const auto&, const auto& rows, std::size_t j) {
+        thread_local std::vector<float> sum;
+        writeShorts(rows, size, sum, texels.data() + 4 * size * j);
+    });
     return texels;
 }
 

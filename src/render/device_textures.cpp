@@ -4,9 +4,11 @@
 #include <glibra/diagnostic.h>
 
 #include <memory>
+#include <utility>
 
 #include "image/texture_file.h"
 #include "noise/cache.h"
+#include "noise/noise.h"
 #include "plan/texture_uses.h"
 #include "render/device_scene.h"
 #include "render/reuse.h"
@@ -80,8 +82,8 @@ gpu::TexelType typeOf(image::Component type) {
 }
 
 /// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
-std::unique_ptr<std::uint16_t[]> widened(const noise::TexelBytes& bytes) {
-    auto wide = std::make_unique_for_overwrite<std::uint16_t[]>(bytes.size());
+noise::TexelShorts widened(const noise::TexelBytes& bytes) {
+    noise::TexelShorts wide(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
     return wide;
 }
@@ -91,15 +93,19 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
            static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
 }
 
-Result<noise::TexelBytes> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
-                                      const Place& place) {
-    if (source.file == scene::kNone) return noise::cachedTexels(source.dimensions, source.size);
+Result<noise::TexelShorts> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
+                                       const Place& place) {
+    if (source.file == scene::kNone) {
+        if (source.texels == scene::NoiseTexels::bytes)
+            return widened(noise::cachedTexels(source.dimensions, source.size));
+        return source.dimensions == 3 ? noise::noise3Shorts(source.size) : noise::noise2Shorts(source.size);
+    }
     const scene::FileReference& file = scene.files[static_cast<std::size_t>(source.file)];
     Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
     if (!read) return std::move(read.diagnostics);
     noise::TexelBytes bytes(read->data.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
-    return bytes;
+    return widened(bytes);
 }
 
 }  // namespace
@@ -168,15 +174,14 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const StageTimer timer(stats_, "noise");
         if (noise->file != scene::kNone) stats_.add("files read", 1);
-        Result<noise::TexelBytes> bytes = noiseTexels(scene_, *noise, texture.place);
+        Result<noise::TexelShorts> texels = noiseTexels(scene_, *noise, texture.place);
         Diagnostics diagnostics = noise->remarks;
-        append(diagnostics, std::move(bytes.diagnostics));
-        if (!bytes) return diagnostics;
-        const auto wide = widened(*bytes);
+        append(diagnostics, std::move(texels.diagnostics));
+        if (!texels) return diagnostics;
         const int depth = noise->dimensions == 3 ? noise->size : 1;
         Result<gpu::Texture> made = gpu::Texture::create(
             capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
-            {std::as_bytes(std::span(wide.get(), bytes->size())), 4, gpu::TexelType::u16});
+            {std::as_bytes(std::span(std::as_const(*texels))), 4, gpu::TexelType::u16});
         append(diagnostics, std::move(made.diagnostics));
         made.diagnostics = std::move(diagnostics);
         return made;

@@ -65,7 +65,9 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene,
       programs_(programs),
       device_(device),
       stats_(stats),
-      states_(plan.programs.size()) {}
+      states_(plan.programs.size()),
+      // Whoever drew before may have left any of them on.
+      clipDistances_(context.capabilities().maxClipDistances) {}
 
 void FrameDrawer::setPictureSize(int width, int height) {
     width_ = width;
@@ -108,6 +110,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     std::size_t drawsBefore = 0;  // of the passes above this one
+    std::size_t texturePass = 0;
     for (const plan::PlannedPass& pass : plan_.passes) {
         std::size_t drawIndex = drawsBefore;
         drawsBefore += static_cast<std::size_t>(
@@ -121,6 +124,9 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
             append(diagnostics, std::move(made.diagnostics));
             if (!made) return diagnostics;
             target = *made;
+            texture_ = {0, 0, target->width(), target->height()};
+            textureShift_ = texturePass < textureShifts_.size() ? textureShifts_[texturePass] : glm::dvec2(0);
+            ++texturePass;
         }
         beginPass(pass, *target);
         for (const auto& step : pass.steps) {
@@ -219,19 +225,18 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
                         suppliedValue(supplied->value, facts, uniform.arraySize).span());
     }
     // The names below are the translator's; a program that is not tiled has no such uniforms.
+    const Tile& part = isWindow ? tile_ : texture_;
+    const glm::dvec2& shift = isWindow ? shift_ : textureShift_;
+    const double wholeWidth = isWindow ? width_ : part.width, wholeHeight = isWindow ? height_ : part.height;
     for (const gpu::ActiveUniform& uniform : built.reflected.uniforms) {
         if (uniform.name == "glibra_Tile") {
-            const std::array<double, 4> whole{1, 1, 0, 0};
-            const double width = tile_.width;
-            const double height = tile_.height;
-            const std::array<double, 4> part{width_ / width, height_ / height,
-                                             (width_ - 2.0 * (tile_.x - shift_.x) - width) / width,
-                                             (height_ - 2.0 * (tile_.y - shift_.y) - height) / height};
-            gpu::setUniform(*built.program, uniform, isWindow ? part : whole);
+            const double width = part.width, height = part.height;
+            gpu::setUniform(*built.program, uniform,
+                            std::array{wholeWidth / width, wholeHeight / height,
+                                       (wholeWidth - 2.0 * (part.x - shift.x) - width) / width,
+                                       (wholeHeight - 2.0 * (part.y - shift.y) - height) / height});
         } else if (uniform.name == "glibra_TileOrigin") {
-            const std::array<double, 2> origin{isWindow ? tile_.x - shift_.x : 0.0,
-                                               isWindow ? tile_.y - shift_.y : 0.0};
-            gpu::setUniform(*built.program, uniform, origin);
+            gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
         }
     }
 }

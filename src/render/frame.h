@@ -45,9 +45,13 @@ class FrameDrawer {
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
 
-    /// Moves the window's pictures right and up by parts of a pixel; what shaders see as gl_FragCoord moves
-    /// with them. For programs made for tiles; others stay.
-    void setShift(double x, double y) { shift_ = {x, y}; }
+    /// Moves the window's pictures right and up by parts of a pixel, and passes into textures, in their
+    /// order, by parts of a texel; what shaders see as gl_FragCoord moves with them. For programs made for
+    /// tiles; others stay.
+    void setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures) {
+        shift_ = window;
+        textureShifts_ = std::move(textures);
+    }
 
     /// Leaves out what provably does not reach the tile, or the texture drawn into, as far as the device
     /// knows the bounds of its mesh; `samples`: of the window's target, 0: draws everything.
@@ -111,7 +115,10 @@ class FrameDrawer {
     const BuiltProgram* fallback_ = nullptr;
     Tile tile_;
     glm::dvec2 shift_{0.0};
-    int clipDistances_ = 0;
+    std::vector<glm::dvec2> textureShifts_;  ///< of passes into textures, in their order
+    Tile texture_;                           ///< the whole of what a pass into a texture draws into
+    glm::dvec2 textureShift_{0.0};           ///< of that pass
+    int clipDistances_;                      ///< those below may be on
     bool lineWidthTold_ = false;
 };
 

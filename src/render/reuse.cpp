@@ -34,8 +34,8 @@ std::string reuseKey(const scene::Scene& scene, const scene::Texture& texture) {
         return key;
     }
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source))
-        return fmt::format("{} noise {} {}{}", key, noise->dimensions, noise->size,
-                           stampOf(scene, noise->file));
+        return fmt::format("{} noise {} {} {}{}", key, noise->dimensions, noise->size,
+                           static_cast<int>(noise->texels), stampOf(scene, noise->file));
     return {};
 }
 

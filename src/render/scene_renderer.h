@@ -5,6 +5,7 @@
 #include <glibra/render.h>
 
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@
 
 namespace glibra::render {
 
+class DeviceScene;
+class FrameDrawer;
+
 /// What a picture depends on besides its scene: the values of Timer that its programs read, one a period.
 using Moment = std::vector<double>;
 
@@ -32,6 +36,10 @@ class SceneRenderer {
                                       const RenderOptions& options, Stats& stats,
                                       SharedParts* shared = nullptr);
 
+    /// The same from a scene that is interpreted already; its own diagnostics are not repeated.
+    static Result<SceneRenderer> of(gpu::Context& context, scene::Scene scene, const RenderOptions& options,
+                                    Stats& stats, SharedParts* shared = nullptr);
+
     /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
 
@@ -41,9 +49,13 @@ class SceneRenderer {
     Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
 
     /// Moves the pictures that follow right and up by parts of a pixel: many of them average to one of many
-    /// samples. Textures that the scene draws stay. Needs options.tileSize > 0, even of one tile.
-    void setShift(double x, double y);
+    /// samples. Passes into textures move by `textures`, in texels, in their order; those that it has no
+    /// place for stay. Needs options.tileSize > 0, even of one tile.
+    void setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures = {});
 
+    /// What draws it, and what is on the device: for measurements between two draws.
+    FrameDrawer& drawer();
+    [[nodiscard]] const DeviceScene& device() const;
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;

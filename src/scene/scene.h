@@ -60,13 +60,17 @@ struct EmptySource {
     int width = 1, height = 1, depth = 1;
     TexelFormat format = TexelFormat::rgba8;
 };
+/// What a texel of noise holds of the function: what glman's does, or 16 bits of it.
+enum class NoiseTexels { bytes, shorts };
+
 /// Noise of that size: the texels of the file if there is one (raw bytes of exactly that size), else built
 /// in. The remarks (file-N01, file-W09, file-W10) belong to whoever needs the texture.
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
-    bool isSizeGiven = false;  ///< the scene states it
-    int file = kNone;          ///< index into Scene::files
+    bool isSizeGiven = false;                 ///< the scene states it
+    NoiseTexels texels = NoiseTexels::bytes;  ///< of built-in noise
+    int file = kNone;                         ///< index into Scene::files
     Diagnostics remarks;
 };
 

@@ -72,6 +72,15 @@ TEST_F(Primitives, ShippedTeapotIsWhatAGridOfSixteenCellsWouldBe) {
     EXPECT_NEAR(curveOf(figure, "the teapot of scenes").points[0].error, eight / 4, .1 * eight / 4);
 }
 
+TEST_F(Primitives, SoccerBallAndTeapotImproveWithTheSquareOfTheirCells) {
+    for (const auto& [figure, tolerance] :
+         {std::pair("ball-position", .1), {"cut-volume", .1}, {"cut-outline", .5}})
+        for (const Curve& curve : figureOf(figures, figure).curves)
+            EXPECT_NEAR(fittedOrder(curve, 2), -2, tolerance) << figure << ", " << curve.name;
+    for (const Point& point : curveOf(figureOf(figures, "ball-normal"), "soccer ball").points)
+        EXPECT_LT(point.error, 1e-4);
+}
+
 TEST(MeshError, SeesADisplacedVertex) {
     geometry::Mesh mesh = geometry::sphere(kSolidRadius, 64, 32);
     const double before = sphereError(mesh).distance;

@@ -53,12 +53,53 @@ class QuadScene {
     fs::path folder_;
 };
 
+/// A scene that draws the same into a texture of 8 x 8 texels, and shows one of them all over the window.
+class TextureScene {
+  public:
+    explicit TextureScene(double column) {
+        char name[] = "/tmp/glibra-scenes-XXXXXX";
+        if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
+        folder_ = name;
+        std::ofstream(folder_ / "s.glib")
+            << "WindowSize 4 4\nTexture2D 6 8 8\nRenderToTexture 6\nOrtho 0 8 0 8\n"
+               "LookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\nVertex v.vert\nFragment white.frag\nProgram P\n"
+               "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
+               "glEnd\nRenderToTexture\nFragment texel.frag\nProgram Q uTexUnit 6\n"
+               "glBegin quads\nglVertex -9 -9 0\nglVertex 20 -9 0\nglVertex 20 20 0\nglVertex -9 20 "
+               "0\nglEnd\n";
+        std::ofstream(folder_ / "v.vert") << "#version 330 core\nvoid main() {\n"
+                                             "  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
+        std::ofstream(folder_ / "white.frag")
+            << "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
+        std::ofstream(folder_ / "texel.frag")
+            << "#version 330 core\nuniform sampler2D uTexUnit;\nout vec4 fColor;\nvoid main() { fColor = "
+               "texture(uTexUnit, vec2("
+            << (column + .5) / 8 << ", .5)); }\n";
+    }
+    TextureScene(const TextureScene&) = delete;
+    TextureScene& operator=(const TextureScene&) = delete;
+    ~TextureScene() { fs::remove_all(folder_); }
+    [[nodiscard]] fs::path path() const { return folder_ / "s.glib"; }
+
+  private:
+    fs::path folder_;
+};
+
 /// Red of a pixel of a float picture.
 float redAt(const image::Image& picture, int x, int y) {
     float value = 0;
     std::memcpy(&value, picture.row(y).data() + static_cast<std::size_t>(x) * 3 * sizeof(float),
                 sizeof value);
     return value;
+}
+
+TEST(SampledPicture, GivesEdgesInTexturesTheShareThatIsCovered) {
+    for (const auto& [column, share] : {std::pair(2., 1.F), {3., .375F}, {4., 0.F}}) {
+        const TextureScene scene(column);
+        const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
+        ASSERT_TRUE(picture);
+        EXPECT_NEAR(redAt(*picture, 1, 1), share, 1e-5) << column;
+    }
 }
 
 TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -46,9 +48,11 @@ double exact(const std::vector<double>& place) {
     return sum;
 }
 
-/// What a linear filter gives from the bytes of the texture, with the half step that cutting to bytes takes
-/// away on the average.
-double filtered(const std::vector<std::uint8_t>& texels, int size, const std::vector<double>& place) {
+/// What a linear filter gives from texels of 255 or 65535 steps, with the half byte that cutting to bytes
+/// takes away on the average.
+template <class Texels>
+double filtered(const Texels& texels, int size, const std::vector<double>& place) {
+    constexpr double kSteps = std::numeric_limits<typename Texels::value_type>::max();
     double sum = 0;
     const auto n = static_cast<std::size_t>(size);
     for (unsigned corner = 0; corner < 1U << place.size(); ++corner) {
@@ -62,59 +66,102 @@ double filtered(const std::vector<std::uint8_t>& texels, int size, const std::ve
             stride *= n;
         }
         for (std::size_t octave = 0; octave < 4; ++octave)
-            sum += weight * (texels[4 * at + octave] + .5) / 255;
+            sum += weight * (texels[4 * at + octave] / kSteps + .5 / 255);
     }
     return sum;
 }
 
-TEST(SamplingModel, NoiseErrorIsThatOf95OfAHundredPlaces) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    for (const std::size_t dimensions : {2U, 3U}) {
-        const auto anywhere = [&] {
-            std::vector<double> place(dimensions);
-            for (double& each : place) each = uniform(random);
-            return place;
-        };
-        constexpr int kPlaces = 20000;
+using Place = std::vector<double>;
+
+class NoiseError : public testing::TestWithParam<std::size_t> {
+  protected:
+    static constexpr int kPlaces = 40000;
+
+    [[nodiscard]] int dimensions() const { return static_cast<int>(GetParam()); }
+    Place anywhere() {
+        Place place(GetParam());
+        for (double& each : place) each = uniform_(random_);
+        return place;
+    }
+    /// Length of the sum's gradient.
+    static double gradient(const Place& place) {
         double squares = 0;
+        for (std::size_t axis = 0; axis < place.size(); ++axis) {
+            constexpr double kStep = 1e-5;
+            Place low = place, high = place;
+            low[axis] -= kStep;
+            high[axis] += kStep;
+            squares += std::pow((exact(high) - exact(low)) / (2 * kStep), 2);
+        }
+        return std::sqrt(squares);
+    }
+    [[nodiscard]] noise::TexelShorts shorts(int size) const {
+        return dimensions() == 3 ? noise::noise3Shorts(size) : noise::noise2Shorts(size);
+    }
+    [[nodiscard]] std::vector<std::uint8_t> bytes(int size) const {
+        return dimensions() == 3 ? noise::noise3Texels(size) : noise::noise2Texels(size);
+    }
+
+  private:
+    std::mt19937 random_{3};
+    std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, NoiseError, testing::Values(2, 3));
+
+TEST_P(NoiseError, IsThatOf999OfAThousandPlaces) {
+    double squares = 0;
+    for (int i = 0; i < kPlaces / 4; ++i) squares += std::pow(gradient(anywhere()), 2);
+    const double gradient = std::sqrt(squares / (kPlaces / 4));
+    const auto compare = [&](const auto& texels, const NoiseFormat& format) {
+        std::vector<double> errors;
         for (int i = 0; i < kPlaces; ++i) {
-            const std::vector<double> place = anywhere();
-            for (std::size_t axis = 0; axis < dimensions; ++axis) {
-                constexpr double kStep = 1e-5;
-                std::vector<double> low = place, high = place;
-                low[axis] -= kStep;
-                high[axis] += kStep;
-                squares += std::pow((exact(high) - exact(low)) / (2 * kStep), 2);
-            }
+            const Place place = anywhere();
+            errors.push_back(std::abs(filtered(texels, format.size, place) - exact(place)));
         }
-        const double gradient = std::sqrt(squares / kPlaces);
-        for (const int size : noiseSizes(static_cast<int>(dimensions))) {
-            const std::vector<std::uint8_t> texels =
-                dimensions == 3 ? noise::noise3Texels(size) : noise::noise2Texels(size);
-            std::vector<double> errors;
-            for (int i = 0; i < kPlaces; ++i) {
-                const std::vector<double> place = anywhere();
-                errors.push_back(std::abs(filtered(texels, size, place) - exact(place)));
-            }
-            std::sort(errors.begin(), errors.end());
-            const double measured = errors[kPlaces * 95 / 100] / gradient;
-            // The finest octave of 32 cells is not there at all in 32 texels: its error is its size.
-            const double model = noiseError(static_cast<int>(dimensions), size);
-            EXPECT_LE(measured, model * 1.1) << dimensions << " " << size;
-            EXPECT_GE(measured, model * (size == 32 ? .5 : .85)) << dimensions << " " << size;
-        }
+        std::sort(errors.begin(), errors.end());
+        const double measured = errors[kPlaces / 1000 * 999] / gradient;
+        // The finest octave of 32 cells is not there at all in 32 texels: its error is its size.
+        const double model = noiseError(dimensions(), format);
+        EXPECT_LE(measured, model * 1.1) << format.size;
+        EXPECT_GE(measured, model * (format.size == 32 ? .5 : .8)) << format.size;
+    };
+    for (const int size : noiseSizes(dimensions())) {
+        compare(bytes(size), {size, scene::NoiseTexels::bytes});
+        if (size <= 256) compare(shorts(size), {size, scene::NoiseTexels::shorts});
     }
 }
 
-TEST(SamplingModel, TakesTheSmallestNoiseThatKeepsTheBound) {
+TEST_P(NoiseError, TheMeanStepIsThatBetweenTheProbesSizes) {
+    double gradients = 0;
+    for (int i = 0; i < kPlaces / 4; ++i) gradients += gradient(anywhere());
+    gradients /= kPlaces / 4;
+    const auto [small, large] = kNoiseProbeSizes;
+    const auto coarse = shorts(small), fine = shorts(large);
+    double changes = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+        const Place place = anywhere();
+        changes += std::abs(filtered(coarse, small, place) - filtered(fine, large, place));
+    }
+    EXPECT_NEAR(changes / kPlaces / gradients / meanNoiseStep(dimensions()), 1, .05);
+}
+
+TEST(SamplingModel, TakesTheSmallestNoiseThatKeepsTheBoundAndThenBytes) {
     for (const int dimensions : {2, 3})
         for (const double period : {1., 10., 100., 400.})
             for (const double bound : {.1, .25, 1., 4.}) {
-                const int size = leastNoiseSize(dimensions, period, bound);
+                const NoiseFormat chosen = leastNoise(dimensions, bound, [&](const NoiseFormat& format) {
+                    return noiseError(dimensions, format) * period;
+                });
                 const auto sizes = noiseSizes(dimensions);
-                EXPECT_TRUE(size == sizes.back() || noiseError(dimensions, size) * period <= bound);
-                EXPECT_TRUE(size == sizes.front() || noiseError(dimensions, size / 2) * period > bound);
+                const auto keeps = [&](int size, scene::NoiseTexels texels) {
+                    return noiseError(dimensions, {size, texels}) * period <= bound;
+                };
+                EXPECT_TRUE(keeps(chosen.size, chosen.texels) || chosen.size == sizes.back());
+                const auto at = std::find(sizes.begin(), sizes.end(), chosen.size);
+                EXPECT_TRUE(at == sizes.begin() || !keeps(*(at - 1), scene::NoiseTexels::shorts));
+                EXPECT_EQ(chosen.texels == scene::NoiseTexels::bytes,
+                          keeps(chosen.size, scene::NoiseTexels::bytes));
             }
 }
 

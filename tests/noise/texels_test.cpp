@@ -186,5 +186,36 @@ TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
     EXPECT_EQ(texels, std::vector<std::uint8_t>(texels.size(), 9));
 }
 
+TEST(NoiseTexels, SixteenBitsAreTheFunctionLessTheHalfStepOfBytes) {
+    for (const int n : {7, 64, 100}) {
+        const TexelShorts solid = noise3Shorts(n), flat = noise2Shorts(n);
+        ASSERT_EQ(solid.size(), 4U * static_cast<std::size_t>(n * n * n));
+        ASSERT_EQ(flat.size(), 4U * static_cast<std::size_t>(n * n));
+        double worst = 0;
+        for (int i = 0; i < n * n * n; i += 37) {
+            const int x = i % n, y = i / n % n, z = i / n / n;
+            for (int octave = 0; octave < kOctaves; ++octave) {
+                const double cells = static_cast<double>(cellsOf(octave)) / n;
+                const auto component = static_cast<std::size_t>(octave);
+                const auto off = [&](std::uint16_t texel, double value) {
+                    worst = std::max(worst, std::abs(texel - (value - .5 / 255) * 65535));
+                };
+                off(solid[4 * static_cast<std::size_t>(i) + component],
+                    noise3(x * cells, y * cells, z * cells, octave));
+                off(flat[4 * static_cast<std::size_t>(x + n * y) + component],
+                    noise2(x * cells, y * cells, octave));
+            }
+        }
+        EXPECT_LT(worst, .55) << n;
+    }
+    EXPECT_TRUE(noise3Shorts(0).empty());
+    EXPECT_TRUE(noise2Shorts(kLargestSize2 + 1).empty());
+}
+
+TEST(NoiseTexels, SixteenBitsDoNotDependOnTheThreads) {
+    EXPECT_EQ(noise3Shorts(33, 1), noise3Shorts(33, 5));
+    EXPECT_EQ(noise2Shorts(257, 1), noise2Shorts(257, 3));
+}
+
 }  // namespace
 }  // namespace glibra::noise

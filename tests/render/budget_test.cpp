@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -10,7 +11,9 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <random>
+#include <string>
 
 #include "scene_text.h"
 
@@ -154,6 +157,104 @@ TEST(Budget, SaysThatTheDriverHasTooFewSamples) {
     EXPECT_TRUE(has(seen.diagnostics, "draw-W07"));
     options.strict = true;
     EXPECT_FALSE(tryPicture("LookAt 0 0 4 0 0 0 0 1 0\nBox\n", {}, options));
+}
+
+/// A curve of one piece that its tessellation makes a parabola, white and thick.
+const std::map<std::string, std::string> kCurve{
+    {"a.vert", "#version 400\nvoid main() { gl_Position = aVertex; }\n"},
+    {"a.tcs",
+     "#version 400\nlayout(vertices = 2) out;\nuniform float uPieces;\nvoid main() {\n"
+     "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+     "    gl_TessLevelOuter[0] = 1.;\n    gl_TessLevelOuter[1] = uPieces;\n}\n"},
+    {"a.tes",
+     "#version 400\nlayout(isolines, equal_spacing) in;\nuniform mat4 uModelViewProjectionMatrix;\n"
+     "void main() {\n    float t = 2. * gl_TessCoord.x - 1.;\n"
+     "    gl_Position = uModelViewProjectionMatrix * vec4(t, t * t, 0., 1.);\n}\n"},
+    {"a.frag", "#version 400\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n"}};
+
+std::string curve(const std::string& pieces) {
+    return "Background 0\nOrtho -1.2 1.2 -.4 1.4\nLookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\n"
+           "TessControl a.tcs\nTessEvaluation a.tes\nFragment a.frag\nProgram P uPieces " +
+           pieces + "\nNumPatchVertices 2\nglBegin gl_patches\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\n";
+}
+
+/// Pixels of the curve that are further from the parabola than the bound and half a pixel of the line's
+/// width.
+int pixelsBesideTheParabola(const Picture& picture, double bound) {
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            if (pixel(picture, x, y)[0] == 0) continue;
+            double nearest = 1e9;
+            for (int i = -1000; i <= 1000; ++i) {
+                const double t = i / 1000.;
+                nearest = std::min(nearest, std::hypot((t + 1.2) / 2.4 * kWidth - x - .5,
+                                                       (1.4 - t * t) / 1.8 * kHeight - y - .5));
+            }
+            count += nearest > bound + .75 ? 1 : 0;
+        }
+    return count;
+}
+
+TEST(Budget, TakesTheLowestTessellationLevelThatKeepsTheBound) {
+    RenderOptions options = bounded(.25);
+    EXPECT_GT(pixelsBesideTheParabola(picture(curve("<1 4 60>"), kCurve, options), .25), 0);
+    options.overrideCounts = true;
+    const Picture chosen = picture(curve("<1 4 60>"), kCurve, options);
+    EXPECT_EQ(pixelsBesideTheParabola(chosen, .25), 0);
+    // A parabola of 2 x 1 units and n pieces rises by 200 / n^2 pixels over its chords: 29 are enough.
+    const auto isLike = [&](int pieces) {
+        RenderOptions plain = bounded(0);
+        plain.set = {"uPieces=" + std::to_string(pieces)};
+        return picture(curve("<1 4 60>"), kCurve, plain).data == chosen.data;
+    };
+    bool isNearLeast = false;
+    for (int pieces = 28; pieces <= 36; ++pieces) isNearLeast = isNearLeast || isLike(pieces);
+    EXPECT_TRUE(isNearLeast);
+    EXPECT_FALSE(isLike(20));
+}
+
+TEST(Budget, LevelsOfTheCommandLineStay) {
+    RenderOptions options = bounded(.25), plain = bounded(0);
+    options.overrideCounts = true;
+    options.set = plain.set = {"uPieces=3"};
+    EXPECT_EQ(picture(curve("<1 4 60>"), kCurve, options).data,
+              picture(curve("<1 4 60>"), kCurve, plain).data);
+}
+
+TEST(Budget, SaysWhichStatedLevelsAreTooLow) {
+    const Result<Picture> seen = tryPicture(curve("3"), kCurve, bounded(.25));
+    ASSERT_TRUE(seen);
+    EXPECT_TRUE(has(seen.diagnostics, "draw-N03"));
+    EXPECT_NE(text(seen.diagnostics).find("uPieces 3"), std::string::npos) << text(seen.diagnostics);
+    EXPECT_FALSE(has(tryPicture(curve("40"), kCurve, bounded(.25)).diagnostics, "draw-N03"));
+}
+
+/// Stripes that noise bends.
+const std::map<std::string, std::string> kStripes{
+    {"a.vert",
+     "#version 330 core\nout vec3 vPlace;\nvoid main() { vPlace = aVertex.xyz; gl_Position = "
+     "uModelViewProjectionMatrix * aVertex; }\n"},
+    {"a.frag",
+     "#version 330 core\nuniform float uScale;\nin vec3 vPlace;\nout vec4 fColor;\nvoid main() {\n"
+     "    vec4 n = texture(Noise3, uScale * vPlace + vec3(.1, .2, .3));\n"
+     "    fColor = vec4(vec3(step(fract(8. * (n.r + n.g + n.b + n.a)), .5)), 1.);\n}\n"}};
+
+TEST(Budget, TakesLargerNoiseWhereAProgramStretchesIt) {
+    const std::string scene =
+        "Ortho -1 1 -1 1\nLookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\nProgram P uScale ";
+    // Shares of pixels that are not as in a much finer picture.
+    const auto differing = [&](const std::string& scale, double maxError, const std::string& size) {
+        RenderOptions options = bounded(maxError);
+        const Picture seen = picture(size + scene + scale + "\nQuadXY 0 1\n", kStripes, options);
+        const Picture fine =
+            picture("Noise3D 300\n" + scene + scale + "\nQuadXY 0 1\n", kStripes, bounded(0));
+        int count = 0;
+        for (std::size_t i = 0; i < seen.data.size(); i += 3) count += seen.data[i] != fine.data[i] ? 1 : 0;
+        return static_cast<double>(count) / (kWidth * kHeight);
+    };
+    EXPECT_LT(differing(".3", .25, ""), differing(".3", 0, "") / 3);
+    EXPECT_GT(differing(".3", 100, ""), differing(".3", 0, ""));
 }
 
 }  // namespace

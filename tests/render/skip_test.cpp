@@ -211,7 +211,7 @@ TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
         render::Stats stats;
         auto loaded = render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
         ASSERT_TRUE(loaded);
-        loaded->setShift(-.45, .45);
+        loaded->setShift({-.45, .45});
         auto picture = loaded->draw(0, stats);
         ASSERT_TRUE(picture);
         pixels[skip ? 0 : 1] = std::move(picture->data);

@@ -1,0 +1,76 @@
+#include "budget/contour_shift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace glibra::budget {
+namespace {
+
+constexpr std::size_t kSide = 16;
+
+/// Components in 0..1; NaN is 0.
+class Values {
+  public:
+    explicit Values(const image::Image& picture)
+        : width_(static_cast<std::size_t>(picture.width)),
+          height_(static_cast<std::size_t>(picture.height)),
+          components_(static_cast<std::size_t>(picture.components)),
+          values_(picture.data.size() / sizeof(float)) {
+        std::memcpy(values_.data(), picture.data.data(), values_.size() * sizeof(float));
+        for (float& each : values_) each = each > 0 ? std::min(each, 1.F) : 0.F;
+    }
+    [[nodiscard]] std::size_t width() const { return width_; }
+    [[nodiscard]] std::size_t height() const { return height_; }
+    [[nodiscard]] float at(std::size_t x, std::size_t y, std::size_t component) const {
+        return values_[(y * width_ + x) * components_ + component];
+    }
+    [[nodiscard]] float gradient(std::size_t x, std::size_t y, std::size_t component) const {
+        const std::size_t left = x > 0 ? x - 1 : x, right = std::min(x + 1, width_ - 1);
+        const std::size_t above = y > 0 ? y - 1 : y, below = std::min(y + 1, height_ - 1);
+        const auto slope = [](float difference, std::size_t steps) {
+            return steps > 0 ? difference / static_cast<float>(steps) : 0.F;
+        };
+        return std::hypot(slope(at(right, y, component) - at(left, y, component), right - left),
+                          slope(at(x, below, component) - at(x, above, component), below - above));
+    }
+
+  private:
+    std::size_t width_, height_, components_;
+    std::vector<float> values_;
+};
+
+}  // namespace
+
+ContourShifts::ContourShifts(const image::Image& from, const image::Image& to, double pixel) {
+    const Values before(from), after(to);
+    for (std::size_t top = 0; top < before.height(); top += kSide)
+        for (std::size_t left = 0; left < before.width(); left += kSide) {
+            double changes = 0, gradients = 0, largest = 0;
+            for (std::size_t y = top; y < std::min(top + kSide, before.height()); ++y)
+                for (std::size_t x = left; x < std::min(left + kSide, before.width()); ++x)
+                    for (std::size_t component = 0; component < 3; ++component) {
+                        const auto change = static_cast<double>(
+                            std::abs(after.at(x, y, component) - before.at(x, y, component)));
+                        largest = std::max(largest, change);
+                        changes += change;
+                        gradients += static_cast<double>(before.gradient(x, y, component));
+                    }
+            constexpr double kMost = kSide;  // further than the square nothing is followed
+            const double shift = changes < kMost * gradients ? changes / gradients : kMost;
+            if (largest > 0) squares_.push_back({pixel * shift, largest});
+        }
+}
+
+double ContourShifts::ofChangesAbove(double change) const {
+    std::vector<double> shifts;
+    for (const Square& each : squares_)
+        if (each.largestChange > change) shifts.push_back(each.shift);
+    if (shifts.empty()) return 0;
+    const auto rank = shifts.begin() + static_cast<std::ptrdiff_t>((shifts.size() - 1) * 98 / 100);
+    std::nth_element(shifts.begin(), rank, shifts.end());
+    return *rank;
+}
+
+}  // namespace glibra::budget

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace glibra::budget {
+
+/// "0.249 px", with as many digits as tell it from a bound.
+inline std::string pixelText(double pixels) {
+    return fmt::format("{:.3g} px", pixels);
+}
+
+}  // namespace glibra::budget

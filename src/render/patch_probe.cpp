@@ -1,0 +1,199 @@
+#include "render/patch_probe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "gpu/uniform.h"
+#include "render/frame.h"
+#include "render/scene_renderer.h"
+
+namespace glibra::render {
+namespace {
+
+constexpr int kLargestSide = 64;
+constexpr int kMostPatches = 64;
+constexpr std::size_t kFloats = 8;  ///< of a captured vertex: gl_Position and the coordinate with a 0
+
+/// The evaluation stage with its coordinate among the outputs.
+std::string withCoordinate(const std::string& source) {
+    const std::size_t version = source.find("#version");
+    const std::size_t behind =
+        version == std::string::npos ? 0 : std::min(source.size(), source.find('\n', version) + 1);
+    return source.substr(0, behind) + "#define main glibra_sceneMain\n" + source.substr(behind) +
+           "\n#undef main\n"
+           "out vec4 glibra_coordinate;\n"
+           "void main() {\n"
+           "    glibra_sceneMain();\n"
+           "    glibra_coordinate = vec4(gl_TessCoord, 0.);\n"
+           "}\n";
+}
+
+/// The stages up to the evaluation, which is captured.
+std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, const BuiltProgram& built) {
+    std::vector<std::pair<GLenum, std::string>> sources;
+    for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
+        if (each.stage == glsl::Stage::vertex) sources.emplace_back(GL_VERTEX_SHADER, each.source);
+        if (each.stage == glsl::Stage::tessControl) sources.emplace_back(GL_TESS_CONTROL_SHADER, each.source);
+        if (each.stage == glsl::Stage::tessEvaluation)
+            sources.emplace_back(GL_TESS_EVALUATION_SHADER, withCoordinate(each.source));
+    }
+    std::vector<gpu::StageSource> stages;
+    for (const auto& [stage, text] : sources) stages.push_back({stage, text});
+    std::vector<gpu::NamedLocation> inputs;  // the vertex array is made for these
+    for (const gpu::ActiveInput& each : built.reflected.inputs)
+        if (each.location >= 0) inputs.push_back({each.name, static_cast<GLuint>(each.location)});
+    return gpu::buildProgram(capabilities, {.stages = stages,
+                                            .vertexInputs = std::move(inputs),
+                                            .fragmentOutputs = {},
+                                            .captured = {"gl_Position", "glibra_coordinate"}})
+        .program;
+}
+
+/// Values of uniforms of the default block as the other program has them.
+void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
+                  const gpu::ProgramInterface& reflected) {
+    for (const gpu::ActiveUniform& to : reflected.uniforms)
+        for (const gpu::ActiveUniform& each : from.reflected.uniforms) {
+            if (each.name != to.name || each.block >= 0 || to.block >= 0) continue;
+            for (int element = 0; element < std::min(each.arraySize, to.arraySize); ++element)
+                gpu::setUniform(program, to, gpu::getUniform(*from.program, each, element), element);
+        }
+    for (const gpu::UniformBlock& to : reflected.blocks)
+        for (std::size_t i = 0; i < from.reflected.blocks.size(); ++i)
+            if (from.reflected.blocks[i].name == to.name)
+                glUniformBlockBinding(program.id(), to.index, static_cast<GLuint>(i));
+}
+
+void deleteQueryName(GLuint name) {
+    glDeleteQueries(1, &name);
+}
+
+/// One patch, drawn from the bound vertex array and index buffer.
+budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu::Buffer& buffer) {
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    const gpu::Name<deleteQueryName> written(query);
+    glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, written.get());
+    glBeginTransformFeedback(primitives);
+    glDrawElements(GL_PATCHES, indices, GL_UNSIGNED_INT,
+                   // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
+                   reinterpret_cast<const void*>(static_cast<std::size_t>(firstIndex) * sizeof(GLuint)));
+    glEndTransformFeedback();
+    glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    GLuint count = 0;
+    glGetQueryObjectuiv(written.get(), GL_QUERY_RESULT, &count);
+    budget::Patch patch{primitives == GL_LINES ? 2U : 3U, {}};
+    std::vector<float> floats(count * patch.corners * kFloats);
+    buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
+    if (!floats.empty())
+        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0,
+                           static_cast<GLsizeiptr>(floats.size() * sizeof(float)), floats.data());
+    for (std::size_t i = 0; i < floats.size(); i += kFloats)
+        patch.vertices.push_back({{floats[i], floats[i + 1], floats[i + 2], floats[i + 3]},
+                                  {floats[i + 4], floats[i + 5], floats[i + 6]}});
+    return patch;
+}
+
+}  // namespace
+
+struct PatchProbe::State {
+    gpu::Context& context;
+    const RenderOptions options;
+    const scene::Scene& scene;
+    Stats stats{};
+    SharedParts parts{};
+    std::optional<SceneRenderer> renderer{};
+    std::vector<std::pair<const BuiltProgram*, gpu::Program>> programs{};
+    std::optional<gpu::Buffer> buffer{};
+
+    bool prepare();
+    const gpu::Program* capturingFor(const BuiltProgram& built);
+    std::optional<std::vector<budget::Patch>> capture(const plan::PlannedDraw& draw,
+                                                      std::span<const budget::LevelValue> values);
+};
+
+/// Loads the scene at the first call.
+bool PatchProbe::State::prepare() {
+    if (renderer) return true;
+    Result<SceneRenderer> made = SceneRenderer::of(context, scene, options, stats, &parts);
+    const int level = context.capabilities().maxTessellationLevel;
+    // Two triangles a square, or a line a piece of as many lines.
+    const auto bytes = static_cast<std::size_t>(level + 1) * static_cast<std::size_t>(level + 1) * 6 *
+                       kFloats * sizeof(float);
+    Result<gpu::Buffer> room = gpu::Buffer::create(bytes, GL_STREAM_READ);
+    if (!made || !room) return false;
+    renderer = std::move(made.value);
+    buffer = std::move(room.value);
+    return true;
+}
+
+const gpu::Program* PatchProbe::State::capturingFor(const BuiltProgram& built) {
+    for (const auto& [known, program] : programs)
+        if (known == &built) return &program;
+    std::optional<gpu::Program> made = capturing(context.capabilities(), built);
+    if (!made) return nullptr;
+    return &programs.emplace_back(&built, std::move(*made)).second;
+}
+
+std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
+    const plan::PlannedDraw& draw, std::span<const budget::LevelValue> values) {
+    const BuiltProgram* built = renderer->drawer().programOf(draw);
+    const DeviceMesh* mesh = renderer->device().deviceMesh(draw.mesh);
+    const int indices = draw.submission.patchVertices;
+    const gpu::Program* program = built && mesh && indices > 0 ? capturingFor(*built) : nullptr;
+    if (program == nullptr) return std::nullopt;
+    const gpu::ProgramInterface reflected = gpu::reflect(*program);
+    copyUniforms(*built, *program, reflected);
+    for (const gpu::ActiveUniform& each : reflected.uniforms)
+        for (const budget::LevelValue& value : values)
+            if (built->reflected.uniforms[static_cast<std::size_t>(value.uniform)].name == each.name)
+                gpu::setUniform(*program, each, std::array{value.value});
+    program->use();
+    buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+    glEnable(GL_RASTERIZER_DISCARD);
+    const GLenum primitives = built->interface.facts.tessellationOutput == "lines" ? GL_LINES : GL_TRIANGLES;
+    const int patches = mesh->indexCount / indices, stride = (patches - 1) / kMostPatches + 1;
+    std::vector<budget::Patch> captured;
+    for (int patch = 0; patch < patches; patch += stride)
+        captured.push_back(render::capture(patch * indices, indices, primitives, *buffer));
+    glDisable(GL_RASTERIZER_DISCARD);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    built->program->use();
+    return captured;
+}
+
+PatchProbe::PatchProbe(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
+                       int width, int height) {
+    const double shrink = std::max(1., static_cast<double>(std::max(width, height)) / kLargestSide);
+    RenderOptions small = options;
+    small.width = std::max(1, static_cast<int>(std::lround(width / shrink)));
+    small.height = std::max(1, static_cast<int>(std::lround(height / shrink)));
+    small.maxError = 0;
+    small.samples = 1;
+    small.tileSize = 0;
+    small.axes = small.checkNan = small.strict = false;
+    state_ = std::make_unique<State>(context, std::move(small), scene);
+}
+
+PatchProbe::~PatchProbe() = default;
+
+std::optional<std::vector<budget::Patch>> PatchProbe::patches(std::size_t pass, std::size_t step,
+                                                              std::span<const budget::LevelValue> values) {
+    if (!state_->prepare()) return std::nullopt;
+    SceneRenderer& renderer = *state_->renderer;
+    const auto& wanted = std::get<scene::Draw>(renderer.scene().passes.at(pass).steps.at(step));
+    std::optional<std::vector<budget::Patch>> captured;
+    renderer.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+        if (begins && draw.draw == &wanted) captured = state_->capture(draw, values);
+    });
+    const Result<image::Image> drawn = renderer.draw(state_->options.time, state_->stats);
+    renderer.drawer().setDrawHook({});
+    return drawn ? std::move(captured) : std::nullopt;
+}
+
+}  // namespace glibra::render

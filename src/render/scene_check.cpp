@@ -1,0 +1,79 @@
+// glibra check: everything is prepared, nothing is drawn.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "render/scene_state.h"
+
+namespace glibra::render {
+namespace {
+
+const char* suffix(glsl::Stage stage) {
+    switch (stage) {
+        case glsl::Stage::vertex:
+            return "vert";
+        case glsl::Stage::tessControl:
+            return "tesc";
+        case glsl::Stage::tessEvaluation:
+            return "tese";
+        case glsl::Stage::geometry:
+            return "geom";
+        case glsl::Stage::fragment:
+            break;
+    }
+    return "frag";
+}
+
+/// The source without what only this driver takes: names of files in #line become their plain numbers.
+std::string portable(std::string_view source) {
+    std::string text;
+    for (std::size_t begin = 0; begin < source.size();) {
+        const std::size_t end = std::min(source.find('\n', begin), source.size());
+        const std::string_view line = source.substr(begin, end - begin);
+        if (line.starts_with("#line "))
+            std::copy_if(line.begin(), line.end(), std::back_inserter(text), [](char c) { return c != '"'; });
+        else if (line.find("GL_ARB_shading_language_include") == std::string_view::npos)
+            text += line;
+        text += '\n';
+        begin = end + 1;
+    }
+    return text;
+}
+
+std::vector<TranslatedShader> translatedShaders(const scene::Scene& scene, const plan::FramePlan& plan) {
+    std::vector<TranslatedShader> shaders;
+    for (std::size_t i = 0; i < plan.programs.size(); ++i) {
+        const int program = plan.programs[i].variant.program;
+        std::string name =
+            program == scene::kNone ? "built-in" : scene.programs[static_cast<std::size_t>(program)].name;
+        for (char& c : name)
+            if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+        for (const glsl::TranslatedStage& each : plan.programs[i].interface->facts.stages)
+            shaders.push_back({fmt::format("{}-{}.{}", i, name, suffix(each.stage)), portable(each.source)});
+    }
+    return shaders;
+}
+
+}  // namespace
+
+CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
+                       const RenderOptions& options) {
+    Stats stats;
+    CheckResult result;
+    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    result.diagnostics = std::move(interpreted.diagnostics);
+    if (interpreted) {
+        // A scene with errors in its text is checked further as far as it goes: its shaders may be wrong too.
+        SceneRenderer::State state(context, options, std::move(*interpreted), false, stats, nullptr);
+        append(result.diagnostics, state.preparePlan(stats, true));
+        result.shaders = translatedShaders(state.scene, state.plan);
+    }
+    append(result.diagnostics, context.debugLog().takeDiagnostics());
+    applyStrict(result.diagnostics, options.strict);
+    return result;
+}
+
+}  // namespace glibra::render

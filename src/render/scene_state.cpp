@@ -1,0 +1,149 @@
+// From a scene to a plan with everything on the device that it needs.
+
+#include "render/scene_state.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "budget/budget.h"
+#include "gpu/loop_limit.h"
+#include "render/noise_probe.h"
+#include "render/patch_probe.h"
+#include "render/sight.h"
+#include "scene/primitives.h"
+#include "scene/view.h"
+
+namespace glibra::render {
+
+plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
+    return plan::planFrame(
+        scene,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+}
+
+/// Counts are chosen for what a plan needs; with the shapes as they are then, it is planned again.
+Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Stats& stats) {
+    const plan::FramePlan first = planScene(planOptions);
+    if (hasError(first.diagnostics)) return {};
+    const StageTimer timer(stats, "budget");
+    PatchProbe probe(context, scene, options, width, height);
+    budget::Choice choice = budget::choose(
+        scene, first,
+        {.maxError = options.maxError,
+         .overrideCounts = options.overrideCounts,
+         .width = width,
+         .height = height,
+         .areSamplesFree = options.samples == 0,
+         .mostSamples = context.capabilities().maxSamples,
+         .clipFromModel =
+             [&](const scene::Draw& draw, double aspect) {
+                 return view.projection(draw.projection, aspect) * view.modelView(draw);
+             },
+         .noiseShift = [&](auto from,
+                           auto to) { return noiseShift(context, scene, options, width, height, from, to); },
+         .mostLevel = context.capabilities().maxTessellationLevel,
+         .overrides = planOptions.overrides,
+         .patches = [&](std::size_t pass, std::size_t step,
+                        auto values) { return probe.patches(pass, step, values); }});
+    if (options.samples == 0) options.samples = choice.samples;
+    for (const int shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
+    stats.decisions = std::move(choice.decisions);
+    return std::move(choice.diagnostics);
+}
+
+Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
+    Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
+    if (!overrides) return std::move(overrides.diagnostics);
+    plan::PlanOptions planOptions;
+    planOptions.overrides = std::move(*overrides);
+    planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
+    planOptions.everything = everything || !options.skip;
+    planOptions.shareMeshes = options.skip;
+    if (!options.skip) device.separateTextures();
+    Diagnostics diagnostics;
+    if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
+    options.samples = std::max(1, options.samples);
+    Diagnostics meshDiagnostics;
+    if (!planOptions.everything)
+        planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
+            return outOfSight(draw, pass, meshDiagnostics);
+        };
+    plan = planScene(planOptions);
+    stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+    append(diagnostics, std::move(plan.diagnostics));
+    plan.diagnostics.clear();
+    append(diagnostics, std::move(meshDiagnostics));
+    if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
+    return diagnostics;
+}
+
+std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
+                                             Diagnostics& diagnostics) {
+    const geometry::Topology topology = scene::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
+    const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
+    const glsl::Placement placement = programs.placementOf(variant);
+    if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
+    Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
+    if (!pass.targets.empty()) {
+        const scene::Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+        const auto* size = std::get_if<scene::EmptySource>(&target.source);
+        if (!size) return {};
+        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, options.tileSize > 0};
+    }
+    const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), diagnostics);
+    const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());
+    return std::string(describe(sightOf(placed(bounds, placement), lens)));
+}
+
+/// A target that is neither cleared nor drawn to before it is drawn to or read shows the frame before.
+bool SceneRenderer::State::mayShowEarlierFrames() {
+    const bool writesImages =
+        std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
+            return each.variant.program != scene::kNone && programs.mayWriteImages(each.variant.program);
+        });
+    if (writesImages) return true;
+    std::set<int> targets;
+    for (const plan::PlannedPass& pass : plan.passes)
+        targets.insert(pass.pass->targets.begin(), pass.pass->targets.end());
+    std::set<int> fresh;        // targets with content of this frame
+    std::set<int> freshDepths;  // depth buffers likewise
+    for (const plan::PlannedPass& pass : plan.passes) {
+        const auto& steps = pass.steps;
+        const bool isCleared = !steps.empty() && std::holds_alternative<const scene::Clear*>(steps.front());
+        for (std::size_t i = 0; i < pass.pass->targets.size(); ++i)
+            if (isCleared || pass.pass->clearColors[i]) fresh.insert(pass.pass->targets[i]);
+        if (isCleared || pass.pass->clearDepth) freshDepths.insert(pass.pass->depthBuffer);
+        const auto isOld = [&](int texture) { return targets.contains(texture) && !fresh.contains(texture); };
+        if (std::any_of(pass.pass->targets.begin(), pass.pass->targets.end(), isOld) ||
+            (!pass.pass->targets.empty() && !freshDepths.contains(pass.pass->depthBuffer)))
+            return true;
+        for (const auto& step : steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                for (const plan::TextureUse& use : draw->textures)
+                    if (isOld(use.texture)) return true;
+    }
+    return false;
+}
+
+Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
+    Diagnostics diagnostics;
+    double eyeDistance = 0;
+    if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
+        const StageTimer timer(stats, "view");
+        const scene::ViewMove move = scene::autoView(
+            scene, [&](int shape) { return device.mesh(shape, false, diagnostics); },
+            static_cast<double>(width) / height);
+        eyeDistance = move.distance;
+        append(diagnostics, move.diagnostics);
+    }
+    view = ViewMatrices(options.viewState, scene.view, eyeDistance);
+    return diagnostics;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,53 @@
+#pragma once
+// What a SceneRenderer is made of: for the files that implement it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/axes.h"
+#include "render/device_scene.h"
+#include "render/frame.h"
+#include "render/programs.h"
+#include "render/scene_renderer.h"
+#include "render/tile.h"
+#include "render/view_matrices.h"
+
+namespace glibra::render {
+
+/// Everything that refers to something else here lies on the heap behind one pointer, in the order of
+/// dependence.
+struct SceneRenderer::State {
+    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled,
+          Stats& stats, SharedParts* shared)
+        : context(usedContext),
+          options(std::move(usedOptions)),
+          scene(std::move(interpreted)),
+          programs(context, scene, options, tiled, stats, shared),
+          device(context, scene, stats, shared) {}
+
+    gpu::Context& context;
+    RenderOptions options;
+    scene::Scene scene;
+    ProgramLibrary programs;
+    DeviceScene device;
+    plan::FramePlan plan;
+    std::optional<FrameDrawer> drawer;
+    std::optional<Axes> axes;
+    std::vector<Tile> tiles;  ///< with their margins
+    std::vector<Tile> parts;  ///< what of each tile goes into the picture
+    std::optional<gpu::Target> window;
+    int width = 0, height = 0;
+    ViewMatrices view;
+    bool isStateful = false;  ///< remembersFrames()
+
+    [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
+    Diagnostics preparePlan(Stats& stats, bool everything);
+    Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
+    Diagnostics placeEye(Stats& stats);
+    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics& diagnostics);
+    [[nodiscard]] bool mayShowEarlierFrames();
+    Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
+};
+
+}  // namespace glibra::render

@@ -1,0 +1,104 @@
+// The measured shift of contours against pictures that are shifted by a known part of a pixel.
+
+#include "budget/contour_shift.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace glibra::budget {
+namespace {
+
+constexpr int kSide = 128;
+
+/// Grey values of a function, averaged over 8 x 8 places a pixel.
+image::Image picture(const std::function<double(double x, double y)>& value) {
+    constexpr int kPlaces = 8;
+    std::vector<float> values;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            double sum = 0;
+            for (int i = 0; i < kPlaces * kPlaces; ++i)
+                sum += value(x + (i % kPlaces + .5) / kPlaces, y + (i / kPlaces + .5) / kPlaces);
+            for (int component = 0; component < 3; ++component)
+                values.push_back(static_cast<float>(sum / (kPlaces * kPlaces)));
+        }
+    image::Image made{kSide, kSide, 3, image::Component::f32, {}};
+    made.data.resize(values.size() * sizeof(float));
+    std::memcpy(made.data.data(), values.data(), made.data.size());
+    return made;
+}
+
+double contourShift(const image::Image& from, const image::Image& to, double change = 0) {
+    return ContourShifts(from, to).ofChangesAbove(change);
+}
+
+double wave(double x, double y) {
+    return .5 + .4 * std::sin(.12 * x + .09 * y);
+}
+
+TEST(ContourShift, FindsThePartOfAPixelByWhichAWaveMoved) {
+    // Along the gradient, whose direction is (4, 3) / 5.
+    const image::Image before = picture(wave);
+    for (const double shift : {.1, .5, 1.5}) {
+        const image::Image after =
+            picture([&](double x, double y) { return wave(x - .8 * shift, y - .6 * shift); });
+        EXPECT_NEAR(contourShift(before, after), shift, .1 * shift) << shift;
+    }
+}
+
+TEST(ContourShift, DoesNotDependOnTheContrast) {
+    const auto faint = [](double x, double y) { return .5 + (wave(x, y) - .5) / 4; };
+    const double full =
+        contourShift(picture(wave), picture([](double x, double y) { return wave(x - .8, y - .6); }));
+    EXPECT_NEAR(
+        contourShift(picture(faint), picture([&](double x, double y) { return faint(x - .8, y - .6); })),
+        full, .02);
+}
+
+TEST(ContourShift, FindsItForSharpEdges) {
+    const auto edges = [](double x, double y) { return std::sin(.12 * x + .09 * y) > 0 ? .9 : .1; };
+    for (const double shift : {.3, .8}) {
+        const double found =
+            contourShift(picture(edges),
+                         picture([&](double x, double y) { return edges(x - .8 * shift, y - .6 * shift); }));
+        EXPECT_GT(found, .75 * shift);
+        EXPECT_LT(found, 1.5 * shift);
+    }
+}
+
+TEST(ContourShift, IsZeroWhereNoChangeIsLargeEnough) {
+    const image::Image before = picture(wave);
+    EXPECT_EQ(contourShift(before, before), 0);
+    const image::Image after = picture([](double x, double y) { return wave(x, y) + .007; });
+    EXPECT_EQ(contourShift(before, after, .0071), 0);
+    EXPECT_GT(contourShift(before, after, .0069), 0);
+}
+
+TEST(ContourShift, CountsInTheUnitsAsked) {
+    const image::Image before = picture(wave),
+                       after = picture([](double x, double y) { return wave(x - 1, y); });
+    EXPECT_DOUBLE_EQ(ContourShifts(before, after, 3).ofChangesAbove(0), 3 * contourShift(before, after));
+}
+
+TEST(ContourShift, NoticesAChangeInOneCorner) {
+    const image::Image before = picture(wave);
+    const image::Image after =
+        picture([](double x, double y) { return wave(x - (x < 40 && y < 40 ? 1. : 0.), y); });
+    EXPECT_GT(contourShift(before, after), .5);
+}
+
+TEST(ContourShift, TakesNanAsBlack) {
+    image::Image before = picture([](double, double) { return 0.; });
+    image::Image after = before;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(after.data.data(), &nan, sizeof(nan));
+    EXPECT_EQ(contourShift(before, after), 0);
+}
+
+}  // namespace
+}  // namespace glibra::budget
