@@ -39,7 +39,7 @@ void completeGeometryLayout(ProgramUnits& program);
 void readFactsAsIs(ProgramUnits& program);
 /// 7.8.
 void checkTessellation(ProgramUnits& program);
-/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the stages that see patches is then
+/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the tessellation stages is then
 /// larger by glibra_FirstPatch, the number of patches in the earlier ones.
 void countPatchesInWhole(ProgramUnits& program);
 /// 7.9: the user's own interfaces between stages.

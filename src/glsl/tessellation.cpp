@@ -59,11 +59,8 @@ int clipDistances(const Unit& unit) {
 
 void countPatchesInWhole(ProgramUnits& program) {
     if (!program.find(Stage::tessEvaluation)) return;
-    const bool hasGeometry = program.find(Stage::geometry) != nullptr;
     for (Unit& unit : program.units) {
-        // What the fragment stage reads is the patch's number too, unless a geometry stage writes another.
-        const bool seesPatches = unit.stage == Stage::tessControl || unit.stage == Stage::tessEvaluation ||
-                                 (unit.stage == Stage::fragment && !hasGeometry);
+        const bool seesPatches = unit.stage == Stage::tessControl || unit.stage == Stage::tessEvaluation;
         if (!seesPatches || !unit.isUsed("gl_PrimitiveID") || unit.isUserName("gl_PrimitiveID")) continue;
         unit.declare("uniform int glibra_FirstPatch;");
         unit.renames["gl_PrimitiveID"] = "(gl_PrimitiveID + glibra_FirstPatch)";

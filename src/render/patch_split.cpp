@@ -12,8 +12,8 @@ bool readsFirstPatch(const glsl::TranslatedStage& stage) {
     return stage.source.find(kFirstPatch) != std::string::npos;
 }
 
-/// A stage that reads the number of its primitive within the draw, which then has to stay one: a geometry
-/// stage, or one that is not translated.
+/// A stage that reads the number of its primitive within the draw, which then has to stay one: a geometry or
+/// fragment stage, or one that is not translated.
 bool numbersWithinDraw(const glsl::TranslatedStage& stage) {
     return stage.source.find("gl_PrimitiveID") != std::string::npos && !readsFirstPatch(stage);
 }
@@ -23,10 +23,10 @@ bool numbersWithinDraw(const glsl::TranslatedStage& stage) {
 int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program) {
     constexpr int kAll = 1 << 24;  // times 32 vertices a patch still fits an int
     const bool counts16 = driver.family.find("pipe") != std::string::npos;
-    if (!counts16 || std::any_of(program.stages.begin(), program.stages.end(), numbersWithinDraw))
+    if (!counts16 || program.patchVertices == 0 ||
+        std::any_of(program.stages.begin(), program.stages.end(), numbersWithinDraw))
         return kAll;
-    // At the highest level a patch has (level + 1)^2 vertices; without a control stage the level is 1.
-    const int side = program.patchVertices == 0 ? 2 : driver.maxTessellationLevel + 1;
+    const int side = driver.maxTessellationLevel + 1;  // vertices along a patch at the highest level
     return std::max(1, 65'536 / (side * side));
 }
 

@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "scene/matrices.h"
@@ -168,6 +170,58 @@ TEST(HomogeneousVertices, ReachTheShaderUntouched) {
     EXPECT_EQ(picture.sum(0), 3);
     EXPECT_EQ(picture.sum(1), .5);
     EXPECT_EQ(picture.sum(2), -4);
+}
+
+/// The difference b - a of two homogeneous points as a vertex stage computes it: the first as the vertex,
+/// the second as a uniform.
+std::array<float, 3> difference(const glm::dvec4& a, const glm::dvec4& b) {
+    const FloatPicture picture =
+        draw(fmt::format("WindowSize 1 1\n{}Program P uTo [{} {} {} {}]\nglBegin points\n{}glEnd\n",
+                         "Vertex v.vert\nFragment f.frag\n", b.x, b.y, b.z, b.w, vertexLine(a)),
+             {{"v.vert",
+               "#version 330 core\nuniform vec4 uTo;\nflat out vec3 vDifference;\nvoid main() {\n"
+               "  vDifference = aVertex.w * uTo.xyz - uTo.w * aVertex.xyz;\n"
+               "  gl_Position = vec4(0., 0., 0., 1.);\n}\n"},
+              {"f.frag",
+               "#version 330 core\nflat in vec3 vDifference;\nout vec4 fColor;\n"
+               "void main() { fColor = vec4(vDifference, 1.); }\n"}});
+    return picture.width == 1 ? picture.at(0, 0) : std::array<float, 3>{};
+}
+
+glm::dvec3 directionOf(const std::array<float, 3>& v) {
+    return glm::normalize(
+        glm::dvec3(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])));
+}
+
+TEST(HomogeneousDifference, IsThatOfThePointsTimesTheirWeights) {
+    // Quarters and eighths, so that no product rounds.
+    EXPECT_EQ(difference({.5, -2, 3, 2}, {4, 1.25, -.75, 4}), (std::array<float, 3>{6, 10.5, -13.5}));
+    for (const double weight : {.125, 1., 64.}) {
+        const glm::dvec3 direction =
+            directionOf(difference({.25, .5, -1, 1}, weight * glm::dvec4(3, -2, 5, 1)));
+        EXPECT_LT(glm::length(direction - glm::normalize(glm::dvec3(2.75, -2.5, 6))), 1e-6) << weight;
+    }
+}
+
+TEST(HomogeneousDifference, ToADirectionIsThatDirectionFromEveryPoint) {
+    const glm::dvec3 sun(3, 4, -12);
+    for (const glm::dvec4& from :
+         {glm::dvec4(0, 0, 0, 1), glm::dvec4(1e6, -1e6, 5, 1), glm::dvec4(1, 2, 3, 8)}) {
+        const std::array<float, 3> seen = difference(from, glm::dvec4(sun, 0));
+        const auto w = static_cast<float>(from.w);
+        EXPECT_EQ(seen, (std::array<float, 3>{3 * w, 4 * w, -12 * w}));
+        // A point ever farther that way tends to it; 13 is the length of the direction.
+        double before = 4;
+        for (double weight = 1e-2; weight >= 1e-7; weight /= 10) {
+            const double off =
+                glm::length(directionOf(difference(from, glm::dvec4(sun, weight))) - sun / 13.);
+            EXPECT_LE(off, before + 2e-7);
+            before = off;
+        }
+        EXPECT_LT(before, 1.1e6 * 1.5e-7 / 13 + 1e-6);
+    }
+    // Two directions have no difference, which is no NaN either.
+    EXPECT_EQ(difference({1, 2, 3, 0}, {4, 5, 6, 0}), (std::array<float, 3>{0, 0, 0}));
 }
 
 TEST(HomogeneousVertices, HaveFiniteFrames) {

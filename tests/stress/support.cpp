@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -97,6 +98,19 @@ std::string addingFragment(const std::string& rgb, const std::string& declaratio
     return "#version 330 core\nout vec4 fColor;\n" + declarations +
            "void main() {\n  fColor = vec4(1152921504606846976. * vec3(" + rgb +
            "), 8.673617379884035e-19);\n  gl_FragDepth = .5;\n}\n";
+}
+
+std::string shipped(const std::string& path) {
+    std::ifstream file(std::filesystem::path(GLIBRA_SOURCE_DIR) / "shaders" / path, std::ios::binary);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    for (; at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    return text;
 }
 
 double spread(std::uint32_t index) {

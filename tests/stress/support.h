@@ -59,6 +59,11 @@ Files shaded(const std::string& rgb, const std::string& declarations = "");
 /// anything.
 std::string addingFragment(const std::string& rgb, const std::string& declarations = "");
 
+/// A shader of the library, `shaders/` left out of its path.
+std::string shipped(const std::string& path);
+/// The text with every `from` replaced; the test fails if there is none.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 /// Numbers in -1..1, a function of their index.
 double spread(std::uint32_t index);
 

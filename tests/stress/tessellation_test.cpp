@@ -183,26 +183,45 @@ TEST(TessellatedEdges, OfAClosedMeshStayClosedHoweverManyVerticesItBecomes) {
                 .005 * static_cast<double>(covered));
 }
 
-TEST(TessellatedPatches, HaveTheirNumberWithinTheWholeDraw) {
+/// Quads whose tessellation stages read the patch's number: red counts points, green adds the mean of the
+/// numbers that the two stages see.
+FloatPicture numberedPatches(int patches, int level, bool translated = true) {
     std::string scene =
         "WindowSize 64 64\nBackground 0\nVertex v.vert\nTessControl c.tesc\nTessEvaluation e.tese\nFragment "
-        "f.frag\n"
-        "Program P\nNumPatchVertices 1\nglBegin patches\n";
-    constexpr int kPatches = 100;
-    for (int i = 0; i < kPatches; ++i) scene += "glVertex 0 0 0\n";
+        "f.frag\n" +
+        fmt::format("Program P uLevel {}\nNumPatchVertices 1\nglBegin patches\n", level);
+    for (int i = 0; i < patches; ++i) scene += "glVertex 0 0 0\n";
     const Files files{
-        {"v.vert", "#version 400 core\nvoid main() { gl_Position = aVertex; }\n"},
+        {"v.vert", "#version 400 core\nin vec4 aVertex;\nvoid main() { gl_Position = aVertex; }\n"},
         {"c.tesc",
-         "#version 400 core\nlayout(vertices = 1) out;\nvoid main() {\n"
-         "  for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = 1.;\n"
-         "  gl_TessLevelInner[0] = gl_TessLevelInner[1] = 1.;\n}\n"},
+         "#version 400 core\nlayout(vertices = 1) out;\nuniform float uLevel;\nout float tcNumber[];\nvoid "
+         "main() {\n  for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uLevel;\n"
+         "  gl_TessLevelInner[0] = gl_TessLevelInner[1] = uLevel;\n"
+         "  tcNumber[gl_InvocationID] = float(gl_PrimitiveID);\n}\n"},
         {"e.tese",
-         "#version 400 core\nlayout(quads, point_mode) in;\nflat out float vNumber;\nvoid main() {\n"
-         "  vNumber = float(gl_PrimitiveID);\n  gl_Position = vec4(gl_TessCoord.xy - .5, 0., 1.);\n}\n"},
+         "#version 400 core\nlayout(quads, point_mode) in;\nin float tcNumber[];\nflat out float vNumber;\n"
+         "void main() {\n  vNumber = .5 * (float(gl_PrimitiveID) + tcNumber[0]);\n"
+         "  gl_Position = vec4(1.8 * gl_TessCoord.xy - .9, 0., 1.);\n}\n"},
         {"f.frag", addingFragment("1., vNumber, 0.", "flat in float vNumber;\n")}};
-    const FloatPicture picture = draw(scene + "glEnd\n", files);
-    EXPECT_EQ(picture.sum(0), 4 * kPatches);
-    EXPECT_EQ(picture.sum(1), 4 * kPatches * (kPatches - 1) / 2);
+    RenderOptions options;
+    options.shim = translated;
+    return draw(scene + "glEnd\n", files, options);
+}
+
+TEST(TessellatedPatches, HaveTheirNumberWithinTheWholeDraw) {
+    // 100 patches of level 1 are 400 vertices, of level 64 422,500: more than llvmpipe takes at once.
+    for (const int level : {1, 64})
+        for (const int patches : {1, 15, 16, 100}) {
+            const FloatPicture picture = numberedPatches(patches, level);
+            const double points = (level + 1.) * (level + 1);
+            EXPECT_EQ(picture.sum(0), points * patches) << level << " " << patches;
+            EXPECT_EQ(picture.sum(1), points * patches * (patches - 1) / 2) << level << " " << patches;
+        }
+}
+
+TEST(TessellatedPatches, DrawnInPartsAreThoseOfOneDraw) {
+    // Shaders that are not translated get all patches in one draw.
+    EXPECT_EQ(numberedPatches(60, 8).values, numberedPatches(60, 8, false).values);
 }
 
 TEST(TessellatedEdges, OfUnequalLevelsDoCrack) {
