@@ -15,9 +15,9 @@ namespace glibra::image {
 
 struct WriteOptions {
     PngOptions png;
-    /// Kept by EXR ("comments"), TIFF (ImageDescription) and JPEG; PNG has texts of its own.
-    std::string comment;
     std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
+    /// Kept by EXR ("comments"), TIFF (ImageDescription) and JPEG; PNG has texts of its own.
+    std::string comment = {};
 };
 
 /// Writes .png by our own writer (float pictures as 16 bits, limited to 0..1) and every other suffix by the

@@ -168,7 +168,7 @@ std::optional<LensProgram> makeLensProgram(const gpu::Context& context, const re
             const Addition alone = fragmentAddition("", lens, stages, isVertexAlone);
             ownFragment = version + alone.declarations + "void main() {\n" + alone.body + "}\n";
         }
-        sources.emplace_back(glStage(each.stage), std::move(source));
+        sources.emplace_back(render::glStage(each.stage), std::move(source));
     }
     std::optional<LensProgram> made = link(context, sources);
     if (made || ownFragment.empty()) return made;

@@ -24,8 +24,8 @@ class Budget {
     explicit Budget(const std::string& text) {
         program.usable = true;
         program.facts.placement = glsl::Placement::vertex;
-        program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert"},
-                                {glsl::Stage::fragment, "void main() {}", {}, "a.frag"}};
+        program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert", {}},
+                                {glsl::Stage::fragment, "void main() {}", {}, "a.frag", {}}};
         program.inputs = {{"aVertex", 0, false}};
         const glib::Script script = glib::parse(text, "/tmp/scene.glib");
         EXPECT_TRUE(script.diagnostics.empty()) << script.diagnostics.front().text;
@@ -198,7 +198,7 @@ TEST(Choose, KeepsWhatShowsItsTriangles) {
     kept([](Budget& b) { b.program.facts.stages[1].source = "n = cross(dFdx(p), dFdy(p));"; });
     kept([](Budget&) {}, "Flat\n");
     EXPECT_NE(kept([](Budget& b) {
-                  b.program.facts.stages.push_back({glsl::Stage::geometry, "", {}, "a.geom"});
+                  b.program.facts.stages.push_back({glsl::Stage::geometry, "", {}, "a.geom", {}});
               }).find("geometry stage"),
               std::string::npos);
 }

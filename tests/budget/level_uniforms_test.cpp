@@ -16,15 +16,16 @@ class Tessellated {
     explicit Tessellated(const std::string& controlMain, const std::string& evaluation = "void main() {}") {
         interface.facts.tessellationOutput = "triangles";
         interface.facts.stages = {
-            {glsl::Stage::vertex, "void main() {}", {}, "a.vert"},
+            {glsl::Stage::vertex, "void main() {}", {}, "a.vert", {}},
             {glsl::Stage::tessControl,
              "#version 410 core\nlayout(vertices = 3) out;\nuniform float uA, uB; // levels\n"
              "out vec4 tcColor[];\nvoid main() {\n" +
                  controlMain + "\n}\n",
              {},
-             "a.tcs"},
-            {glsl::Stage::tessEvaluation, evaluation, {}, "a.tes"},
-            {glsl::Stage::fragment, "void main() {}", {}, "a.frag"}};
+             "a.tcs",
+             {}},
+            {glsl::Stage::tessEvaluation, evaluation, {}, "a.tes", {}},
+            {glsl::Stage::fragment, "void main() {}", {}, "a.frag", {}}};
         double value = 4;
         for (const char* name : {"uA", "uB"}) {
             plan::ActiveUniform& uniform = interface.uniforms.emplace_back();
@@ -85,7 +86,7 @@ TEST(LevelUniforms, AreReadInNoOtherStage) {
     EXPECT_EQ(Tessellated(control, "uniform float uA; void main() { gl_Position.x = uA; }").names(), "uB");
     EXPECT_EQ(Tessellated(control, "void main() { gl_Position.x = gl_TessLevelOuter[0]; }").names(), "");
     Tessellated shrunk(control);
-    shrunk.interface.facts.stages.push_back({glsl::Stage::geometry, "void main() {}", {}, "a.geom"});
+    shrunk.interface.facts.stages.push_back({glsl::Stage::geometry, "void main() {}", {}, "a.geom", {}});
     EXPECT_EQ(shrunk.names(), "");
     Tessellated points(control);
     points.interface.facts.tessellationOutput = "points";

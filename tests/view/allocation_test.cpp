@@ -18,16 +18,17 @@ thread_local std::uint64_t allocations = 0;
 }
 
 #if GLIBRA_COUNTS_ALLOCATIONS
-// The array and nothrow forms of the standard library end here.
-void* operator new(std::size_t bytes) {
+// The array and nothrow forms of the standard library end here. Where only one of a pair is inlined, GCC
+// takes them for mismatched.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
     ++allocations;
     if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 #endif
