@@ -176,7 +176,8 @@ std::vector<Figure> cutShapeFigures(const Bench& bench) {
                                       {&outline, &outlines},
                                       {&volume, &volumes}}) {
             if (curve->points.empty()) continue;
-            if (figure != &normal) figure->findings.push_back(orderSentence(*curve, "cells", 3));
+            figure->findings.push_back(figure == &normal ? angleSentence(*curve, "cells", 3)
+                                                         : orderSentence(*curve, "cells", 3));
             figure->curves.push_back(std::move(*curve));
         }
     }

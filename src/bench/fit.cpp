@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glibra::bench {
@@ -31,6 +32,14 @@ std::string orderSentence(const Curve& curve, std::string_view settingName, doub
         return fmt::format("{}: error does not depend on {}", curve.name, settingName);
     return fmt::format("{}: error {} as {}^{:.2f}", curve.name, order < 0 ? "falls" : "rises", settingName,
                        order);
+}
+
+std::string angleSentence(const Curve& degrees, std::string_view settingName, double from) {
+    constexpr double kRounding = 1e-4;
+    double largest = 0;
+    for (const Point& each : degrees.points) largest = std::max(largest, each.error);
+    if (largest >= kRounding) return orderSentence(degrees, settingName, from);
+    return fmt::format("{}: within {} degrees, the rounding of float", degrees.name, numberText(largest));
 }
 
 std::string numberText(double value) {

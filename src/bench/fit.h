@@ -18,6 +18,10 @@ double fittedOrder(const Curve& curve, double from = 0, double to = std::numeric
 std::string orderSentence(const Curve& curve, std::string_view settingName, double from = 0,
                           double to = std::numeric_limits<double>::infinity());
 
+/// The same of angles in degrees; where all are below 1e-4, which is what float's rounding leaves of exact
+/// normals: "sphere: within 3e-06 degrees, the rounding of float".
+std::string angleSentence(const Curve& degrees, std::string_view settingName, double from = 0);
+
 /// Three significant digits: "0.00123", "1.5e-07", "not measurable" for NaN.
 std::string numberText(double value);
 /// "4 ns", "12.3 us", "1.5 ms", "2.1 s"; microseconds with the Greek letter if `greek`.

@@ -98,11 +98,11 @@ Figure normalFigure(std::span<const Sweep> sweeps) {
     figure.reference = kClosedForm;
     figure.curves.push_back(curveOf("sphere, flat triangles", sweeps.front(),
                                     [](const Measured& each) { return each.error.faceNormal; }));
-    addOrders(figure);
+    for (const Curve& each : figure.curves)
+        figure.findings.push_back(angleSentence(each, figure.settingName, 8));
     const Point& smooth = figure.curves.front().points.back();
     figure.findings.push_back(fmt::format(
-        "sphere, {}: interpolated normals are within {} degrees of the radius (the rounding of "
-        "float), flat triangles {} degrees off",
+        "sphere, {}: interpolated normals are within {} degrees of the radius, flat triangles {} degrees off",
         smooth.label, numberText(smooth.error), numberText(figure.curves.back().points.back().error)));
     return figure;
 }

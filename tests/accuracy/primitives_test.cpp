@@ -30,7 +30,7 @@ std::vector<Figure> Primitives::figures;
 
 TEST_F(Primitives, AreSound) {
     expectSound(figures);
-    EXPECT_EQ(figures.size(), 9U);
+    EXPECT_EQ(figures.size(), 13U);
 }
 
 TEST_F(Primitives, PositionsConvergeWithTheSquareOfTheSlices) {
