@@ -1,10 +1,9 @@
 #include "render/noise_probe.h"
 
-#include <algorithm>
-#include <cmath>
 #include <variant>
 #include <vector>
 
+#include "render/probe_options.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::render {
@@ -25,25 +24,20 @@ std::optional<budget::ContourShifts> noiseShift(gpu::Context& context, const sce
                                                 const RenderOptions& options, int width, int height,
                                                 std::span<const budget::NoiseChoice> from,
                                                 std::span<const budget::NoiseChoice> to) {
-    const double shrink = std::max(1., static_cast<double>(std::max(width, height)) / kLargestSide);
-    RenderOptions small = options;
-    small.width = std::max(1, static_cast<int>(std::lround(width / shrink)));
-    small.height = std::max(1, static_cast<int>(std::lround(height / shrink)));
-    small.maxError = 0;
-    small.samples = 1;
-    small.floatPixels = true;
-    small.tileSize = 0;
-    small.axes = small.alpha = small.checkNan = small.strict = false;
+    ProbeOptions probe = probeOptions(options, width, height, kLargestSide);
+    probe.options.floatPixels = true;
+    probe.options.alpha = false;
     Stats stats;
     SharedParts parts;  // both pictures have all but the noise in common
     const auto picture = [&](std::span<const budget::NoiseChoice> noise) -> Result<image::Image> {
-        Result<SceneRenderer> renderer = SceneRenderer::of(context, with(scene, noise), small, stats, &parts);
+        Result<SceneRenderer> renderer =
+            SceneRenderer::of(context, with(scene, noise), probe.options, stats, &parts);
         if (!renderer) return std::move(renderer.diagnostics);
         return renderer->draw(options.time, stats);
     };
     const Result<image::Image> before = picture(from), after = picture(to);
     if (!before || !after) return std::nullopt;
-    return budget::ContourShifts(*before, *after, shrink);
+    return budget::ContourShifts(*before, *after, probe.shrink);
 }
 
 }  // namespace glibra::render

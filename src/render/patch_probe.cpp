@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/uniform.h"
+#include "render/copied_uniforms.h"
 #include "render/frame.h"
+#include "render/probe_options.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::render {
@@ -52,21 +53,6 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
                                             .fragmentOutputs = {},
                                             .captured = {"gl_Position", "glibra_coordinate"}})
         .program;
-}
-
-/// Values of uniforms of the default block as the other program has them.
-void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
-                  const gpu::ProgramInterface& reflected) {
-    for (const gpu::ActiveUniform& to : reflected.uniforms)
-        for (const gpu::ActiveUniform& each : from.reflected.uniforms) {
-            if (each.name != to.name || each.block >= 0 || to.block >= 0) continue;
-            for (int element = 0; element < std::min(each.arraySize, to.arraySize); ++element)
-                gpu::setUniform(program, to, gpu::getUniform(*from.program, each, element), element);
-        }
-    for (const gpu::UniformBlock& to : reflected.blocks)
-        for (std::size_t i = 0; i < from.reflected.blocks.size(); ++i)
-            if (from.reflected.blocks[i].name == to.name)
-                glUniformBlockBinding(program.id(), to.index, static_cast<GLuint>(i));
 }
 
 void deleteQueryName(GLuint name) {
@@ -169,14 +155,7 @@ std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
 
 PatchProbe::PatchProbe(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
                        int width, int height) {
-    const double shrink = std::max(1., static_cast<double>(std::max(width, height)) / kLargestSide);
-    RenderOptions small = options;
-    small.width = std::max(1, static_cast<int>(std::lround(width / shrink)));
-    small.height = std::max(1, static_cast<int>(std::lround(height / shrink)));
-    small.maxError = 0;
-    small.samples = 1;
-    small.tileSize = 0;
-    small.axes = small.checkNan = small.strict = false;
+    RenderOptions small = probeOptions(options, width, height, kLargestSide).options;
     state_ = std::make_unique<State>(context, std::move(small), scene);
 }
 

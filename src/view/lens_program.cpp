@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/uniform.h"
+#include "render/copied_uniforms.h"
 #include "render/gl_names.h"
 
 namespace glibra::view {
@@ -183,16 +184,7 @@ void LensProgram::set(std::string_view uniform, std::span<const double> values) 
 }
 
 void LensProgram::copyUniforms(const render::BuiltProgram& from) const {
-    for (const gpu::ActiveUniform& to : reflected.uniforms)
-        for (const gpu::ActiveUniform& each : from.reflected.uniforms) {
-            if (each.name != to.name || each.block >= 0 || to.block >= 0) continue;
-            for (int element = 0; element < std::min(each.arraySize, to.arraySize); ++element)
-                gpu::setUniform(program, to, gpu::getUniform(*from.program, each, element), element);
-        }
-    for (const gpu::UniformBlock& to : reflected.blocks)
-        for (std::size_t i = 0; i < from.reflected.blocks.size(); ++i)
-            if (from.reflected.blocks[i].name == to.name)
-                glUniformBlockBinding(program.id(), to.index, static_cast<GLuint>(i));
+    render::copyUniforms(from, program, reflected);
 }
 
 }  // namespace glibra::view
