@@ -350,8 +350,9 @@ void addRender(CLI::App& app, int& status) {
         ->check(CLI::Range(16, 16384));
     addSelectionOptions(*command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command->get_option(each)->needs(suite);
-    command->add_flag("--check-nan", to.options.checkNan,
-                      "name the draws that put NaN or infinity into the picture");
+    command->add_flag(
+        "--check-nan", to.options.checkNan,
+        "name the draws that put NaN or infinity into the picture, or lose what they draw by it");
     command->add_flag("--strict", to.options.strict, "warnings are errors");
     command->add_flag("--no-shim", to.noShim,
                       "compile the shaders as they are, without translating their dialect");

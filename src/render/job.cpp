@@ -40,7 +40,7 @@ std::string whyNothingIsSeen(const plan::FramePlan& plan) {
 
 /// What another frame says with other numbers, if it says it at all.
 bool isOfPixels(const Diagnostic& remark) {
-    return remark.id == "draw-N02" || remark.id == "draw-W06";
+    return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
 }
 
 bool wantsFloat(const std::filesystem::path& output) {
