@@ -77,6 +77,7 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     std::set<double> periods;
     TimerSearch search(*scene, options);
     std::vector<bool> readsTimer;
+    readsTimer.reserve(scene->programs.size());
     for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
     for (const scene::Pass& pass : scene->passes)
         for (const auto& step : pass.steps)
@@ -86,6 +87,7 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     std::set<std::vector<float>> moments;
     for (int i = 0; i < frames && static_cast<int>(moments.size()) < most; ++i) {
         std::vector<float> moment;
+        moment.reserve(periods.size());
         for (const double period : periods)
             moment.push_back(static_cast<float>(timerAt(options.time + i / framesPerSecond, period)));
         moments.insert(std::move(moment));

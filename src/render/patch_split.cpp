@@ -92,6 +92,10 @@ int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram
 
 }  // namespace
 
+void setFirstPatch(const glsl::TranslatedProgram& program, int patch) {
+    if (const GLint location = locationOf(program, kFirstPatch); location >= 0) glUniform1i(location, patch);
+}
+
 void drawPatches(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program, int patchVertices,
                  int indexCount, const std::function<void(int first, int count)>& drawPart) {
     const int atOnce = patchesAtOnce(driver, program, patchVertices);

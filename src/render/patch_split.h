@@ -17,4 +17,7 @@ namespace glibra::render {
 void drawPatches(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program, int patchVertices,
                  int indexCount, const std::function<void(int first, int count)>& drawPart);
 
+/// For who draws a part of the whole by a call of its own: its first patch is number `patch` of the whole.
+void setFirstPatch(const glsl::TranslatedProgram& program, int patch);
+
 }  // namespace glibra::render
