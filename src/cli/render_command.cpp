@@ -8,16 +8,18 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <thread>
 
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/render_answer.h"
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"
 #include "gpu/context.h"
+#include "gpu/hardware.h"
 #include "image/file.h"
 #include "plan/uniforms.h"
+#include "render/animation.h"
 #include "render/job.h"
 #include "render/workers.h"
 #include "suite/run.h"
@@ -97,44 +99,22 @@ int jobsOf(const RenderArguments& arguments) {
 int partsOf(const RenderArguments& arguments) {
     constexpr int kLeastFrames = 8;  // what a process's start is worth
     constexpr int kMostParts = 8;    // each holds all that the scene reads
-    if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty()) return 1;
-    return std::clamp(arguments.frames / kLeastFrames, 1, std::min(kMostParts, jobsOf(arguments)));
-}
-
-/// The answer that a worker sends: how it went, what to print, and the statistics.
-struct Answer {
-    int status = kDone;
-    std::string text;
-    std::string explanation;
-    std::string statsJson;
-};
-
-std::string pack(const Answer& answer) {
-    return fmt::format("{} {} {}\n", answer.status, answer.text.size(), answer.explanation.size()) +
-           answer.text + answer.explanation + answer.statsJson;
-}
-
-Answer unpack(const std::string& packed) {
-    Answer answer;
-    std::istringstream head(packed);
-    std::size_t text = 0;
-    std::size_t explanation = 0;
-    head >> answer.status >> text >> explanation;
-    const std::size_t begin = packed.find('\n') + 1;
-    answer.text = packed.substr(begin, text);
-    answer.explanation = packed.substr(begin + text, explanation);
-    answer.statsJson = packed.substr(begin + text + explanation);
-    return answer;
+    const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
+    if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
+        gpu::mayUseHardware(arguments.driver))
+        return 1;
+    const int different =
+        render::mostDifferentFrames(arguments.scenes.front(), arguments.options, arguments.frames,
+                                    arguments.framesPerSecond, most * kLeastFrames);
+    return std::max(1, different / kLeastFrames);
 }
 
 /// Runs in the worker: opens the context with its first job and keeps it.
 class JobRunner {
   public:
-    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, bool color)
-        : arguments_(arguments),
-          outputs_(std::move(outputs)),
-          color_(color),
-          parts_(static_cast<std::size_t>(partsOf(arguments))) {}
+    /// Each scene is drawn in `parts` pieces.
+    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts)
+        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts) {}
 
     std::string operator()(std::size_t piece, const render::Step& step) {
         const std::size_t index = piece / parts_;
@@ -142,7 +122,7 @@ class JobRunner {
         if (!context_) {
             suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
-            if (!opened) return pack({kNoDriver, printable(opened.diagnostics, color_), "", ""});
+            if (!opened) return pack({.status = kNoDriver, .remarks = {std::move(opened.diagnostics), {}}});
             context_.emplace(std::move(*opened));
         }
         render::Job job;
@@ -167,7 +147,7 @@ class JobRunner {
             result.diagnostics.push_back(error("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
         }
         answer.status = result.failed ? kSceneIsWrong : kDone;
-        answer.text = printable(result.diagnostics, color_);
+        answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
         answer.explanation = std::move(result.explanation);
         answer.statsJson = std::move(result.statsJson);
         return pack(answer);
@@ -176,7 +156,6 @@ class JobRunner {
   private:
     const RenderArguments& arguments_;
     std::vector<fs::path> outputs_;
-    bool color_;
     std::size_t parts_;
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context: it has to go first
@@ -199,19 +178,6 @@ class ProgressLine {
     std::size_t total_;
 };
 
-/// What several parts of an animation have to say, each line once.
-class Messages {
-  public:
-    void print(const std::string& text) {
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);)
-            if (told_.insert(line).second) std::fprintf(stderr, "%s\n", line.c_str());
-    }
-
-  private:
-    std::set<std::string> told_;
-};
-
 int renderAll(RenderArguments& arguments) {
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     const std::vector<fs::path> outputs = outputFiles(arguments);
@@ -219,15 +185,15 @@ int renderAll(RenderArguments& arguments) {
     for (const fs::path& each : outputs)
         if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
 
-    JobRunner runner(arguments, outputs, terminal);
+    const auto parts = static_cast<std::size_t>(partsOf(arguments));
+    JobRunner runner(arguments, outputs, parts);
     const ProgressLine progress(terminal, arguments.scenes.size(), arguments.frames);
     int status = kDone;
     std::vector<std::string> failed;
     std::vector<std::string> stats(arguments.scenes.size());
-    const auto parts = static_cast<std::size_t>(partsOf(arguments));
     std::vector<int> framesDone(arguments.scenes.size() * parts);
     std::size_t doneCount = 0;
-    Messages messages;
+    std::vector<render::AnimationRemarks> remarks;  // of parts: told when all are there
 
     const auto done = [&](std::size_t piece, const render::Outcome& outcome) {
         const std::size_t index = piece / parts;
@@ -246,18 +212,17 @@ int renderAll(RenderArguments& arguments) {
                     ? fmt::format("not drawn within {:g} seconds (--timeout)", arguments.timeout)
                     : fmt::format("the process that drew it ended with signal {}; the other scenes go on",
                                   outcome.signal);
-            answer.text =
-                printable({error(outcome.end == render::Outcome::End::timedOut ? "draw-E07" : "draw-E06",
-                                 text, {scene, 1, 1})},
-                          terminal);
+            answer.remarks.general = {
+                error(outcome.end == render::Outcome::End::timedOut ? "draw-E07" : "draw-E06", text,
+                      {scene, 1, 1})};
             // The worker could not remove what it had half written.
             image::removeTemporaryFiles(outputs[index].parent_path(), outcome.process);
         }
         progress.clear();
         if (parts > 1)
-            messages.print(answer.text);
+            remarks.push_back(std::move(answer.remarks));
         else
-            std::fwrite(answer.text.data(), 1, answer.text.size(), stderr);
+            print(render::joined({answer.remarks}));
         std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
         std::fflush(stdout);
         stats[index] = std::move(answer.statsJson);
@@ -279,6 +244,7 @@ int renderAll(RenderArguments& arguments) {
                           .stop = [&] { return interruption.signal() != 0; }},
                          std::ref(runner), done, step);
     progress.clear();
+    print(render::joined(remarks));
     interruption.obey();
 
     if (arguments.scenes.size() > 1) {
@@ -384,8 +350,9 @@ void addRender(CLI::App& app, int& status) {
         ->check(CLI::Range(16, 16384));
     addSelectionOptions(*command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command->get_option(each)->needs(suite);
-    command->add_flag("--check-nan", to.options.checkNan,
-                      "name the draws that put NaN or infinity into the picture");
+    command->add_flag(
+        "--check-nan", to.options.checkNan,
+        "name the draws that put NaN or infinity into the picture, or lose what they draw by it");
     command->add_flag("--strict", to.options.strict, "warnings are errors");
     command->add_flag("--no-shim", to.noShim,
                       "compile the shaders as they are, without translating their dialect");

@@ -87,6 +87,8 @@ constexpr CatalogueRow kRows[] = {
      "this loop runs up to 100,000 rounds, but the driver ends a shader's loops after 65,535; the picture "
      "may "
      "be wrong"},
+    {"draw-W09", Severity::warning,
+     "Sphere: gl_Position is NaN or infinite in 12 of 1,520 triangles, which are lost"},
     {"draw-N01", Severity::note,
      "no LookAt: eye moved back by 4.125 along z (use --view glman to switch this off)"},
     {"draw-N02", Severity::note, "the picture has only one colour"},

@@ -26,10 +26,10 @@ using UniformValue = std::function<std::optional<double>(std::string_view name)>
 /// Nothing if a uniform in it is unknown. Integers are divided like other numbers.
 std::optional<double> valueOf(const Formula& formula, const UniformValue& uniform);
 
-/// for (i = first; i < bound; i += step), in any spelling of it. It may end earlier by break, return or
-/// another condition.
+/// for (i = first; i < bound; i += step), or while (i < bound) with these before and in it, in any spelling.
+/// It may end earlier by break, return or another condition.
 struct CountedLoop {
-    Place place;  ///< of its `for`
+    Place place;  ///< of its `for` or `while`
     Formula first, bound, step;
     bool falling = false;    ///< goes on while i is greater than the bound
     bool including = false;  ///< also while it is equal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <iterator>
 #include <unordered_map>
 
@@ -77,9 +78,9 @@ class LoopSearch {
         for (std::uint32_t at = range.first; at < range.end && spend(1); ++at) {
             if (unit_.view[at].kind != TokenKind::word || text(at + 1) != "(" || match(at + 1) >= range.end)
                 continue;
-            if (text(at) == "for") {
+            if (text(at) == "for" || text(at) == "while") {
                 const Range body{match(at + 1) + 1, statementEnd(match(at + 1) + 1, range.end)};
-                std::optional<CountedLoop> loop = loopAt(at, body);
+                std::optional<CountedLoop> loop = text(at) == "for" ? forAt(at, body) : whileAt(at, body);
                 std::vector<CountedLoop> inside = loopsIn(body, depth + 1);
                 if (loop) {
                     loop->inside = std::move(inside);
@@ -132,11 +133,35 @@ class LoopSearch {
         return result;
     }
 
-    std::optional<CountedLoop> loopAt(std::uint32_t at, Range body) {
+    /// What is known of a variable that may count the rounds of a loop, by its name: what it begins with, and
+    /// what every round adds to it at the loop's end (step), or nothing (isKept) if the condition counts.
+    struct Counter {
+        std::function<std::optional<Formula>(std::string_view name)> first, step;
+        std::function<bool(std::string_view name)> isKept;
+    };
+
+    std::optional<CountedLoop> forAt(std::uint32_t at, Range body) {
         const std::vector<Range> head = parts({at + 2, match(at + 1)}, ";");
         if (head.size() != 3) return std::nullopt;
-        for (const Range& condition : parts(head[1], "&&")) {
-            std::optional<CountedLoop> loop = loopWhile(head[0], condition, head[2], body);
+        return loopWhile(
+            at, head[1],
+            {[&](std::string_view name) { return firstOf(name, head[0]); },
+             [&](std::string_view name) {
+                 return changes(name, body) ? std::nullopt : stepOf(name, head[2]);
+             },
+             [&](std::string_view name) { return !changes(name, body) && !changes(name, head[2]); }});
+    }
+
+    std::optional<CountedLoop> whileAt(std::uint32_t at, Range body) {
+        return loopWhile(at, {at + 2, match(at + 1)},
+                         {[&](std::string_view name) { return firstBefore(name, at); },
+                          [&](std::string_view name) { return stepInside(name, body); },
+                          [&](std::string_view name) { return !changes(name, body); }});
+    }
+
+    std::optional<CountedLoop> loopWhile(std::uint32_t at, Range condition, const Counter& counter) {
+        for (const Range& each : parts(condition, "&&")) {
+            std::optional<CountedLoop> loop = loopWhile(each, counter);
             if (!loop) continue;
             loop->place = unit_.place(at);
             return loop;
@@ -144,17 +169,23 @@ class LoopSearch {
         return std::nullopt;
     }
 
-    std::optional<CountedLoop> loopWhile(Range start, Range condition, Range step, Range body) {
+    std::optional<CountedLoop> loopWhile(Range condition, const Counter& counter) {
         for (const std::string_view comparison : {"<=", ">=", "<", ">"}) {
             const std::vector<Range> sides = parts(condition, comparison);
             if (sides.size() != 2) continue;
             for (const bool isLeft : {true, false}) {
-                const Range name = sides[isLeft ? 0 : 1];
-                if (name.end != name.first + 1 || unit_.view[name.first].kind != TokenKind::word) continue;
-                std::optional<Formula> first = firstOf(text(name.first), start);
+                const Range side = sides[isLeft ? 0 : 1];
+                if (side.first == side.end || unit_.view[side.first].kind != TokenKind::word) continue;
+                const std::string_view name = text(side.first);
+                std::optional<Formula> by;
+                if (side.end == side.first + 1)
+                    by = counter.step(name);
+                else if (side.end == side.first + 2 && counter.isKept(name))
+                    by = stepOf(name, side);  // i++ < n
+                if (!by) continue;
+                std::optional<Formula> first = counter.first(name);
                 std::optional<Formula> bound = formula(sides[isLeft ? 1 : 0]);
-                std::optional<Formula> by = stepOf(text(name.first), step);
-                if (!first || !bound || !by || changes(text(name.first), body)) continue;
+                if (!first || !bound) continue;
                 CountedLoop loop;
                 loop.first = std::move(*first);
                 loop.bound = std::move(*bound);
@@ -167,11 +198,59 @@ class LoopSearch {
         return std::nullopt;
     }
 
+    /// `int i = 0;` or `i = 0;` in front of the statement at `at`, in the same block, so that it is done each
+    /// time before that one is.
+    std::optional<Formula> firstBefore(std::string_view name, std::uint32_t at) {
+        const auto endsStatement = [](std::string_view word) {
+            return word == ";" || word == "{" || word == "}";
+        };
+        if (at == 0 || !endsStatement(text(at - 1))) return std::nullopt;
+        for (std::uint32_t from = at; from-- > 0 && spend(1) && text(from) != "{";) {
+            if (const std::string_view here = text(from); here == "}" || here == ")" || here == "]") {
+                if (match(from) >= from) return std::nullopt;
+                from = match(from);
+                continue;
+            }
+            const bool isDeclared = unit_.bodies.roles[from] == WordRole::localDeclaration;
+            if (text(from) != name || text(from + 1) != "=" ||
+                (!isDeclared && unit_.bodies.roles[from] != WordRole::local))
+                continue;
+            if (!isDeclared && !endsStatement(from > 0 ? text(from - 1) : "")) return std::nullopt;
+            const std::uint32_t end = parts(parts({from + 2, at}, ";").front(), ",").front().end;
+            return changes(name, {end, at}) ? std::nullopt : formula({from + 2, end});
+        }
+        return std::nullopt;
+    }
+
+    /// What the one statement of the body that changes the name adds to it, if every round comes to it.
+    std::optional<Formula> stepInside(std::string_view name, Range body) {
+        if (body.first >= body.end || !spend(body.end - body.first)) return std::nullopt;
+        int writes = 0;
+        for (std::uint32_t at = body.first; at < body.end; ++at) {
+            if (text(at) == "continue") return std::nullopt;
+            if (isChange(name, at)) ++writes;
+        }
+        if (writes != 1) return std::nullopt;
+        const bool isBlock = text(body.first) == "{";
+        const Range inside{isBlock ? body.first + 1 : body.first, body.end - 1};
+        for (Range statement : parts(inside, ";")) {
+            for (std::uint32_t at = statement.first; at < statement.end; ++at) {
+                if (opens(text(at)) && match(at) < statement.end) at = match(at);
+                if (text(at) == "}") statement.first = at + 1;  // of a block in front of it
+            }
+            if (std::optional<Formula> step = stepOf(name, statement)) return step;
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool isChange(std::string_view name, std::uint32_t at) const {
+        return text(at) == name && unit_.bodies.roles[at] != WordRole::member && isWrittenAt(unit_, at);
+    }
+
     bool changes(std::string_view name, Range body) {
         if (!spend(body.end - body.first)) return true;
         for (std::uint32_t at = body.first; at < body.end; ++at)
-            if (text(at) == name && unit_.bodies.roles[at] != WordRole::member && isWrittenAt(unit_, at))
-                return true;
+            if (isChange(name, at)) return true;
         return false;
     }
 

@@ -39,8 +39,10 @@ void completeGeometryLayout(ProgramUnits& program);
 void readFactsAsIs(ProgramUnits& program);
 /// 7.8.
 void checkTessellation(ProgramUnits& program);
-/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the tessellation stages is then
-/// larger by glibra_FirstPatch, the number of patches in the earlier ones.
+/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the tessellation stages, and of the
+/// fragment stage right behind them, is then larger by glibra_FirstPatch, the number of patches in the
+/// earlier ones; gl_PrimitiveIDIn of the geometry stage by glibra_FirstPrimitive, the primitives that it got
+/// from those.
 void countPatchesInWhole(ProgramUnits& program);
 /// 7.9: the user's own interfaces between stages.
 void connectStages(ProgramUnits& program);

@@ -59,11 +59,16 @@ int clipDistances(const Unit& unit) {
 
 void countPatchesInWhole(ProgramUnits& program) {
     if (!program.find(Stage::tessEvaluation)) return;
+    const auto add = [](Unit& unit, const std::string& number, const std::string& first) {
+        if (!unit.isUsed(number) || unit.isUserName(number)) return;
+        unit.declare("uniform int " + first + ";");
+        unit.renames[number] = "(" + number + " + " + first + ")";
+    };
     for (Unit& unit : program.units) {
-        const bool seesPatches = unit.stage == Stage::tessControl || unit.stage == Stage::tessEvaluation;
-        if (!seesPatches || !unit.isUsed("gl_PrimitiveID") || unit.isUserName("gl_PrimitiveID")) continue;
-        unit.declare("uniform int glibra_FirstPatch;");
-        unit.renames["gl_PrimitiveID"] = "(gl_PrimitiveID + glibra_FirstPatch)";
+        const bool seesPatches = unit.stage == Stage::tessControl || unit.stage == Stage::tessEvaluation ||
+                                 (unit.stage == Stage::fragment && !program.find(Stage::geometry));
+        if (seesPatches) add(unit, "gl_PrimitiveID", "glibra_FirstPatch");
+        if (unit.stage == Stage::geometry) add(unit, "gl_PrimitiveIDIn", "glibra_FirstPrimitive");
     }
 }
 

@@ -339,14 +339,8 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
                        reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
     };
     if (mode != GL_PATCHES) return drawPart(0, mesh.indexCount);
-    const glsl::TranslatedProgram& facts = programOf(planned)->interface.facts;
-    const GLint firstPatch = firstPatchLocation(facts);
-    const int atOnce = patchesAtOnce(context_.capabilities(), facts);
-    const int indices = atOnce * planned.submission.patchVertices;
-    for (int first = 0, patch = 0; first < mesh.indexCount; first += indices, patch += atOnce) {
-        if (firstPatch >= 0) glUniform1i(firstPatch, patch);
-        drawPart(first, std::min(indices, mesh.indexCount - first));
-    }
+    drawPatches(context_.capabilities(), programOf(planned)->interface.facts,
+                planned.submission.patchVertices, mesh.indexCount, drawPart);
 }
 
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,

@@ -2,16 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "gpu/call_counter.h"
 #include "image/inspect.h"
 #include "image/write.h"
+#include "render/animation.h"
 #include "render/nan_search.h"
 #include "render/picture_writer.h"
 #include "render/scene_renderer.h"
@@ -35,6 +36,11 @@ std::string whyNothingIsSeen(const plan::FramePlan& plan) {
         if (each.what == "draw")
             return fmt::format("; nothing is in sight: line {}, {}", each.place.line, each.why);
     return {};
+}
+
+/// What another frame says with other numbers, if it says it at all.
+bool isOfPixels(const Diagnostic& remark) {
+    return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
 }
 
 bool wantsFloat(const std::filesystem::path& output) {
@@ -93,7 +99,8 @@ class JobRun {
             drawPicture(*loaded);
         else
             drawFrames(*loaded, frameWritten);
-        result_.failed = hasError(result_.diagnostics);
+        applyStrict(result_.diagnostics, options_.strict);
+        result_.failed = hasErrors();
         explainTiles();
         countCalls();
         if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
@@ -104,25 +111,40 @@ class JobRun {
     }
 
   private:
-    /// Nothing if the picture is not to be written.
-    std::optional<image::Image> draw(SceneRenderer& scene, double time) {
+    /// The picture of frame `index`; nothing if it is not to be written.
+    std::optional<image::Image> draw(SceneRenderer& scene, int index) {
+        const double time = timeOf(index);
         Result<image::Image> picture = scene.draw(time, stats_);
-        append(result_.diagnostics, std::move(picture.diagnostics));
-        if (search_) append(result_.diagnostics, search_->at(time));
-        if (!picture || !remark(*picture, scene.plan())) return std::nullopt;
-        return std::move(picture.value);
+        Diagnostics remarks = std::move(picture.diagnostics);
+        if (search_) append(remarks, search_->at(time));
+        if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
+        applyStrict(remarks, options_.strict);
+        tell(std::move(remarks), index);
+        return hasErrors() ? std::nullopt : std::move(picture.value);
     }
 
-    /// Of an animation the first frame of one colour and the first with NaN are told.
-    bool remark(const image::Image& picture, const plan::FramePlan& plan) {
-        for (Diagnostic& each : remarksOn(picture, job_.scene, plan, options_.checkNan))
-            if (told_.insert(each.id).second) result_.diagnostics.push_back(std::move(each));
-        applyStrict(result_.diagnostics, options_.strict);
-        return !hasError(result_.diagnostics);
+    /// Of what is said of the same place in many frames, what the first of them says.
+    void tell(Diagnostics remarks, int frame) {
+        for (Diagnostic& each : remarks) {
+            const auto first = told_.try_emplace(subjectOf(each), frame).first;
+            if (first->second != frame) continue;
+            if (job_.frames == 1) {
+                result_.diagnostics.push_back(std::move(each));
+                continue;
+            }
+            if (isOfPixels(each)) each.text += fmt::format(" (frame {})", frame);
+            result_.ofFrames[frame].push_back(std::move(each));
+        }
+    }
+
+    [[nodiscard]] bool hasErrors() const {
+        return hasError(result_.diagnostics) ||
+               std::any_of(result_.ofFrames.begin(), result_.ofFrames.end(),
+                           [](const auto& each) { return hasError(each.second); });
     }
 
     void drawPicture(SceneRenderer& scene) {
-        const std::optional<image::Image> picture = draw(scene, options_.time);
+        const std::optional<image::Image> picture = draw(scene, 0);
         if (!picture) return;
         const StageTimer timer(stats_, "write");
         append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(*picture)
@@ -173,7 +195,7 @@ class JobRun {
                 continue;
             }
             ++drawn;
-            std::optional<image::Image> picture = draw(scene, timeOf(i));
+            std::optional<image::Image> picture = draw(scene, i);
             if (!picture || !writer.add(std::move(*picture), file)) break;
         }
         append(result_.diagnostics, writer.finish());
@@ -215,7 +237,7 @@ class JobRun {
     std::optional<gpu::CallCounter> counter_;
     Result<NanSearch> search_;
     JobResult result_;
-    std::set<std::string> told_;
+    std::map<Subject, int> told_;  ///< the frame in which each was told
 };
 
 }  // namespace

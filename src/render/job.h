@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "gpu/context.h"
@@ -31,7 +32,9 @@ struct Job {
 /// What became of it. `failed` says that the scene or its output is wrong; `diagnostics` say why.
 struct JobResult {
     bool failed = false;
-    Diagnostics diagnostics;
+    Diagnostics diagnostics;  ///< of an animation those of no single frame
+    /// Of an animation, by the number of its frame: what is seen there for the first time.
+    std::map<int, Diagnostics> ofFrames;
     std::string explanation;  ///< --explain
     std::string statsJson;    ///< --stats
 };

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "glib/number.h"
+
 namespace glibra::render {
 namespace {
 
@@ -148,6 +150,20 @@ std::string describe(const Found& found, const scene::Scene& scene, const std::m
     return text;
 }
 
+std::string describe(const LostPrimitives& lost) {
+    return fmt::format("{}: gl_Position is NaN or infinite in {} of {} {}, which {} lost",
+                       lost.draw->draw->word, glib::groupedText(static_cast<long long>(lost.lost)),
+                       glib::groupedText(static_cast<long long>(lost.all)), lost.kind,
+                       lost.lost == 1 ? "is" : "are");
+}
+
+/// The last message that is told says how many are not.
+std::string countingRest(std::string text, std::size_t index, std::size_t count) {
+    if (index + 1 == kMostNamed && count > kMostNamed)
+        text += fmt::format("; {} more draws do so", count - kMostNamed);
+    return text;
+}
+
 }  // namespace
 
 Result<NanSearch> NanSearch::load(gpu::Context& context, const std::filesystem::path& scene,
@@ -157,7 +173,7 @@ Result<NanSearch> NanSearch::load(gpu::Context& context, const std::filesystem::
     auto stats = std::make_unique<Stats>();
     Result<SceneRenderer> loaded = SceneRenderer::load(context, scene, floats, *stats);
     if (!loaded) return std::move(loaded.diagnostics);
-    return NanSearch(std::move(stats), std::move(*loaded), options.strict);
+    return NanSearch(context, std::move(stats), std::move(*loaded), options.strict);
 }
 
 Diagnostics NanSearch::at(double time) {
@@ -166,13 +182,15 @@ Diagnostics NanSearch::at(double time) {
     std::map<int, int> lines;  // texture -> scene line of the first draw that broke it
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Place& place = found[i].draw->draw->place;
-        std::string text = describe(found[i], renderer_.scene(), lines);
+        const std::string text = describe(found[i], renderer_.scene(), lines);
         if (found[i].texture != scene::kNone) lines.emplace(found[i].texture, place.line);
-        if (i + 1 == kMostNamed && found.size() > kMostNamed)
-            text += fmt::format("; {} more draws do so", found.size() - kMostNamed);
-        diagnostics.push_back(warning("draw-W06", std::move(text), place));
+        diagnostics.push_back(warning("draw-W06", countingRest(text, i, found.size()), place));
         if (i + 1 == kMostNamed) break;
     }
+    const std::vector<LostPrimitives> lost = positions_.search(renderer_, time, *stats_);
+    for (std::size_t i = 0; i < std::min(lost.size(), kMostNamed); ++i)
+        diagnostics.push_back(
+            warning("draw-W09", countingRest(describe(lost[i]), i, lost.size()), lost[i].draw->draw->place));
     applyStrict(diagnostics, strict_);
     return diagnostics;
 }

@@ -10,6 +10,7 @@
 #include "gpu/uniform.h"
 #include "render/copied_uniforms.h"
 #include "render/frame.h"
+#include "render/patch_split.h"
 #include "render/probe_options.h"
 #include "render/scene_renderer.h"
 
@@ -145,8 +146,10 @@ std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
     const GLenum primitives = built->interface.facts.tessellationOutput == "lines" ? GL_LINES : GL_TRIANGLES;
     const int patches = mesh->indexCount / indices, stride = (patches - 1) / kMostPatches + 1;
     std::vector<budget::Patch> captured;
-    for (int patch = 0; patch < patches; patch += stride)
+    for (int patch = 0; patch < patches; patch += stride) {
+        setFirstPatch(built->interface.facts, patch);
         captured.push_back(render::capture(patch * indices, indices, primitives, *buffer));
+    }
     glDisable(GL_RASTERIZER_DISCARD);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     built->program->use();

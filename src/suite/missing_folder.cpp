@@ -44,9 +44,8 @@ std::string whyNoFolder(const fs::path& folder) {
         }
         const std::vector<std::string> beside = foldersIn(known.empty() ? "." : known);
         const std::vector<std::string_view> names(beside.begin(), beside.end());
-        const std::string near = glib::nearestName(part.string(), names);
         return fmt::format("there is no folder {}{}", glib::quoted(next.string()),
-                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+                           glib::suggestion(part.string(), names));
     }
     return {};
 }

@@ -38,8 +38,7 @@ std::string hint(const Suite& suite, const std::string& wanted) {
             return fmt::format("; there is '{}', one of several", shot.name);
         names.emplace_back(shot.name);
     }
-    const std::string near = glib::nearestName(wanted, names);
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+    return glib::suggestion(wanted, names);
 }
 
 /// "a, b, c, a"; of a long ring its beginning.

@@ -168,11 +168,10 @@ void readErrorId(const Context& in, const toml::node& node, std::string_view nam
     if (glib::findDiagnostic(*id)) return;
     std::vector<std::string_view> ids;
     for (const glib::CatalogueRow& row : glib::diagnosticCatalogue()) ids.push_back(row.id);
-    const std::string near = glib::nearestName(*id, ids);
+    const std::string meant = glib::suggestion(*id, ids);
     in.reader.error("suite-E17",
                     fmt::format("{}: there is no message {}{}", name, glib::quoted(*id),
-                                near.empty() ? "; 'glibra language --diagnostics' lists them"
-                                             : fmt::format("; did you mean '{}'?", near)),
+                                meant.empty() ? "; 'glibra language --diagnostics' lists them" : meant),
                     in.reader.placeOf(node));
 }
 

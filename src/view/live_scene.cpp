@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gpu/loop_limit.h"
+#include "plan/loop_rounds.h"
 #include "render/axes.h"
 #include "render/device_scene.h"
 #include "render/programs.h"
@@ -44,11 +45,13 @@ struct LiveScene::State {
     render::ViewMatrices view;
     std::optional<double> eyeAspect;  ///< for which eyeDistance holds
     double eyeDistance = 0;
+    std::optional<int> loopLimit;
     bool isViewSet = false;     ///< `view` is the drawer's,
     double setEyeDistance = 0;  ///< with this
 
     Diagnostics prepare(State* previous);
     void prepareFallback();
+    int measuredLoopLimit();
     void placeEye(double aspect, Diagnostics& diagnostics);
 };
 
@@ -59,7 +62,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     }
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
-    planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
+    planOptions.loopLimit = [this] { return measuredLoopLimit(); };
     plan = plan::planFrame(
         scene,
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
@@ -87,6 +90,11 @@ void LiveScene::State::prepareFallback() {
     const plan::ProgramVariant builtin{scene::kNone, false, 1};
     programs.interfaceOf(builtin);
     drawer->setFallback(programs.find(builtin));
+}
+
+int LiveScene::State::measuredLoopLimit() {
+    if (!loopLimit) loopLimit = gpu::measureLoopLimit(context);
+    return *loopLimit;
 }
 
 void LiveScene::State::placeEye(double aspect, Diagnostics& diagnostics) {
@@ -173,6 +181,14 @@ void LiveScene::drawOutOfSight(bool on) {
 
 void LiveScene::setValue(const Knob& knob) {
     for (const int program : apply(knob, state_->plan)) state_->drawer->forgetLiterals(program);
+}
+
+Diagnostics LiveScene::longLoops() {
+    Diagnostics diagnostics;
+    for (const plan::PlannedProgram& each : state_->plan.programs)
+        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->measuredLoopLimit(); }));
+    render::applyStrict(diagnostics, false);  // programs may share a file
+    return diagnostics;
 }
 
 Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, double time, bool axes) {

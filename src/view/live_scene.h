@@ -53,6 +53,8 @@ class LiveScene {
     [[nodiscard]] const render::Stats& drawStats() const;
 
     void setValue(const Knob& knob);
+    /// The warnings about loops that the driver ends too early with the present values (draw-W08).
+    Diagnostics longLoops();
     /// Draws also what provably reaches no pixel, for views that show more of it than its surface.
     void drawOutOfSight(bool on);
     /// Draws a frame of the target's size.

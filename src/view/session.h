@@ -38,7 +38,7 @@ class Session {
     [[nodiscard]] std::uint64_t timesLoaded() const { return timesLoaded_; }
     [[nodiscard]] const LiveScene& live() const { return *live_; }
     LiveScene& live() { return *live_; }
-    /// Of the last loading, and of the frames drawn since.
+    /// Of the last loading, and of the frames drawn since; those about long loops of the present values.
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
     [[nodiscard]] const std::vector<Knob>& knobs() const { return knobs_; }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "program.h"
 
 namespace glibra::test {
@@ -125,6 +127,30 @@ TEST_F(Determinism, SeveralJobsWriteTheSameAnimationAsOne) {
                 << name;
         }
         EXPECT_FALSE(std::filesystem::exists(folder / ("several" + jobs + "/f_0050.png")));
+    }
+}
+
+TEST_F(Determinism, SeveralJobsTellNanAsOneDoes) {
+    // The square root of a negative number from .5 seconds on: in more and more pixels, so that every frame
+    // would say something else. Another draw joins it in a frame that another process draws.
+    folder.write("a.frag",
+                 "#version 330 core\nuniform float uStart;\nout vec4 f;\nvoid main() { f = "
+                 "vec4(sqrt(1. + gl_FragCoord.x / 99. - 4. * Timer + uStart)); }\n");
+    folder.write("scene.glib",
+                 "WindowSize 90 80\nLookAt 0 0 4 0 0 0 0 1 0\nTimer 2\nVertex a.vert\nFragment a.frag\n"
+                 "Program P uStart 0.\nQuadXY 0 .5\nTranslate .5 .5 .1\nProgram Q uStart .5\nQuadXY 0 .5\n");
+    const std::string command = "render scene.glib --check-nan --frames 32 --fps 20 -o f.png ";
+    const Finished one = glibra(folder.path(), command + "--jobs 1");
+    ASSERT_EQ(one.status, 0) << one.err;
+    EXPECT_EQ(std::count(one.err.begin(), one.err.end(), '\n'), 3) << one.err;
+    EXPECT_NE(one.err.find("the picture has only one colour (frame "), std::string::npos) << one.err;
+    EXPECT_NE(one.err.find("scene.glib:7:1: warning: QuadXY leaves NaN"), std::string::npos) << one.err;
+    EXPECT_NE(one.err.find("scene.glib:10:1: warning: QuadXY leaves NaN"), std::string::npos) << one.err;
+    for (const std::string jobs : {"2", "3", "4"}) {
+        EXPECT_EQ(glibra(folder.path(), command + "--jobs " + jobs).err, one.err) << jobs;
+        const Finished strict = glibra(folder.path(), command + "--strict --jobs " + jobs);
+        EXPECT_EQ(strict.status, 3);
+        EXPECT_EQ(strict.err, glibra(folder.path(), command + "--strict --jobs 1").err);
     }
 }
 

@@ -48,6 +48,22 @@ TEST(Loops, MayEndEarlierAndCountAsTheyMayRun) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN && n < 7; ++i) { n++; if (n > 5) break; }"), 1000);
 }
 
+TEST(Loops, OfWhileAreCountedByTheStatementThatTheyAllComeTo) {
+    EXPECT_EQ(rounds("while (n < uN) n++;"), 1000);
+    EXPECT_EQ(rounds("int i = 5; while (i <= uN) { if (n > 3) break; i += 5; }"), 200);
+    EXPECT_EQ(rounds("n = uN; while (n > 0 && uM > 2.) { n = n - 1; }"), 1000);
+    EXPECT_EQ(rounds("float t = 0., u = 1.; while (uM > t) { for (int k = 0; k < 2; ++k) { u *= t; } t += "
+                     "uStep; n++; }"),
+              120);
+    EXPECT_EQ(rounds("int i = 0; if (uM > 1.) { n = 4; } while (i < uN) { if (n > 4) { n = 2; } ++i; }"),
+              1000);
+    EXPECT_EQ(rounds("while (n++ < uN) { }"), 1000);
+    EXPECT_EQ(rounds("for (int i = uN; i-- > 0;) n++;"), 1000);
+    EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) { int j = 0; while (j < 40) { j++; n++; } }"), 1000 * 41);
+    EXPECT_EQ(rounds("n = sum(1);", "int sum(int k) { int i = uN; while (i >= 1) i -= 2; return i; }\n"),
+              500);
+}
+
 TEST(Loops, TakeConstantsAndVariablesThatKeepTheirValue) {
     EXPECT_EQ(rounds("for (int i = 0; i < kMost; ++i) n++;", "const int kHalf = 350, kMost = 2 * kHalf;\n"),
               700);
@@ -78,12 +94,21 @@ TEST(Loops, OfFunctionsCountAtEachCall) {
 
 TEST(Loops, ThatNobodyCanCountAreNotCounted) {
     for (const char* body :
-         {"for (;;) { if (n++ > 5) break; }", "while (n < uN) n++;",
-          "for (int i = 0; i < uUnknown; ++i) n++;", "for (int i = 0; i < uN; ++i) { n++; i += 2; }",
-          "for (int i = 0; i < uN; i *= 2) n++;",
+         {"for (;;) { if (n++ > 5) break; }", "for (int i = 0; i < uUnknown; ++i) n++;",
+          "for (int i = 0; i < uN; ++i) { n++; i += 2; }", "for (int i = 0; i < uN; i *= 2) n++;",
           "int most = uN; most += n; for (int i = 0; i < most; ++i) n++;",
           "for (int i = 0; i < uN; --i) n++;", "for (int i = 0; i < uN; i += 0) n++;",
           "for (int i = 9; i < int(gl_FragCoord.x); ++i) n++;"})
+        EXPECT_EQ(rounds(body), 0) << body;
+    // The variable of a `while` that is set elsewhere, changed twice, or not in every round.
+    for (const char* body :
+         {"while (n < uN) { n++; n++; }", "while (n < uN) if (n > 5) n++;",
+          "while (n < uN) { if (n > 5) { n++; } }", "while (n < uN) { if (n > 5) n += 2; else n += 3; }",
+          "while (n < uN) { if (uM > 5.) continue; n++; }", "while (n < uN) { for (;;) n++; }",
+          "if (uM > 5.) n = 7; while (n < uN) n++;", "if (uM > 5.) { n = 7; } while (n < uN) n++;",
+          "int i; if (uM > 5.) i = 0; while (i < uN) i++;", "n += 9; while (n < uN) n++;",
+          "for (;;) while (n < uN) n++;", "for (;;) { while (n < uN) n++; }", "while (n++ < uN) n++;",
+          "while (n < uN) n--;", "while (n < uN);", "while (n < uN) { { n++; } }", "do n++; while (n < uN);"})
         EXPECT_EQ(rounds(body), 0) << body;
     // ... but those in them are.
     EXPECT_EQ(rounds("while (n < 5) for (int i = 0; i < uN; ++i) n++;"), 1000);

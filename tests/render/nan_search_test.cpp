@@ -155,6 +155,80 @@ TEST_F(NanSearchTest, EveryWayToNotANumberLeadsToItsLine) {
     }
 }
 
+std::vector<std::string> told(const Diagnostics& diagnostics, const std::string& id) {
+    std::vector<std::string> all;
+    for (const Diagnostic& each : diagnostics)
+        if (each.id == id) all.push_back(std::to_string(each.place.line) + " " + each.text);
+    return all;
+}
+using Told = std::vector<std::string>;
+
+TEST_F(NanSearchTest, VerticesPlacedAtNanAreTold) {
+    // Those to the right of uRight are lost. The ball's triangles are two a cell but at the poles.
+    write("lost.vert",
+          "#version 330 core\nuniform float uRight, uZero;\nvoid main() {\n"
+          "  gl_Position = uModelViewProjectionMatrix * aVertex;\n"
+          "  if (aVertex.x > uRight) gl_Position.y = uZero / uZero;\n}\n");
+    write("one.frag", "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n");
+    const std::string start = "Vertex lost.vert\nFragment one.frag\n";
+    const std::string lists =
+        "glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 0 1 0\nglVertex 0 0 0\nglVertex .5 0 "
+        "0\nglVertex 0 1 0\nglEnd\n"
+        "glBegin lines\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\n"
+        "glBegin points\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 1 0 0\nglEnd\n";
+    // A list stands where it ends.
+    EXPECT_EQ(told(search(scene(start + "Program P uRight .8 uZero 0\n" + lists)), "draw-W09"),
+              (Told{"15 triangles: gl_Position is NaN or infinite in 1 of 2 triangles, which is lost",
+                    "19 lines: gl_Position is NaN or infinite in 1 of 1 lines, which is lost",
+                    "24 points: gl_Position is NaN or infinite in 2 of 3 points, which are lost"}));
+    EXPECT_TRUE(search(scene(start + "Program P uRight 9 uZero 0\n" + lists)).empty());
+    // Every triangle of the ball once.
+    EXPECT_EQ(told(search(scene(start + "Program P uRight -9 uZero 0\nSphere 1 40 40\n")), "draw-W09"),
+              Told{"8 Sphere: gl_Position is NaN or infinite in 3,120 of 3,120 triangles, which are lost"});
+}
+
+TEST_F(NanSearchTest, VerticesPlacedAtNanByLaterStagesAreTold) {
+    write("plain.vert", "#version 400 core\nvoid main() { gl_Position = aVertex; }\n");
+    write("some.tese",
+          "#version 400 core\nlayout(quads, equal_spacing) in;\nuniform float uZero;\nvoid main() {\n"
+          "  gl_Position = vec4(gl_TessCoord.xy - .5, 0., gl_TessCoord.x > .9 ? uZero / uZero : 1.);\n}\n");
+    write("four.tesc",
+          "#version 400 core\nlayout(vertices = 1) out;\nvoid main() {\n  for (int i = 0; i < 4; ++i) "
+          "gl_TessLevelOuter[i] = 4.;\n  gl_TessLevelInner[0] = gl_TessLevelInner[1] = 4.;\n}\n");
+    write("fan.geom",
+          "#version 400 core\nlayout(points) in;\nlayout(line_strip, max_vertices = 4) out;\nuniform float "
+          "uZero;\nvoid main() {\n  for (int i = 0; i < 4; ++i) {\n    gl_Position = gl_in[0].gl_Position + "
+          "float(i);\n    if (i == 3) gl_Position.z = 1. / uZero;\n    EmitVertex();\n  }\n}\n");
+    write("one.frag", "#version 400 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n");
+    // 16 cells of two triangles; four cells lie at the edge.
+    EXPECT_EQ(
+        told(search(scene("Vertex plain.vert\nTessControl four.tesc\nTessEvaluation some.tese\nFragment "
+                          "one.frag\nProgram P uZero 0\nNumPatchVertices 1\nglBegin patches\nglVertex 0 0 "
+                          "0\nglEnd\n")),
+             "draw-W09"),
+        Told{"13 patches: gl_Position is NaN or infinite in 8 of 32 triangles, which are lost"});
+    // Three lines a point, the last of which ends at infinity.
+    EXPECT_EQ(told(search(scene("Vertex plain.vert\nGeometry fan.geom\nFragment one.frag\nProgram P uZero 0\n"
+                                "glBegin points\nglVertex 0 0 0\nglVertex 0 0 .5\nglEnd\n")),
+                   "draw-W09"),
+              Told{"12 points: gl_Position is NaN or infinite in 2 of 6 lines, which are lost"});
+}
+
+TEST_F(NanSearchTest, WhatIsSearchedForPositionsIsDrawnAllTheSame) {
+    Result<gpu::Context> context = gpu::openContext();
+    ASSERT_TRUE(context);
+    const fs::path path = scene("Program Good uLeft 1.\nQuadXY 0 .5\nProgram Also uLeft 4.\nSphere .4\n");
+    Stats stats;
+    Result<SceneRenderer> renderer = SceneRenderer::load(*context, path, {}, stats);
+    ASSERT_TRUE(renderer);
+    const Result<image::Image> before = renderer->draw(0, stats);
+    PositionSearch search(*context);
+    EXPECT_TRUE(search.search(*renderer, 0, stats).empty());
+    const Result<image::Image> after = renderer->draw(0, stats);
+    ASSERT_TRUE(before && after);
+    EXPECT_TRUE(before->data == after->data);
+}
+
 TEST_F(NanSearchTest, TiledPicturesAreSearchedToo) {
     RenderOptions options;
     options.width = options.height = 300;

@@ -91,6 +91,33 @@ TEST(Session, ValuesBeyondTheRangeAreKeptAndIntegersCut) {
     EXPECT_EQ(session.knob("", "uG")->current, std::vector<double>{2});
 }
 
+TEST(Session, AValueThatMakesALoopTooLongIsToldOfUntilItIsTakenBack) {
+    const SceneFolder folder(
+        "WindowSize 2 2\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uN <1 100 100000> uM 1\n"
+        "QuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag",
+          "#version 330\nuniform int uN, uM; out vec4 c;\nvoid main() {\n  c = vec4(0.);\n"
+          "  for (int i = 0; i < uN; ++i) c += float(uM);\n}\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    session.drawIfNeeded();
+    const Diagnostics before = session.diagnostics();
+    for (const double rounds : {70'000., 80'000.}) {
+        session.setValue(knobIndex(session, "uN"), {rounds});
+        session.drawIfNeeded();
+        ASSERT_EQ(session.diagnostics().size(), before.size() + 1) << text(session.diagnostics());
+        const Diagnostic& told = session.diagnostics().back();
+        EXPECT_EQ(told.id, "draw-W08");
+        EXPECT_EQ(told.place.line, 5);
+        EXPECT_NE(told.text.find(rounds == 70'000 ? "70,000" : "80,000"), std::string::npos) << told.text;
+    }
+    session.reload();
+    EXPECT_EQ(session.diagnostics().size(), before.size() + 1) << "the value is kept";
+    session.setValue(knobIndex(session, "uN"), {200});
+    EXPECT_EQ(text(session.diagnostics()), text(before));
+}
+
 TEST(Session, KnobsHaveTheWidgetsOfTheirForms) {
     const SceneFolder folder(kFlatScene, kFlatFiles);
     Session session(context(), {});

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <tuple>
+
 #include "glib/script.h"
 #include "scene_folder.h"
 #include "view/history.h"
@@ -132,9 +135,46 @@ TEST(Clock, PlaysStepsAndScrubs) {
 TEST(SourceLine, IsTheLineOfAMessageWithItsColumn) {
     const SceneFolder folder("one\r\n\ttwo three\n");
     EXPECT_EQ(view::sourceLine({folder.scene().string(), 2, 6}), " two three");
-    EXPECT_EQ(view::caretLine(" two three", 6), "     ^");
     EXPECT_EQ(view::sourceLine({folder.scene().string(), 9, 1}), "");
     EXPECT_EQ(view::sourceLine({(folder / "none").string(), 1, 1}), "");
+}
+
+TEST(Excerpt, OfAShortLineIsTheLine) {
+    for (const auto& [line, column, caret] :
+         {std::tuple(" two three", 6, "     ^"), std::tuple("abc", 4, "   ^"), std::tuple("abc", 99, "   ^"),
+          std::tuple("", 1, "^"), std::tuple("abc", 0, "^"),
+          // Columns count bytes, blanks characters.
+          std::tuple("\xC3\xA4\xE2\x82\xAC+", 6, "  ^"), std::tuple("\xC3\xA4+", 2, "^")}) {
+        const view::Excerpt shown = view::excerpt(line, column, 12);
+        EXPECT_EQ(shown.text, line);
+        EXPECT_EQ(shown.caret, caret) << line;
+    }
+}
+
+TEST(Excerpt, OfALongLineShowsTheCharacterOfItsColumn) {
+    std::string line;
+    for (int i = 0; i < 40; ++i) line += std::string(1, static_cast<char>('a' + i % 26)) + "\xC3\xA4";
+    for (const int most : {0, 12, 13, 40, 79, 80, 81})
+        for (int column = 1; column <= 120; ++column) {
+            const view::Excerpt shown = view::excerpt(line, column, most);
+            const auto isStart = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+            const auto characters = std::count_if(shown.text.begin(), shown.text.end(), isStart);
+            ASSERT_EQ(characters, std::min(80, std::max(most, 12))) << column;
+            ASSERT_EQ(most < 80, shown.text.find("...") != std::string::npos);
+            std::size_t at = 0;
+            for (std::size_t left = shown.caret.size(); at < shown.text.size(); ++at)
+                if (isStart(shown.text[at]) && --left == 0) break;
+            ASSERT_LT(at, shown.text.size());
+            const auto byte = static_cast<std::size_t>(column) - 1;
+            const std::size_t start = byte - (isStart(line[byte]) ? 0 : 1);
+            ASSERT_EQ(shown.text[at], line[start]) << column << " " << most << " " << shown.text;
+        }
+    EXPECT_EQ(view::excerpt("0123456789abcdefghij", 3, 12).text, "012345678...");
+    EXPECT_EQ(view::excerpt("0123456789abcdefghij", 10, 12).text, "...6789ab...");
+    EXPECT_EQ(view::excerpt("0123456789abcdefghij", 20, 12).text, "...bcdefghij");
+    const view::Excerpt behind = view::excerpt("0123456789abcdefghij", 21, 12);
+    EXPECT_EQ(behind.text, "...cdefghij");
+    EXPECT_EQ(behind.caret, "           ^");
 }
 
 }  // namespace

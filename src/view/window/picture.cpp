@@ -70,8 +70,9 @@ void cursor(const Ui& ui, ImDrawList& list) {
             project(ui, projection, point + direction * (reach / length), to))
             list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.scale);
     }
-    const std::string text =
-        fmt::format("line {}: {}", picked.line, sourceLine({ui.session.path().string(), picked.line, 1}));
+    constexpr int kMostShown = 200;
+    const std::string line = sourceLine({ui.session.path().string(), picked.line, 1});
+    const std::string text = fmt::format("line {}: {}", picked.line, excerpt(line, 1, kMostShown).text);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at(centre.x + 12 * ui.scale, centre.y + 12 * ui.scale);
     list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + size.x + 4, at.y + size.y + 2}, IM_COL32(0, 0, 0, 170),

@@ -31,8 +31,9 @@ void message(Ui& ui, const Diagnostic& each, int index) {
         const std::string line = sourceLine(each.place);
         if (!line.empty()) {
             ImGui::PushFont(codeFont());
-            ImGui::TextDisabled("%6d | %s", each.place.line, line.c_str());
-            ImGui::TextDisabled("       | %s", caretLine(line, each.place.column).c_str());
+            const Excerpt shown = excerpt(line, each.place.column, roomForCode());
+            ImGui::TextDisabled("%6d | %s", each.place.line, shown.text.c_str());
+            ImGui::TextDisabled("       | %s", shown.caret.c_str());
             ImGui::PopFont();
         }
         if (isError && ui.session.hasScene()) translatedLines(ui, each.place);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "glib/text.h"
+#include "view/source_lines.h"
 #include "view/window/editor.h"
 #include "view/window/theme.h"
 #include "view/window/ui.h"
@@ -212,7 +213,8 @@ void translatedLines(Ui& ui, const Place& place) {
     constexpr std::size_t kMostShown = 3;
     for (std::size_t i = 0; i < std::min(kMostShown, lines.size()); ++i) {
         ImGui::PushFont(codeFont());
-        ImGui::TextDisabled("%6d > %s", lines[i].number, lines[i].text.c_str());
+        ImGui::TextDisabled("%6d > %s", lines[i].number,
+                            excerpt(lines[i].text, 1, roomForCode()).text.c_str());
         ImGui::PopFont();
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("What the driver was given for this line: line %d of the shader in core GLSL",

@@ -50,6 +50,13 @@ ImFont* codeFont() {
     return ImGui::GetIO().Fonts->Fonts.back();
 }
 
+int roomForCode() {
+    constexpr int kNumber = 9;                          // "     7 | "
+    constexpr std::string_view kSample = "0123456789";  // of one the width is rounded up
+    const float width = ImGui::CalcTextSize(kSample.data()).x / static_cast<float>(kSample.size());
+    return static_cast<int>(ImGui::GetContentRegionAvail().x / width) - kNumber;
+}
+
 void applyTheme(bool light, float scale) {
     ImGuiStyle style;
     if (light)

@@ -9,6 +9,10 @@ namespace glibra::view {
 void loadFonts(float scale);
 /// The one for the text of programs: all its characters are equally wide.
 ImFont* codeFont();
+
+/// Characters of code that fit behind a line number, with codeFont() in use.
+int roomForCode();
+
 /// Colours and spacing.
 void applyTheme(bool light, float scale);
 

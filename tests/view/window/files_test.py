@@ -6,7 +6,7 @@ import time
 import unittest
 
 from scenes_test import SCENE, SHADER, ScenesTest
-from window_test import VERTEX
+from window_case import VERTEX
 
 TEXTURED = """WindowSize 300 300
 Ortho -1 1 -1 1

@@ -6,7 +6,7 @@ import time
 import unittest
 
 from desktop import HANGING, PAUSE
-from window_test import PROGRAM, WindowTest
+from window_case import PROGRAM, WindowTest
 
 COUNTER = os.environ["GLIBRA_COUNTER"]
 SETTLED = 60  # frames after which everything has been made

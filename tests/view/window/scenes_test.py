@@ -7,7 +7,7 @@ import time
 import unittest
 
 from desktop import read_ppm
-from window_test import MOVING_FRAGMENT, PROGRAM, VERTEX, WindowTest
+from window_case import MOVING_FRAGMENT, PROGRAM, VERTEX, WindowTest
 
 SCENE = """WindowSize 300 300
 Ortho -1 1 -1 1

@@ -15,7 +15,7 @@ import threading
 import unittest
 
 from random_input import frames
-from window_test import OVALS, PROGRAM, SOURCES, WindowTest
+from window_case import OVALS, PROGRAM, SOURCES, WindowTest
 
 EVENTS = int(os.environ.get("GLIBRA_EVENTS", "10000"))
 SEED = int(os.environ.get("GLIBRA_SEED", "1"))

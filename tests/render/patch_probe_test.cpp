@@ -1,0 +1,49 @@
+// Patches of a scene as they are captured for the choice of tessellation levels.
+
+#include "render/patch_probe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/scene_renderer.h"
+#include "scene_text.h"
+#include "skip_runs.h"
+
+namespace glibra::test {
+namespace {
+
+TEST(PatchProbe, GivesEachPatchItsNumberWithinTheWholeDraw) {
+    // The stages place all patches of every draw by their number alone.
+    std::string text =
+        "WindowSize 64 64\nOrtho -1 1 -1 1 -1 1\nVertex v.vert\nTessEvaluation e.tese\nFragment f.frag\n"
+        "Program P\nNumPatchVertices 1\nglBegin patches\n";
+    constexpr int kPatches = 200;  // of which every fourth is captured
+    for (int i = 0; i < kPatches; ++i) text += "glVertex 0 0 0\n";
+    const SceneFolder folder(
+        text + "glEnd\n",
+        {{"v.vert", "#version 400 core\nvoid main() { gl_Position = aVertex; }\n"},
+         {"e.tese",
+          "#version 400 core\nlayout(quads) in;\nvoid main() {\n"
+          "  gl_Position = vec4(gl_PrimitiveID + gl_TessCoord.x, gl_TessCoord.y, 0., 256.);\n}\n"},
+         {"f.frag", "#version 400 core\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
+    render::Stats stats;
+    const Result<scene::Scene> scene = render::interpretFile(folder / "scene.glib", {}, stats);
+    ASSERT_TRUE(scene) << test::text(scene.diagnostics);
+    render::PatchProbe probe(sharedContext(), *scene, {}, 64, 64);
+    for (std::size_t pass = 0; pass < scene->passes.size(); ++pass)
+        for (std::size_t step = 0; step < scene->passes[pass].steps.size(); ++step) {
+            if (!std::holds_alternative<scene::Draw>(scene->passes[pass].steps[step])) continue;
+            const auto patches = probe.patches(pass, step, {});
+            ASSERT_TRUE(patches);
+            ASSERT_EQ(patches->size(), kPatches / 4U);
+            for (std::size_t i = 0; i < patches->size(); ++i) {
+                ASSERT_EQ((*patches)[i].vertices.size(), 6U);
+                for (const budget::PatchVertex& each : (*patches)[i].vertices)
+                    EXPECT_EQ(std::floor(each.clip.x - each.coordinate.x + .5), 4. * static_cast<double>(i));
+            }
+        }
+}
+
+}  // namespace
+}  // namespace glibra::test
