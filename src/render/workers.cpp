@@ -128,15 +128,6 @@ std::optional<Worker> start(const WorkerOptions& options, const Work& work,
     return worker;
 }
 
-/// Closes the pipes of a worker that has nothing to do; it then ends by itself. Giving back its memory takes
-/// the system some milliseconds, for which nobody has to wait.
-void dismiss(Worker& worker) {
-    if (worker.requests >= 0) ::close(worker.requests);
-    if (worker.answers >= 0) ::close(worker.answers);
-    if (worker.process > 0) ::waitpid(worker.process, nullptr, WNOHANG);
-    worker = Worker{};
-}
-
 /// Closes the pipes and waits; returns the signal that ended the worker, or 0.
 int finish(Worker& worker) {
     if (worker.requests >= 0) ::close(worker.requests);
@@ -174,7 +165,7 @@ class Pool {
                 if (!worker.piece && next_ < count_) give(worker);
             if (busy() > 0) waitForNews();
         }
-        for (Worker& worker : workers_) dismiss(worker);
+        for (Worker& worker : workers_) finish(worker);
         ::sigaction(SIGPIPE, &before, nullptr);
     }
 

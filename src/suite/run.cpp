@@ -206,7 +206,9 @@ RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> sh
 void shareProcessors(int jobs, std::size_t pieces) {
     const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
     if (workers <= 1) return;
-    ::setenv("LP_NUM_THREADS", std::to_string(std::max(1, defaultJobs() / workers)).c_str(), 0);
+    const int threads = defaultJobs() / workers;
+    // 0: the caller rasterises. With one thread it would hand over to that and wait.
+    ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
 }
 
 int defaultJobs() {
