@@ -23,6 +23,11 @@ class Background {
         waiting_.push_back(std::move(job));
         changed_.notify_all();
     }
+    /// Until all that was added is done.
+    void wait() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return waiting_.empty() && !isAtWork_; });
+    }
     void finish() {
         {
             const std::scoped_lock lock(mutex_);
@@ -42,15 +47,20 @@ class Background {
                 if (waiting_.empty()) return;
                 job = std::move(waiting_.front());
                 waiting_.pop_front();
+                isAtWork_ = true;
                 changed_.notify_all();
             }
             job();
+            const std::scoped_lock lock(mutex_);
+            isAtWork_ = false;
+            changed_.notify_all();
         }
     }
 
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::function<void()>> waiting_;
+    bool isAtWork_ = false;
     bool closed_ = false;
     std::thread thread_;
 };

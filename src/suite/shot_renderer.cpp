@@ -20,13 +20,17 @@ void ShotRenderer::prepare(const Shot* next, const Source& current) {
     if (!next || preparation_) return;
     Source source = sourceOf(*next);
     if (source == current) return;
-    auto stats = std::make_unique<render::Stats>();
-    auto task = std::make_shared<std::packaged_task<render::PreparedScene()>>(
-        [this, source, to = stats.get(), shared = &*shared_] {
-            return render::SceneRenderer::prepare(context_, source.script, source.options, *to, shared);
-        });
-    preparation_.emplace(Preparation{std::move(source), std::move(stats), task->get_future()});
-    background_.add([task] { (*task)(); });
+    Preparation& begun =
+        preparation_.emplace(Preparation{std::move(source), std::make_unique<render::Stats>(), std::nullopt});
+    background_.add([this, &begun] {
+        try {
+            begun.scene = render::SceneRenderer::prepare(context_, begun.source.script, begun.source.options,
+                                                         *begun.stats, &*shared_);
+        } catch (const std::exception&) {
+            // Two scenes at once may have been too much for the memory: load() tries it by itself.
+            begun.scene.reset();
+        }
+    });
 }
 
 /// Leaves loaded_ with the scene, or empty for the reasons given.
@@ -35,14 +39,14 @@ Diagnostics ShotRenderer::load(const Source& source, const Shot* next) {
     auto stats = std::make_unique<render::Stats>();
     std::optional<render::PreparedScene> prepared;
     if (preparation_ && preparation_->source == source) {
-        Preparation ready = *std::exchange(preparation_, std::nullopt);
-        try {
-            prepared = ready.scene.get();
-            stats = std::move(ready.stats);
-        } catch (const std::exception&) {
-            // Two scenes at once may have been too much for the memory: it is tried once more by itself.
+        background_.wait();
+        if (preparation_->scene) {
+            prepared = std::move(preparation_->scene);
+            stats = std::move(preparation_->stats);
+        } else {
             next = nullptr;
         }
+        preparation_.reset();
     }
     prepare(next, source);
     Result<render::SceneRenderer> renderer =
@@ -90,7 +94,7 @@ Result<image::Image> ShotRenderer::draw(double time) {
 }
 
 void ShotRenderer::forget() {
-    if (preparation_) preparation_->scene.wait();
+    background_.wait();
     preparation_.reset();
     loaded_.reset();
     shared_.emplace();

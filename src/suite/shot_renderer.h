@@ -3,9 +3,9 @@
 // drawn, what the next one needs and needs no GL is made on a thread of its own.
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "gpu/context.h"
 #include "render/scene_renderer.h"
@@ -47,7 +47,7 @@ class ShotRenderer {
     struct Preparation {
         Source source;
         std::unique_ptr<render::Stats> stats;
-        std::future<render::PreparedScene> scene;
+        std::optional<render::PreparedScene> scene;  ///< once background_ is done; nothing if that failed
     };
 
     [[nodiscard]] Source sourceOf(const Shot& shot) const;
