@@ -17,11 +17,15 @@ ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
 }
 
 void ShotRenderer::prepare(const Shot* next, const Source& current) {
-    if (!next || preparation_) return;
+    if (!next) return;
     Source source = sourceOf(*next);
+    if (preparation_ && preparation_->source == source) return;
+    background_.wait();
+    preparation_.reset();  // nobody came for it
     if (source == current) return;
-    Preparation& begun =
-        preparation_.emplace(Preparation{std::move(source), std::make_unique<render::Stats>(), std::nullopt});
+    Preparation& begun = preparation_.emplace();
+    begun.source = std::move(source);
+    begun.stats = std::make_unique<render::Stats>();
     background_.add([this, &begun] {
         try {
             begun.scene = render::SceneRenderer::prepare(context_, begun.source.script, begun.source.options,
