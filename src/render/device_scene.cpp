@@ -77,47 +77,59 @@ std::shared_ptr<const geometry::Mesh> DeviceScene::earlierMesh(const std::string
     if (previous_)
         for (const auto& [shape, made] : previous_->meshes_)
             if (made.key == key && made.mesh) return made.mesh;
-    const auto* found = shared_ ? shared_->meshes.find(key) : nullptr;
-    return found ? *found : nullptr;
+    return shared_ ? shared_->meshes.find(key).value_or(nullptr) : nullptr;
 }
 
-const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics& diagnostics) {
-    const scene::Shape& wanted = scene_.shapes[static_cast<std::size_t>(shape)];
-    const bool isFile = wanted.file != scene::kNone;
+const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics* remarks) {
+    const bool isFile = scene_.shapes[static_cast<std::size_t>(shape)].file != scene::kNone;
     const bool tangents = withTangents || !isFile;  // only models are made without
-    const auto known = meshes_.find(shape);
-    if (known != meshes_.end() && (known->second.withTangents || !tangents || !known->second.mesh))
-        return known->second.mesh.get();
-    MadeMesh& made = meshes_[shape];
-    made.withTangents = tangents;
-    made.key = reuseKey(scene_, wanted);
-    if (!made.key.empty() && tangents) made.key += " t";
-    made.mesh = earlierMesh(made.key);
-    if (made.mesh) return made.mesh.get();
-    const StageTimer timer(stats_, "geometry");
-    if (isFile) stats_.add("files read", 1);
-    Result<geometry::Mesh> result = scene::makeMesh(scene_, shape, tangents);
-    made.hasRemarks = !result.diagnostics.empty();
-    append(diagnostics, std::move(result.diagnostics));
-    if (!result) return nullptr;
-    made.mesh = std::make_shared<const geometry::Mesh>(std::move(*result));
-    if (shared_ && !made.key.empty() && !made.hasRemarks)
-        shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
+    const auto [known, isNew] = meshes_.try_emplace(shape);
+    MadeMesh& made = known->second;
+    if (isNew || (!made.withTangents && tangents && made.mesh)) make(shape, tangents, made);
+    tell(shape, remarks);
     return made.mesh.get();
 }
 
-const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics& diagnostics) {
+void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
+    const scene::Shape& wanted = scene_.shapes[static_cast<std::size_t>(shape)];
+    made = {};
+    made.withTangents = withTangents;
+    made.key = reuseKey(scene_, wanted);
+    if (!made.key.empty() && withTangents) made.key += " t";
+    made.mesh = earlierMesh(made.key);
+    if (made.mesh) return;
+    const StageTimer timer(stats_, "geometry");
+    if (wanted.file != scene::kNone) stats_.add("files read", 1);
+    Result<geometry::Mesh> result = scene::makeMesh(scene_, shape, withTangents);
+    made.remarks = std::move(result.diagnostics);
+    if (!result) return;
+    made.mesh = std::make_shared<const geometry::Mesh>(std::move(*result));
+    if (shared_ && !made.key.empty() && made.remarks.empty())
+        shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
+}
+
+void DeviceScene::tell(int shape, Diagnostics* remarks) {
+    const auto made = meshes_.find(shape);
+    if (!remarks || made == meshes_.end() || made->second.areTold) return;
+    made->second.areTold = true;
+    append(*remarks, made->second.remarks);
+}
+
+const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
     const auto [entry, isNew] = bounds_.try_emplace(shape);
     Bounds& bounds = entry->second;
-    if (!isNew) return bounds;
+    if (!isNew) {
+        tell(shape, remarks);
+        return bounds;
+    }
     const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
     if (shared_ && !key.empty())
-        if (const Bounds* known = shared_->bounds.find(key)) return bounds = *known;
-    const geometry::Mesh* made = mesh(shape, withTangents, diagnostics);
+        if (const std::optional<Bounds> known = shared_->bounds.find(key)) return bounds = *known;
+    const geometry::Mesh* made = mesh(shape, withTangents, remarks);
     if (!made) return bounds;
     const Bounds* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
     bounds = earlier ? *earlier : boundsOf(*made);
-    if (shared_ && !key.empty() && !meshes_.at(shape).hasRemarks) shared_->bounds.add(key, bounds, 1);
+    if (shared_ && !key.empty() && meshes_.at(shape).remarks.empty()) shared_->bounds.add(key, bounds, 1);
     return bounds;
 }
 
@@ -140,12 +152,13 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
         for (std::size_t i = 0; i < previous_->deviceMeshes_.size(); ++i)
             if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key)
                 return previous_->deviceMeshes_[i];
-    const auto* found = shared_ ? shared_->deviceMeshes.find(key) : nullptr;
+    std::shared_ptr<const DeviceMesh> found =
+        shared_ ? shared_->deviceMeshes.find(key).value_or(nullptr) : nullptr;
     if (!found) return nullptr;
     stats_.add("meshes kept", 1);
     if (const scene::Draw* draw = drawOf(plan, planned))
         stats_.skip("mesh", draw->word + ": it is there from an earlier scene", draw->place);
-    return *found;
+    return found;
 }
 
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
@@ -161,7 +174,7 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     deviceMeshKeys_[planned] = key;
     deviceMeshes_[planned] = earlierDeviceMesh(key, plan, planned);
     if (deviceMeshes_[planned]) return diagnostics;
-    const geometry::Mesh* source = mesh(wanted.shape, withTangents, diagnostics);
+    const geometry::Mesh* source = mesh(wanted.shape, withTangents, &diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     const StageTimer timer(stats_, "upload");
@@ -192,7 +205,7 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     }
     stats_.add("meshes", 1);
     stats_.add("vertices stored", uploaded->vertexCount);
-    if (shared_ && !key.empty() && !meshes_.at(wanted.shape).hasRemarks)
+    if (shared_ && !key.empty() && meshes_.at(wanted.shape).remarks.empty())
         shared_->deviceMeshes.add(key, uploaded, bytesOf(*uploaded));
     deviceMeshes_[planned] = std::move(uploaded);
     return diagnostics;

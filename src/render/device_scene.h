@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -12,6 +13,8 @@
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "gpu/vertex_array.h"
+#include "image/image.h"
+#include "noise/texel_bytes.h"
 #include "plan/frame_plan.h"
 #include "render/programs.h"
 #include "render/shared_parts.h"
@@ -51,10 +54,12 @@ class DeviceScene {
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
     /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in
-    /// `diagnostics`.
-    const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics& diagnostics);
-    /// Of the vertices of that mesh, which is made for it if need be.
-    const Bounds& bounds(int shape, bool withTangents, Diagnostics& diagnostics);
+    /// `remarks`. Without `remarks` they wait for the next who asks. No GL.
+    const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics* remarks);
+    /// Of the vertices of that mesh, which is made for it if need be. No GL.
+    const Bounds& bounds(int shape, bool withTangents, Diagnostics* remarks);
+    /// Reads the files of a texture, or computes its noise, if nobody has yet; prepare() uses it. No GL.
+    void readAhead(int texture);
     /// What bounds() has found out for the shape, or null.
     [[nodiscard]] const Bounds* knownBounds(int shape) const;
     /// The shape is another now.
@@ -81,9 +86,14 @@ class DeviceScene {
     struct MadeMesh {
         std::shared_ptr<const geometry::Mesh> mesh;
         bool withTangents = false;
-        bool hasRemarks = false;
+        Diagnostics remarks;
+        bool areTold = false;
         std::string key;
     };
+    using PictureTexels = Result<image::TexelBlock>;
+    using NoiseTexels = Result<noise::TexelShorts>;
+    void make(int shape, bool withTangents, MadeMesh& made);
+    void tell(int shape, Diagnostics* remarks);
     std::shared_ptr<const geometry::Mesh> earlierMesh(const std::string& key);
     [[nodiscard]] const Bounds* boundsOfMesh(const geometry::Mesh& mesh) const;
     std::shared_ptr<const DeviceMesh> earlierDeviceMesh(const std::string& key, const plan::FramePlan& plan,
@@ -91,7 +101,9 @@ class DeviceScene {
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
     Diagnostics upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs);
     Diagnostics makeTexture(int index);
-    Result<gpu::Texture> createTexture(const scene::Texture& texture);
+    Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key);
+    NoiseTexels noiseTexels(const scene::NoiseSource& source, const Place& place);
+    PictureTexels pictureTexels(const scene::Texture& texture, const scene::PictureSource& picture);
 
     const gpu::Context& context_;
     const scene::Scene& scene_;
@@ -108,6 +120,8 @@ class DeviceScene {
     std::set<int> written_;  ///< textures that programs may write to as images: nobody else's
     std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it
     std::map<int, int> sameTexture_;
+    std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
+    std::map<std::string, NoiseTexels> noiseAhead_;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
     std::map<bool, gpu::Sampler> samplers_;
     std::map<std::pair<int, int>, gpu::VertexArray> vertexArrays_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glibra/diagnostic.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -93,14 +94,24 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
            static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
 }
 
-Result<noise::TexelShorts> noiseTexels(const scene::Scene& scene, const scene::NoiseSource& source,
-                                       const Place& place) {
+/// The files of a picture, in order.
+std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scene::PictureSource& picture) {
+    std::vector<std::filesystem::path> paths;
+    for (const int each : picture.files) paths.push_back(scene.files[static_cast<std::size_t>(each)].path);
+    return paths;
+}
+
+}  // namespace
+
+DeviceScene::NoiseTexels DeviceScene::noiseTexels(const scene::NoiseSource& source, const Place& place) {
+    const StageTimer timer(stats_, "noise");
     if (source.file == scene::kNone) {
         if (source.texels == scene::NoiseTexels::bytes)
             return widened(noise::cachedTexels(source.dimensions, source.size));
         return source.dimensions == 3 ? noise::noise3Shorts(source.size) : noise::noise2Shorts(source.size);
     }
-    const scene::FileReference& file = scene.files[static_cast<std::size_t>(source.file)];
+    stats_.add("files read", 1);
+    const scene::FileReference& file = scene_.files[static_cast<std::size_t>(source.file)];
     Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
     if (!read) return std::move(read.diagnostics);
     noise::TexelBytes bytes(read->data.size());
@@ -108,7 +119,30 @@ Result<noise::TexelShorts> noiseTexels(const scene::Scene& scene, const scene::N
     return widened(bytes);
 }
 
-}  // namespace
+DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& texture,
+                                                      const scene::PictureSource& picture) {
+    const StageTimer timer(stats_, "read");
+    const std::vector<std::filesystem::path> paths = pathsOf(scene_, picture);
+    stats_.add("files read", paths.size());
+    if (texture.target == scene::TextureTarget::cube) return image::readCubeMap(paths, texture.place);
+    return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
+}
+
+void DeviceScene::readAhead(int index) {
+    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
+    const std::string key = reuseKey(scene_, texture);
+    if (key.empty() || (shared_ && shared_->textures.contains(key))) return;
+    if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        if (!noiseAhead_.contains(key)) noiseAhead_.emplace(key, noiseTexels(*noise, texture.place));
+        return;
+    }
+    const auto& picture = std::get<scene::PictureSource>(texture.source);
+    const bool areThere = std::none_of(picture.files.begin(), picture.files.end(), [this](int file) {
+        return hasError(scene_.files[static_cast<std::size_t>(file)].remarks);
+    });
+    if (areThere && !picturesAhead_.contains(key))
+        picturesAhead_.emplace(key, pictureTexels(texture, picture));
+}
 
 Diagnostics DeviceScene::makeTexture(int index) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
@@ -136,7 +170,7 @@ Diagnostics DeviceScene::makeTexture(int index) {
             textures_.emplace(index, std::move(earlier));
             return {};
         }
-    Result<gpu::Texture> made = createTexture(texture);
+    Result<gpu::Texture> made = createTexture(texture, key);
     if (!made) return std::move(made.diagnostics);
     const std::uint64_t texels = texelsOf(made->size(), texture.target);
     stats_.add("textures", 1);
@@ -153,7 +187,8 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     if (previous_)
         for (const auto& [index, known] : previous_->textures_)
             if (previous_->textureKeys_[index] == key && !previous_->written_.contains(index)) return known;
-    const auto* found = shared_ ? shared_->textures.find(key) : nullptr;
+    std::shared_ptr<const gpu::Texture> found =
+        shared_ ? shared_->textures.find(key).value_or(nullptr) : nullptr;
     if (!found) return nullptr;
     stats_.add("textures kept", 1);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
@@ -161,10 +196,10 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
                 fmt::format("unit {}: it is there from an earlier scene",
                             plan::slotText(texture.unit, texture.target)),
                 texture.place);
-    return *found;
+    return found;
 }
 
-Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
+Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, const std::string& key) {
     const gpu::Capabilities& capabilities = context_.capabilities();
     const gpu::TextureShape shape = shapeOf(texture.target);
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source))
@@ -172,9 +207,9 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
                                     {empty->width, empty->height, empty->depth});
 
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        auto ahead = noiseAhead_.extract(key);
+        NoiseTexels texels = ahead ? std::move(ahead.mapped()) : noiseTexels(*noise, texture.place);
         const StageTimer timer(stats_, "noise");
-        if (noise->file != scene::kNone) stats_.add("files read", 1);
-        Result<noise::TexelShorts> texels = noiseTexels(scene_, *noise, texture.place);
         Diagnostics diagnostics = noise->remarks;
         append(diagnostics, std::move(texels.diagnostics));
         if (!texels) return diagnostics;
@@ -189,21 +224,12 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture) {
 
     const auto& picture = std::get<scene::PictureSource>(texture.source);
     Diagnostics diagnostics;
-    std::vector<std::filesystem::path> paths;
-    for (const int each : picture.files) {
-        const scene::FileReference& file = scene_.files[static_cast<std::size_t>(each)];
-        append(diagnostics, file.remarks);
-        paths.push_back(file.path);
-    }
+    for (const int each : picture.files)
+        append(diagnostics, scene_.files[static_cast<std::size_t>(each)].remarks);
     if (hasError(diagnostics)) return diagnostics;
+    auto ahead = picturesAhead_.extract(key);
+    PictureTexels block = ahead ? std::move(ahead.mapped()) : pictureTexels(texture, picture);
     const StageTimer timer(stats_, "read");
-    stats_.add("files read", paths.size());
-    Result<image::TexelBlock> block;
-    if (texture.target == scene::TextureTarget::cube) {
-        block = image::readCubeMap(paths, texture.place);
-    } else {
-        block = image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
-    }
     append(diagnostics, std::move(block.diagnostics));
     if (!block) return diagnostics;
     Result<gpu::Texture> made = gpu::Texture::create(capabilities, shape, formatOf(block->type),

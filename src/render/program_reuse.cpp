@@ -66,7 +66,7 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
 std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
     if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
     const std::string key = render::keyOf(asked);
-    if (const auto* known = shared_->translations.find(key)) {
+    if (const auto known = shared_->translations.find(key)) {
         stats_.add("translations kept", 1);
         return *known;
     }

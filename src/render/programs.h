@@ -52,6 +52,10 @@ class ProgramLibrary {
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
     /// How the program places its vertices; it is translated for that, not compiled.
     glsl::Placement placementOf(const plan::ProgramVariant& variant);
+    /// The translation; null if a source is missing.
+    const glsl::TranslatedProgram* translated(const plan::ProgramVariant& variant) {
+        return translationOf(variant).program.get();
+    }
     /// True if a source of the variant speaks of tangents.
     bool mayReadTangents(const plan::ProgramVariant& variant);
     /// What became of that line of a source in the programs that the driver refused: of the first stage that

@@ -24,6 +24,11 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 SceneRenderer::~SceneRenderer() = default;
 
+PreparedScene::PreparedScene() = default;
+PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;
+PreparedScene& PreparedScene::operator=(PreparedScene&&) noexcept = default;
+PreparedScene::~PreparedScene() = default;
+
 FrameDrawer& SceneRenderer::drawer() {
     return *state_->drawer;
 }
@@ -75,56 +80,90 @@ std::optional<Moment> SceneRenderer::momentOf(double time) const {
     return moment;
 }
 
+PreparedScene SceneRenderer::begin(gpu::Context& context, const std::filesystem::path& path,
+                                   const RenderOptions& options, Stats& stats, SharedParts* shared) {
+    PreparedScene begun;
+    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    begun.isStrict_ = options.strict;
+    begun.diagnostics_ = std::move(interpreted.diagnostics);
+    applyStrict(begun.diagnostics_, options.strict);
+    if (interpreted && !hasError(begun.diagnostics_))
+        begun.state_ = State::of(context, std::move(*interpreted), options, stats, shared);
+    return begun;
+}
+
 Result<SceneRenderer> SceneRenderer::load(gpu::Context& context, const std::filesystem::path& path,
                                           const RenderOptions& options, Stats& stats, SharedParts* shared) {
-    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
-    Diagnostics diagnostics = std::move(interpreted.diagnostics);
-    applyStrict(diagnostics, options.strict);
-    if (!interpreted || hasError(diagnostics)) return diagnostics;
-    Result<SceneRenderer> renderer = of(context, std::move(*interpreted), options, stats, shared);
+    return load(begin(context, path, options, stats, shared), stats);
+}
+
+PreparedScene SceneRenderer::prepare(gpu::Context& context, const std::filesystem::path& path,
+                                     const RenderOptions& options, Stats& stats, SharedParts* shared) {
+    PreparedScene prepared = begin(context, path, options, stats, shared);
+    if (prepared.state_) (*prepared.state_)->makeAhead();
+    return prepared;
+}
+
+Result<SceneRenderer> SceneRenderer::load(PreparedScene prepared, Stats& stats) {
+    Diagnostics diagnostics = std::move(prepared.diagnostics_);
+    if (!prepared.state_ && prepared.state_.diagnostics.empty()) return diagnostics;
+    Result<SceneRenderer> renderer = finish(std::move(prepared.state_), stats);
     append(diagnostics, std::move(renderer.diagnostics));
-    applyStrict(diagnostics, options.strict);
+    applyStrict(diagnostics, prepared.isStrict_);
     renderer.diagnostics = std::move(diagnostics);
     return renderer;
 }
 
 Result<SceneRenderer> SceneRenderer::of(gpu::Context& context, scene::Scene interpreted,
                                         const RenderOptions& options, Stats& stats, SharedParts* shared) {
-    Diagnostics diagnostics;
-    const auto refuse = [&](Diagnostics found) {
-        applyStrict(found, options.strict);
-        return Result<SceneRenderer>(std::move(found));
-    };
+    return finish(State::of(context, std::move(interpreted), options, stats, shared), stats);
+}
+
+Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Context& context,
+                                                                       scene::Scene interpreted,
+                                                                       const RenderOptions& options,
+                                                                       Stats& stats, SharedParts* shared) {
     const int width = options.width > 0 ? options.width : interpreted.width;
     const int height = options.height > 0 ? options.height : interpreted.height;
-    if (static_cast<std::int64_t>(width) * height > kMostPixels) {
-        diagnostics.push_back(
-            error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
-                  {interpreted.path, 1, 1}));
-        return refuse(std::move(diagnostics));
-    }
+    if (static_cast<std::int64_t>(width) * height > kMostPixels)
+        return error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
+                     {interpreted.path, 1, 1});
     const gpu::Capabilities& capabilities = context.capabilities();
     const int largest = std::min(
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
-    const TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
+    TileGrid grid = tileGrid(width, height, options.tileSize, largest, kMostPixelsAtOnce);
 
     auto state = std::make_unique<State>(context, options, std::move(interpreted),
                                          grid.tiles.size() > 1 || options.tileSize > 0, stats,
                                          options.skip ? shared : nullptr);
     state->width = width;
     state->height = height;
-    state->tiles = grid.tiles;
-    state->parts = grid.parts;
-    append(diagnostics, state->placeEye(stats));
+    state->tiles = std::move(grid.tiles);
+    state->parts = std::move(grid.parts);
+    Diagnostics diagnostics = state->placeEye(stats);
+    return {std::move(state), std::move(diagnostics)};
+}
+
+Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepared, Stats& stats) {
+    Diagnostics diagnostics = std::move(prepared.diagnostics);
+    if (!prepared) return diagnostics;
+    std::unique_ptr<State> state = std::move(*prepared);
+    gpu::Context& context = state->context;
+    const gpu::Capabilities& capabilities = context.capabilities();
+    const RenderOptions& options = state->options;
+    const auto refuse = [&](Diagnostics found) {
+        applyStrict(found, options.strict);
+        return Result<SceneRenderer>(std::move(found));
+    };
     append(diagnostics, state->preparePlan(stats, false));
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
 
     state->drawer.emplace(context, state->scene, state->plan, state->programs, state->device, stats);
     state->isStateful = state->mayShowEarlierFrames();
-    state->drawer->setPictureSize(width, height);
+    state->drawer->setPictureSize(state->width, state->height);
     state->drawer->setView(state->view);
-    if (options.skip && grid.tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
+    if (options.skip && state->tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
     if (options.skip && !options.floatPixels) state->drawer->leaveOutBlending();
     state->device.releaseMeshes();
 

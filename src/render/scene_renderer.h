@@ -22,6 +22,7 @@ namespace glibra::render {
 
 class DeviceScene;
 class FrameDrawer;
+class PreparedScene;
 
 /// What a picture depends on besides its scene: the values of Timer that its programs read, one a period.
 using Moment = std::vector<double>;
@@ -39,6 +40,14 @@ class SceneRenderer {
     /// The same from a scene that is interpreted already; its own diagnostics are not repeated.
     static Result<SceneRenderer> of(gpu::Context& context, scene::Scene scene, const RenderOptions& options,
                                     Stats& stats, SharedParts* shared = nullptr);
+
+    /// The part of load() that needs no GL: reads, translates and computes what the plan will probably want.
+    /// It may run on another thread while this context draws; `shared` may be in use meanwhile.
+    static PreparedScene prepare(gpu::Context& context, const std::filesystem::path& scene,
+                                 const RenderOptions& options, Stats& stats, SharedParts* shared = nullptr);
+    /// The rest of load(), on the context's thread, with the same `stats`: value and diagnostics are those of
+    /// load() by itself.
+    static Result<SceneRenderer> load(PreparedScene prepared, Stats& stats);
 
     /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
@@ -74,7 +83,25 @@ class SceneRenderer {
 
   private:
     explicit SceneRenderer(std::unique_ptr<State> state);
+    static PreparedScene begin(gpu::Context& context, const std::filesystem::path& scene,
+                               const RenderOptions& options, Stats& stats, SharedParts* shared);
+    static Result<SceneRenderer> finish(Result<std::unique_ptr<State>> prepared, Stats& stats);
     std::unique_ptr<State> state_;
+};
+
+/// A scene on its way to the device. What it was prepared with must outlive it.
+class PreparedScene {
+  public:
+    PreparedScene(PreparedScene&&) noexcept;
+    PreparedScene& operator=(PreparedScene&&) noexcept;
+    ~PreparedScene();
+
+  private:
+    friend class SceneRenderer;
+    PreparedScene();
+    Diagnostics diagnostics_;  ///< of its text
+    bool isStrict_ = false;
+    Result<std::unique_ptr<SceneRenderer::State>> state_;
 };
 
 /// A scene file's text to a Scene. The diagnostics of both steps are in the result; there is no value only if

@@ -72,7 +72,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     Diagnostics meshDiagnostics;
     if (!planOptions.everything)
         planOptions.outOfSight = [&](const scene::Draw& draw, const scene::Pass& pass) {
-            return outOfSight(draw, pass, meshDiagnostics);
+            return outOfSight(draw, pass, &meshDiagnostics);
         };
     plan = planScene(planOptions);
     stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
@@ -84,7 +84,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
 }
 
 std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
-                                             Diagnostics& diagnostics) {
+                                             Diagnostics* remarks) {
     const geometry::Topology topology = scene::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
@@ -96,7 +96,7 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
         if (!size) return {};
         screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, options.tileSize > 0};
     }
-    const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), diagnostics);
+    const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
     const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), lens)));
 }
@@ -137,7 +137,7 @@ Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
         const StageTimer timer(stats, "view");
         const scene::ViewMove move = scene::autoView(
-            scene, [&](int shape) { return device.mesh(shape, false, diagnostics); },
+            scene, [&](int shape) { return device.mesh(shape, false, &diagnostics); },
             static_cast<double>(width) / height);
         eyeDistance = move.distance;
         append(diagnostics, move.diagnostics);

@@ -26,6 +26,10 @@ struct SceneRenderer::State {
           programs(context, scene, options, tiled, stats, shared),
           device(context, scene, stats, shared) {}
 
+    /// Without GL. Errors: glib-E15 for a picture that is too large.
+    static Result<std::unique_ptr<State>> of(gpu::Context& context, scene::Scene interpreted,
+                                             const RenderOptions& options, Stats& stats, SharedParts* shared);
+
     gpu::Context& context;
     RenderOptions options;
     scene::Scene scene;
@@ -45,7 +49,10 @@ struct SceneRenderer::State {
     Diagnostics preparePlan(Stats& stats, bool everything);
     Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
-    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics& diagnostics);
+    /// Translates programs, makes meshes and reads textures that the plan will probably want. No GL.
+    void makeAhead();
+    /// Why nothing of the draw can be seen. Without `remarks`, those on its mesh are told later.
+    std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     [[nodiscard]] bool mayShowEarlierFrames();
     Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
 };

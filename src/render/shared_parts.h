@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,21 +24,28 @@ namespace glibra::render {
 
 struct DeviceMesh;
 
-/// Values by key, up to a sum of sizes.
+/// Values by key, up to a sum of sizes. Several threads may use it at once; a value goes on the thread whose
+/// add() or take() leaves no place for it.
 template <class Value>
 class PartStore {
   public:
     explicit PartStore(std::size_t largest) : largest_(largest) {}
 
-    /// The value under the key, or null.
-    const Value* find(const std::string& key) {
+    /// A copy of the value under the key.
+    std::optional<Value> find(const std::string& key) {
+        const std::scoped_lock lock(mutex_);
         const auto found = index_.find(key);
-        if (found == index_.end()) return nullptr;
+        if (found == index_.end()) return std::nullopt;
         entries_.splice(entries_.begin(), entries_, found->second);
-        return &found->second->value;
+        return found->second->value;
+    }
+    [[nodiscard]] bool contains(const std::string& key) const {
+        const std::scoped_lock lock(mutex_);
+        return index_.contains(key);
     }
     /// Takes it out.
     std::optional<Value> take(const std::string& key) {
+        const std::scoped_lock lock(mutex_);
         const auto found = index_.find(key);
         if (found == index_.end()) return std::nullopt;
         std::optional<Value> value(std::move(found->second->value));
@@ -46,6 +54,7 @@ class PartStore {
     }
     /// Keeps it in place of an earlier one; not if it alone is too large.
     void add(const std::string& key, Value value, std::size_t size) {
+        const std::scoped_lock lock(mutex_);
         if (const auto found = index_.find(key); found != index_.end()) remove(found->second);
         if (size > largest_) return;
         entries_.push_front({key, std::move(value), size});
@@ -53,7 +62,10 @@ class PartStore {
         size_ += size;
         while (size_ > largest_) remove(std::prev(entries_.end()));
     }
-    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t size() const {
+        const std::scoped_lock lock(mutex_);
+        return size_;
+    }
 
   private:
     struct Entry {
@@ -68,6 +80,7 @@ class PartStore {
         entries_.erase(place);
     }
 
+    mutable std::mutex mutex_;
     std::size_t largest_;
     std::size_t size_ = 0;
     std::list<Entry> entries_;  ///< most recently used first
@@ -83,7 +96,7 @@ struct SharedProgram {
 };
 
 /// Must go before the context does. Nothing is kept that was made with a remark: the next scene is to hear it
-/// too.
+/// too. What has a name of GL's is used on the context's thread alone; others may ask whether it is there.
 struct SharedParts {
     static constexpr std::size_t kMegabyte = std::size_t{1} << 20;
     PartStore<std::shared_ptr<const geometry::Mesh>> meshes{64 * kMegabyte};

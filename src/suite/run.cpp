@@ -14,6 +14,7 @@
 #include "suite/run_messages.h"
 #include "suite/run_pieces.h"
 #include "suite/run_worker.h"
+#include "suite/suspicions.h"
 #include "suite/verdict.h"
 
 namespace glibra::suite {
@@ -62,7 +63,10 @@ class Run {
     }
 
     void round(const std::vector<ShotReference>& open) {
-        const auto joins = [&](std::size_t i) { return timeoutOf(open[i]) == timeoutOf(open[i - 1]); };
+        const auto joins = [&](std::size_t i) {
+            return timeoutOf(open[i]) == timeoutOf(open[i - 1]) && !suspicions_.isUnder(open[i]) &&
+                   !suspicions_.isUnder(open[i - 1]);
+        };
         plan_.pieces.clear();
         for (const std::vector<std::size_t>& piece : planPieces(open.size(), jobs_, joins)) {
             std::vector<ShotReference>& shots = plan_.pieces.emplace_back();
@@ -95,7 +99,9 @@ class Run {
     }
 
     void finish(const ShotReference& shot, const ShotResult& result) {
-        if (done_.insert(shot).second && events_.done) events_.done(result);
+        if (!done_.insert(shot).second) return;
+        for (const ShotResult& each : suspicions_.settle(shot, result))
+            if (events_.done) events_.done(each);
     }
 
     void pieceEnds(std::size_t piece, const render::Outcome& outcome) {
@@ -105,15 +111,14 @@ class Run {
             end_.diagnostics.push_back(error("gpu-E01", outcome.answer));
             return;
         }
-        // The worker could not remove what it had half written.
-        for (const ShotReference& each : plan_.pieces[piece]) removeLeftovers(each, outcome.process);
+        const auto& shots = plan_.pieces[piece];
+        removeLeftovers(shots, outcome.process);
         if (outcome.end == End::stopped) return;
         // What was being drawn is to blame. Shots that were waiting for their verdict or their turn are given
         // out again; so are all if none was begun, but not for ever.
         std::optional<ShotReference> blamed = begun_[piece];
         if (blamed && done_.contains(*blamed)) blamed.reset();
         if (!blamed) {
-            const auto& shots = plan_.pieces[piece];
             const auto first = std::find_if(shots.begin(), shots.end(), [this](const ShotReference& each) {
                 return !done_.contains(each);
             });
@@ -121,18 +126,28 @@ class Run {
             if (first == shots.end() || ++unexplained_[*first] < kPatience) return;
             blamed = *first;
         }
+        ShotResult result = endedBy(*blamed, outcome);
+        // A shot that hangs cannot be the next one: none waits for it.
+        const auto next = std::find(shots.begin(), shots.end(), *blamed) + 1;
+        if (outcome.end == End::crashed && next != shots.end())
+            suspicions_.add(*blamed, *next, std::move(result));
+        else
+            finish(*blamed, result);
+    }
+
+    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const render::Outcome& outcome) const {
         const bool late = outcome.end == End::timedOut;
-        const std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(*blamed))
+        const std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
                                    : outcome.signal > 0
                                        ? fmt::format("the process that drew it ended with signal {} ({})",
                                                      outcome.signal, signalName(outcome.signal))
                                        : "the process that drew it ended by itself";
-        ShotResult result = ShotJudge::broken(plan_.suites[blamed->suite], shotOf(*blamed),
+        ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
                                               late ? Verdict::timedOut : Verdict::crashed, reason);
         result.accept.clear();
         result.diagnostics.push_back(
             error(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
-        finish(*blamed, result);
+        return result;
     }
 
     static const char* signalName(int signal) {
@@ -152,17 +167,21 @@ class Run {
         }
     }
 
-    void removeLeftovers(const ShotReference& reference, int process) const {
-        const Suite& suite = plan_.suites[reference.suite];
-        const Shot& shot = shotOf(reference);
-        if (!options_.onlyRender.empty()) {
-            const fs::path file = pictureFile(options_.onlyRender, suite, shot, plan_.suites.size() > 1);
-            image::removeTemporaryFiles(file.parent_path(), process);
-            return;
+    /// What a worker had half written when it ended.
+    void removeLeftovers(const std::vector<ShotReference>& shots, int process) const {
+        std::set<fs::path> folders;
+        for (const ShotReference& each : shots) {
+            const Suite& suite = plan_.suites[each.suite];
+            const Shot& shot = shotOf(each);
+            if (!options_.onlyRender.empty()) {
+                folders.insert(
+                    pictureFile(options_.onlyRender, suite, shot, plan_.suites.size() > 1).parent_path());
+                continue;
+            }
+            folders.insert((options_.results / suite.name / shot.name).parent_path());
+            if (options_.update) folders.insert(plan_.goldens[each.suite].file(shot, "").parent_path());
         }
-        image::removeTemporaryFiles((options_.results / suite.name / shot.name).parent_path(), process);
-        if (options_.update)
-            image::removeTemporaryFiles(plan_.goldens[reference.suite].file(shot, "").parent_path(), process);
+        for (const fs::path& each : folders) image::removeTemporaryFiles(each, process);
     }
 
     const RunOptions& options_;
@@ -171,6 +190,7 @@ class Run {
     RunEnd end_;
     int jobs_ = 1;
     std::set<ShotReference> done_;
+    Suspicions suspicions_;
     std::map<ShotReference, int> unexplained_;         ///< ends of workers that began nothing
     std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, a piece each
     std::vector<std::vector<AcceptedHash>> accepted_;  ///< a suite each
@@ -186,7 +206,9 @@ RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> sh
 void shareProcessors(int jobs, std::size_t pieces) {
     const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
     if (workers <= 1) return;
-    ::setenv("LP_NUM_THREADS", std::to_string(std::max(1, defaultJobs() / workers)).c_str(), 0);
+    const int threads = defaultJobs() / workers;
+    // 0: the caller rasterises. With one thread it would hand over to that and wait.
+    ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
 }
 
 int defaultJobs() {

@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <new>
 #include <system_error>
-#include <thread>
 
 #include "image/write.h"
-#include "render/job.h"
+#include "suite/background.h"
 #include "suite/hash_key.h"
-#include "suite/unknown_uniforms.h"
 
 namespace glibra::suite {
 namespace {
@@ -25,52 +21,6 @@ using Clock = std::chrono::steady_clock;
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-/// Does jobs in order on a thread of its own. At most two wait, so that pictures in memory stay few.
-class Background {
-  public:
-    Background() : thread_([this] { run(); }) {}
-    Background(const Background&) = delete;
-    Background& operator=(const Background&) = delete;
-    ~Background() { finish(); }
-
-    void add(std::function<void()> job) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return waiting_.size() < 2; });
-        waiting_.push_back(std::move(job));
-        changed_.notify_all();
-    }
-    void finish() {
-        {
-            const std::scoped_lock lock(mutex_);
-            closed_ = true;
-            changed_.notify_all();
-        }
-        if (thread_.joinable()) thread_.join();
-    }
-
-  private:
-    void run() {
-        while (true) {
-            std::function<void()> job;
-            {
-                std::unique_lock lock(mutex_);
-                changed_.wait(lock, [this] { return !waiting_.empty() || closed_; });
-                if (waiting_.empty()) return;
-                job = std::move(waiting_.front());
-                waiting_.pop_front();
-                changed_.notify_all();
-            }
-            job();
-        }
-    }
-
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<std::function<void()>> waiting_;
-    bool closed_ = false;
-    std::thread thread_;
-};
 
 /// Hands shots that have to be rendered once more from the judging thread to the one with the context.
 class Recalls {
@@ -108,6 +58,7 @@ std::string ShotWorker::openContext() {
     Result<gpu::Context> opened = gpu::openContext({.driver = plan_.options.driver});
     if (!opened) return opened.diagnostics.empty() ? "no driver" : opened.diagnostics.front().text;
     context_.emplace(std::move(*opened));
+    renderer_.emplace(*context_, plan_.options.skip);
     const gpu::Capabilities& driver = context_->capabilities();
     driver_ = driver.renderer + ", " + driver.version;
     const JudgeOptions options{plan_.options.update, plan_.options.force, plan_.options.variant,
@@ -117,83 +68,7 @@ std::string ShotWorker::openContext() {
     return {};
 }
 
-Rendering ShotWorker::render(const Shot& shot) {
-    Rendering rendering;
-    RenderOptions options = shot.options;
-    options.time = 0;
-    options.skip = plan_.options.skip;
-    if (!loaded_ || loaded_->script != shot.script || loaded_->options != options ||
-        loaded_->renderer.remembersFrames()) {
-        loaded_.reset();
-        auto stats = std::make_unique<render::Stats>();
-        Result<render::SceneRenderer> renderer =
-            render::SceneRenderer::load(*context_, shot.script, options, *stats, &shared_);
-        if (!renderer) {
-            rendering.diagnostics = std::move(renderer.diagnostics);
-            return rendering;
-        }
-        loaded_.emplace(Loaded{shot.script,
-                               options,
-                               std::move(stats),
-                               std::move(*renderer),
-                               std::move(renderer.diagnostics),
-                               std::nullopt,
-                               {}});
-    }
-    rendering.diagnostics = loaded_->diagnostics;
-    Result<image::Image> picture = draw(shot.options.time);
-    append(rendering.diagnostics, std::move(picture.diagnostics));
-    rendering.picture = std::move(picture.value);
-    if (rendering.picture) {
-        append(rendering.diagnostics,
-               render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
-        render::applyStrict(rendering.diagnostics, shot.options.strict);
-    }
-    return rendering;
-}
-
-/// Draws with the scene that is loaded, or gives its last picture once more.
-Result<image::Image> ShotWorker::draw(double time) {
-    const std::optional<render::Moment> moment =
-        plan_.options.skip ? loaded_->renderer.momentOf(time) : std::nullopt;
-    if (moment && loaded_->picture && loaded_->moment == *moment) return *loaded_->picture;
-    Result<image::Image> picture = loaded_->renderer.draw(time, *loaded_->stats);
-    loaded_->picture.reset();
-    // A picture with remarks is drawn again: the next shot is to hear them too.
-    if (moment && picture && picture.diagnostics.empty()) {
-        loaded_->picture = *picture;
-        loaded_->moment = *moment;
-    }
-    return picture;
-}
-
-void ShotWorker::forget() {
-    loaded_.reset();
-    shared_ = {};
-}
-
-Rendering ShotWorker::tryRender(const Shot& shot) {
-    const Clock::time_point start = Clock::now();
-    Rendering rendering;
-    const auto fail = [&](const char* id, const char* text) {
-        forget();
-        rendering = {};
-        rendering.diagnostics.push_back(error(id, text, {shot.script.string(), 1, 1}));
-    };
-    try {
-        rendering = render(shot);
-        if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
-        if (hasError(rendering.diagnostics)) rendering.picture.reset();
-    } catch (const std::bad_alloc&) {
-        fail("draw-E05", "out of memory");
-    } catch (const std::exception& failure) {
-        fail("draw-E06", failure.what());
-    }
-    rendering.milliseconds = millisecondsSince(start);
-    return rendering;
-}
-
-Attempt ShotWorker::attempt(const ShotReference& reference) {
+Attempt ShotWorker::attempt(const ShotReference& reference, const Shot* next) {
     const Suite& suite = plan_.suites[reference.suite];
     const Shot& shot = shotOf(reference);
     Attempt attempt;
@@ -203,9 +78,9 @@ Attempt ShotWorker::attempt(const ShotReference& reference) {
         const auto found = std::find_if(suite.shots.begin(), suite.shots.end(),
                                         [&](const Shot& each) { return each.name == name; });
         if (found == suite.shots.end()) return std::nullopt;
-        return tryRender(*found);
+        return renderer_->render(*found);
     };
-    attempt.own = tryRender(shot);
+    attempt.own = renderer_->render(shot, next);
     if (attempt.own.picture) {
         attempt.match = partner(shot.match);
         attempt.differ = partner(shot.differ);
@@ -251,8 +126,8 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
     const auto renderRecalled = [&] {
         while (const std::optional<Recalls::Recall> recall = recalls.next()) {
             tell(Begins{recall->reference});
-            forget();
-            const Attempt again = attempt(recall->reference);
+            renderer_->forget();
+            const Attempt again = attempt(recall->reference, nullptr);
             const Clock::time_point start = Clock::now();
             report(recall->reference, judges_[recall->reference.suite].second(*recall->attempt, again),
                    start);
@@ -260,12 +135,15 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
     };
 
     Background judging;
-    for (const ShotReference& reference : plan_.pieces[piece]) {
+    const std::vector<ShotReference>& shots = plan_.pieces[piece];
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const ShotReference reference = shots[i];
         tell(Begins{reference});
         const bool first = !context_;
         if (std::string problem = openContext(); !problem.empty()) return problem;
         if (first) tell(DriverIs{driver_});
-        auto drawn = std::make_shared<const Attempt>(attempt(reference));
+        auto drawn = std::make_shared<const Attempt>(
+            attempt(reference, i + 1 < shots.size() ? &shotOf(shots[i + 1]) : nullptr));
         judging.add([this, reference, drawn, &report, &recalls] {
             const Clock::time_point start = Clock::now();
             if (judges_.empty())

@@ -1,6 +1,6 @@
 #pragma once
 // The work of one worker process: it keeps its GL context from piece to piece and overlaps drawing one shot
-// with judging the one before.
+// with judging the one before and preparing the one after.
 
 #include <memory>
 #include <optional>
@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "gpu/context.h"
-#include "render/scene_renderer.h"
-#include "render/stats.h"
 #include "render/workers.h"
 #include "suite/golden_store.h"
 #include "suite/run_messages.h"
+#include "suite/shot_renderer.h"
 #include "suite/verdict.h"
 
 namespace glibra::suite {
@@ -35,25 +34,10 @@ class ShotWorker {
     std::string operator()(std::size_t piece, const render::Step& step);
 
   private:
-    struct Loaded {
-        std::filesystem::path script;
-        RenderOptions options;
-        std::unique_ptr<render::Stats> stats;  ///< the renderer writes to it as long as it lives
-        render::SceneRenderer renderer;
-        Diagnostics diagnostics;
-        /// The picture drawn last, if others may be the same.
-        std::optional<image::Image> picture;
-        render::Moment moment;  ///< of that picture
-    };
-
     /// Empty if there is a context.
     std::string openContext();
-    Rendering render(const Shot& shot);
-    Result<image::Image> draw(double time);
-    /// The next shot is made from nothing.
-    void forget();
-    Rendering tryRender(const Shot& shot);
-    Attempt attempt(const ShotReference& reference);
+    /// `next` is the shot that follows, or null.
+    Attempt attempt(const ShotReference& reference, const Shot* next);
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
     [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;
 
@@ -61,9 +45,7 @@ class ShotWorker {
     std::optional<gpu::Context> context_;
     std::string driver_;
     std::vector<ShotJudge> judges_;
-    // After the context: they have to go first.
-    render::SharedParts shared_;
-    std::optional<Loaded> loaded_;
+    std::optional<ShotRenderer> renderer_;  ///< after the context: it has to go first
 };
 
 }  // namespace glibra::suite

@@ -73,7 +73,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     for (const plan::PlannedMesh& each : plan.meshes)
-        device.bounds(each.shape, hasTangents(each), diagnostics);
+        device.bounds(each.shape, hasTangents(each), &diagnostics);
     append(diagnostics, device.prepare(plan, programs));
     drawer.emplace(context, scene, plan, programs, device, drawStats);
     drawer->leaveOutOfTile(kSamples);
@@ -103,7 +103,7 @@ void LiveScene::State::placeEye(double aspect, Diagnostics& diagnostics) {
     eyeDistance = 0;
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
     scene::ViewMove move = scene::autoView(
-        scene, [&](int shape) { return device.mesh(shape, false, diagnostics); }, aspect);
+        scene, [&](int shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
     eyeDistance = move.distance;
     append(diagnostics, std::move(move.diagnostics));
 }
@@ -229,7 +229,7 @@ render::FrameDrawer& LiveScene::drawer() {
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
     Diagnostics alreadyTold;
-    return state_->device.mesh(planned.shape, hasTangents(planned), alreadyTold);
+    return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyTold);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
     return state_->device.deviceMesh(draw.mesh);

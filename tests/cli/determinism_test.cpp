@@ -55,6 +55,7 @@ TEST_F(Determinism, EglAndOsmesa) {
 
 TEST_F(Determinism, OneThreadAndTwo) {
     EXPECT_EQ(picture("", "LP_NUM_THREADS=1"), picture("", "LP_NUM_THREADS=2"));
+    EXPECT_EQ(picture("", "LP_NUM_THREADS=0"), picture("", "LP_NUM_THREADS=2"));
 }
 
 TEST_F(Determinism, WithAndWithoutShaderCache) {

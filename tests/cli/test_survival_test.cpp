@@ -73,6 +73,56 @@ TEST_F(Survival, AKilledWorkerCostsOneShotAndTheRestGoesOn) {
     EXPECT_TRUE(contains(log(), "signal 9")) << log();
 }
 
+#ifdef GLIBRA_END_ON_OPEN
+TEST_F(Survival, AShotThatEndsItsWorkerWhileItIsPreparedIsTheOneThatIsBlamed) {
+    folder.write("deadly.frag", readFile(folder / "a.frag"));
+    folder.write("b.glib", "Vertex a.vert\nFragment deadly.frag\nProgram P uRounds 200\nQuadXY 0 1 1 1\n");
+    folder.write("t.toml",
+                 "goldens = \"golden\"\n[defaults]\nsize = [300, 300]\n"
+                 "[[shot]]\nscript = \"a.glib\"\nsweep = { uRounds = [200, 201, 202] }\n"
+                 "[[shot]]\nscript = \"b.glib\"\n"
+                 "[[shot]]\nscript = \"a.glib\"\nsweep = { uRounds = [203, 204] }\n");
+    ASSERT_EQ(run("t.toml --update").status, 0);
+    for (const std::string jobs : {"1", "2"}) {
+        const Finished end =
+            glibra(folder.path(), "test t.toml --jobs " + jobs, "LD_PRELOAD=" GLIBRA_END_ON_OPEN);
+        EXPECT_EQ(end.status, 3) << end.out << end.err;
+        EXPECT_TRUE(contains(end.out, "1 crashed, 5 passed")) << end.out << end.err;
+        EXPECT_TRUE(
+            contains(end.out + end.err, "b.glib:1:1: error: the process that drew it ended with signal 6"))
+            << end.out << end.err;
+    }
+}
+#endif
+
+TEST_F(Survival, ABatchIsTheSameWhatEverIsPreparedBesideIt) {
+    folder.write("c.frag",
+                 "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy / 31.), "
+                 "fract(Timer), 1.); }\n");
+    folder.write("b.glib", "Vertex a.vert\nFragment c.frag\nProgram P uMistake 1\nQuadXY 0 1 1 1\n");
+    folder.write("d.glib", "Vertex a.vert\nFragment nothing.frag\nProgram P\nQuadXY 0 1 1 1\n");
+    std::string suite = "[defaults]\nsize = [60, 40]\n";
+    for (int i = 0; i < 9; ++i)
+        suite += "[[shot]]\nname = \"s" + std::to_string(i) + "\"\nscript = \"" + "abd"[i % 3] +
+                 ".glib\"\ntime = " + std::to_string(i / 2) + "\n";
+    folder.write("t.toml", suite);
+    const Finished batch = glibra(folder.path(), "render --suite t.toml -o batch --jobs 1");
+    EXPECT_EQ(batch.status, 3);
+    std::string messages;
+    for (int i = 0; i < 9; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        const Finished alone =
+            glibra(folder.path(), "render --suite t.toml -o alone --jobs 1 --only " + name);
+        messages += alone.err.substr(0, alone.err.rfind('\n', alone.err.size() - 2) + 1);
+        EXPECT_EQ(fs::exists(folder / ("batch/" + name + ".png")), i % 3 != 2) << name;
+        if (i % 3 == 2) continue;
+        EXPECT_EQ(readFile(folder / ("batch/" + name + ".png")),
+                  readFile(folder / ("alone/" + name + ".png")))
+            << name;
+    }
+    EXPECT_EQ(batch.err.substr(0, batch.err.rfind('\n', batch.err.size() - 2) + 1), messages);
+}
+
 TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
     // The shell lets its background jobs ignore SIGINT; env gives them the signal back.
     const int status = shell(

@@ -132,13 +132,13 @@ TEST(SharedParts, TheLeastUsedGoFirstWhenThereIsTooMuch) {
     render::PartStore<int> store(10);
     store.add("a", 1, 4);
     store.add("b", 2, 4);
-    EXPECT_NE(store.find("a"), nullptr);
+    EXPECT_TRUE(store.find("a"));
     store.add("c", 3, 4);
-    EXPECT_EQ(store.find("b"), nullptr);
-    EXPECT_NE(store.find("a"), nullptr);
+    EXPECT_FALSE(store.find("b"));
+    EXPECT_TRUE(store.find("a"));
     EXPECT_EQ(store.size(), 8U);
     store.add("d", 4, 11);
-    EXPECT_EQ(store.find("d"), nullptr);
+    EXPECT_FALSE(store.find("d"));
     EXPECT_EQ(store.take("a"), 1);
     EXPECT_EQ(store.take("a"), std::nullopt);
     EXPECT_EQ(store.size(), 4U);

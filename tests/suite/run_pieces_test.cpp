@@ -25,6 +25,10 @@ TEST(Pieces, EndWithSingleItemsForEveryWorker) {
     for (std::size_t i = 1; i <= 8; ++i) EXPECT_EQ(pieces[pieces.size() - i].size(), 1U);
 }
 
+TEST(Pieces, AreNotCutForOneWorker) {
+    EXPECT_EQ(planPieces(5000, 1, [](std::size_t) { return true; }).size(), 1U);
+}
+
 TEST(Pieces, JoinOnlyWhatMayBeTogether) {
     for (const auto& piece : planPieces(300, 1, [](std::size_t i) { return i % 5 != 0; }))
         for (std::size_t i = 1; i < piece.size(); ++i) EXPECT_NE(piece[i] % 5, 0U);

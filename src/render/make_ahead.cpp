@@ -1,0 +1,106 @@
+// What is made of a scene before its programs are compiled. Which samplers a program keeps only the compiler
+// knows; here all count that its sources speak of. A wrong guess costs time, on a thread that has it, and
+// changes nothing else: the plan takes what it needs and makes what is missing.
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plan/needs.h"
+#include "plan/texture_uses.h"
+#include "plan/uniforms.h"
+#include "render/scene_state.h"
+
+namespace glibra::render {
+namespace {
+
+/// The words of a GLSL text in order.
+std::vector<std::string_view> wordsOf(std::string_view text) {
+    const auto isOfWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::vector<std::string_view> words;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t begin = i;
+        while (i < text.size() && isOfWord(text[i])) ++i;
+        if (i > begin)
+            words.push_back(text.substr(begin, i - begin));
+        else
+            ++i;
+    }
+    return words;
+}
+
+std::optional<scene::TextureTarget> targetOf(std::string_view samplerType) {
+    if (samplerType == "sampler1D") return scene::TextureTarget::texture1D;
+    if (samplerType == "sampler2D") return scene::TextureTarget::texture2D;
+    if (samplerType == "sampler3D") return scene::TextureTarget::texture3D;
+    if (samplerType == "samplerCube") return scene::TextureTarget::cube;
+    return std::nullopt;
+}
+
+/// Samplers that a stage declares and names once more, as if the compiler had kept them.
+plan::ProgramInterface samplersSpokenOf(const glsl::TranslatedProgram& program) {
+    plan::ProgramInterface guess;
+    for (const glsl::TranslatedStage& stage : program.stages) {
+        if (stage.source.find("sampler") == std::string::npos) continue;
+        const std::vector<std::string_view> words = wordsOf(stage.source);
+        for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+            const std::optional<scene::TextureTarget> target = targetOf(words[i]);
+            if (!target || words[i - 1] != "uniform" ||
+                std::count(words.begin(), words.end(), words[i + 1]) < 2)
+                continue;
+            plan::ActiveUniform& sampler = guess.uniforms.emplace_back();
+            sampler.name = words[i + 1];
+            if (const auto renamed = program.userNames.find(sampler.name); renamed != program.userNames.end())
+                sampler.name = renamed->second;
+            sampler.type.base = plan::BaseType::sampler;
+            sampler.type.target = target;
+            sampler.type.word = words[i];
+        }
+    }
+    guess.facts.textureBindings = program.textureBindings;
+    guess.usable = true;
+    return guess;
+}
+
+}  // namespace
+
+void SceneRenderer::State::makeAhead() {
+    if (options.maxError > 0) return;  // shapes are chosen when the programs are known
+    const Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
+    if (!overrides) return;
+    const auto texturesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
+        const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
+        const glsl::TranslatedProgram* translated = programs.translated(variant);
+        std::vector<int> textures;
+        if (!translated || hasError(translated->diagnostics)) return textures;
+        device.bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
+        if (variant.program == scene::kNone) return textures;
+        const plan::ProgramInterface guess = samplersSpokenOf(*translated);
+        std::vector<bool> used;
+        const auto samplers = plan::resolveUniforms(scene.programs[static_cast<std::size_t>(variant.program)],
+                                                    scene.path, guess, *overrides, used)
+                                  .samplers;
+        const gpu::Capabilities& driver = context.capabilities();
+        const auto units = plan::assignUnits(guess, samplers, driver.combinedTextureUnits, 0);
+        if (!units) return textures;
+        for (const plan::TextureUse& use : plan::textureUses(scene, draw, guess, *units))
+            textures.push_back(use.texture);
+        return textures;
+    };
+    const plan::Needs needs =
+        plan::findNeeds(scene,
+                        {texturesOf, [this](int program) { return programs.mayWriteImages(program); },
+                         [this](const scene::Draw& draw, const scene::Pass& pass) {
+                             return outOfSight(draw, pass, nullptr);
+                         }},
+                        false);
+    for (std::size_t i = 0; i < needs.textures.size(); ++i)
+        if (needs.textures[i]) device.readAhead(static_cast<int>(i));
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,67 @@
+#pragma once
+// Shots to pictures with one context, one after another. What they have in common is made once; while one is
+// drawn, what the next one needs and needs no GL is made on a thread of its own.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "gpu/context.h"
+#include "render/scene_renderer.h"
+#include "render/shared_parts.h"
+#include "render/stats.h"
+#include "suite/background.h"
+#include "suite/suite.h"
+#include "suite/verdict.h"
+
+namespace glibra::suite {
+
+class ShotRenderer {
+  public:
+    /// The context must outlive it. `skip`: RunOptions::skip.
+    ShotRenderer(gpu::Context& context, bool skip) : context_(context), skip_(skip), shared_(std::in_place) {}
+
+    /// Errors are in the result, running out of memory among them (draw-E05). `next` is prepared meanwhile,
+    /// for the call that is for it; the picture is the same with it or without.
+    Rendering render(const Shot& shot, const Shot* next = nullptr);
+    /// The next shot is made from nothing.
+    void forget();
+
+  private:
+    /// What a shot is loaded from; shots that have it in common differ in their time alone.
+    struct Source {
+        std::filesystem::path script;
+        RenderOptions options;  ///< without the time
+        friend bool operator==(const Source&, const Source&) = default;
+    };
+    struct Loaded {
+        Source source;
+        std::unique_ptr<render::Stats> stats;  ///< the renderer writes to it as long as it lives
+        render::SceneRenderer renderer;
+        Diagnostics diagnostics;
+        /// The picture drawn last, if others may be the same.
+        std::optional<image::Image> picture;
+        render::Moment moment;  ///< of that picture
+    };
+    struct Preparation {
+        Source source;
+        std::unique_ptr<render::Stats> stats;
+        std::optional<render::PreparedScene> scene;  ///< once background_ is done; nothing if that failed
+    };
+
+    [[nodiscard]] Source sourceOf(const Shot& shot) const;
+    Rendering tryRender(const Shot& shot, const Shot* next);
+    Diagnostics load(const Source& source, const Shot* next);
+    void prepare(const Shot* next, const Source& current);
+    Result<image::Image> draw(double time);
+
+    gpu::Context& context_;
+    bool skip_;
+    std::optional<render::SharedParts> shared_;
+    std::optional<Loaded> loaded_;
+    std::optional<Preparation> preparation_;
+    Background background_;  ///< last: it has to end before what it works on goes
+};
+
+}  // namespace glibra::suite

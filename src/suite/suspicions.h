@@ -1,0 +1,33 @@
+#pragma once
+// Which shot ended a worker that drew one and prepared the next.
+
+#include <optional>
+#include <vector>
+
+#include "suite/results.h"
+#include "suite/run.h"
+
+namespace glibra::suite {
+
+/// Both shots are drawn once more, each by itself; the one that ends its worker again is to blame. If neither
+/// does, the one that was being drawn is: an end without a reason is not passed over.
+class Suspicions {
+  public:
+    /// `ended` is what is told of `drawn` if neither does it again. A shot is under one suspicion at most.
+    void add(const ShotReference& drawn, const ShotReference& prepared, ShotResult ended);
+    /// True for a shot that is to be drawn by itself, now and later.
+    [[nodiscard]] bool isUnder(const ShotReference& shot) const;
+    /// What can be told now that the shot has come to this result: nothing if it depends on the other one.
+    std::vector<ShotResult> settle(const ShotReference& shot, const ShotResult& result);
+
+  private:
+    struct Suspicion {
+        ShotReference drawn, prepared;
+        ShotResult ended;
+        std::optional<ShotResult> result;      ///< of `drawn`, by itself
+        std::optional<bool> isPreparedGuilty;  ///< `prepared` ended its worker by itself
+    };
+    std::vector<Suspicion> suspicions_;
+};
+
+}  // namespace glibra::suite

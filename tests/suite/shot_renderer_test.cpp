@@ -1,0 +1,86 @@
+// What is prepared beside a shot changes no picture and no message, whatever the next one turns out to be.
+
+#include "suite/shot_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+#include "gpu/context.h"
+
+namespace glibra::suite {
+namespace {
+
+class ShotRendering : public testing::Test {
+  protected:
+    void SetUp() override {
+        writeText(folder / "a.vert",
+                  "#version 330 core\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
+        writeText(folder / "a.frag",
+                  "#version 330 core\nuniform float uRed;\nout vec4 f;\nvoid main() { f = vec4(uRed, "
+                  "texture(Noise3, gl_FragCoord.xyz * .03).r, fract(Timer), 1.); }\n");
+        const std::string start = "Vertex a.vert\nFragment a.frag\n";
+        writeText(folder / "a.glib", start + "Program P uRed .25 uMistake 1.\nQuadXY 0 1 1 1\n");
+        writeText(folder / "b.glib", start + "Program P uRed .75\nQuadXY 0 .5 1 1\n");
+        writeText(folder / "wrong.glib", start + "Fragment nothing.frag\nProgram P\nQuadXY 0 1 1 1\n");
+        for (const char* script : {"a.glib", "b.glib", "wrong.glib"})
+            for (const double time : {0., 3.}) {
+                Shot& shot = shots.emplace_back();
+                shot.name = script + std::to_string(time);
+                shot.script = folder / script;
+                shot.options.width = 24;
+                shot.options.height = 16;
+                shot.options.time = time;
+            }
+        Result<gpu::Context> opened = gpu::openContext();
+        ASSERT_TRUE(opened);
+        context.emplace(std::move(*opened));
+        for (const Shot& each : shots) alone.push_back(seenOf(ShotRenderer(*context, true).render(each)));
+    }
+
+    static std::string seenOf(const Rendering& rendering) {
+        std::string text;
+        for (const Diagnostic& each : rendering.diagnostics) text += toString(each) + "\n";
+        if (rendering.picture)
+            for (const std::byte each : rendering.picture->data) text += static_cast<char>(each);
+        return text;
+    }
+    void expectAsAlone(ShotRenderer& renderer, std::size_t shot, std::optional<std::size_t> next) {
+        EXPECT_EQ(seenOf(renderer.render(shots[shot], next ? &shots[*next] : nullptr)), alone[shot])
+            << shots[shot].name;
+    }
+
+    Folder folder;
+    std::vector<Shot> shots;
+    std::vector<std::string> alone;
+    std::optional<gpu::Context> context;
+};
+
+TEST_F(ShotRendering, GivesEveryShotAfterEveryOtherThePictureThatItHasAlone) {
+    ASSERT_NE(alone[0], alone[2]);
+    ASSERT_NE(alone[0], alone[1]);
+    ShotRenderer renderer(*context, true);
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        for (std::size_t next = 0; next < shots.size(); ++next) {
+            expectAsAlone(renderer, i, next);
+            expectAsAlone(renderer, next, i);
+        }
+}
+
+TEST_F(ShotRendering, MayBeToldWrongly) {
+    ShotRenderer renderer(*context, true);
+    for (std::size_t i = 0; i < 3 * shots.size(); ++i) {
+        expectAsAlone(renderer, i % shots.size(), (i * 5 + 2) % shots.size());
+        if (i % 7 == 3) renderer.forget();
+        if (i % 3 == 1) expectAsAlone(renderer, (i * 5 + 2) % shots.size(), std::nullopt);
+    }
+}
+
+TEST_F(ShotRendering, EndsInTheMiddleOfAPreparation) {
+    for (int i = 0; i < 5; ++i) {
+        ShotRenderer renderer(*context, true);
+        expectAsAlone(renderer, 0, 2);
+    }
+}
+
+}  // namespace
+}  // namespace glibra::suite
