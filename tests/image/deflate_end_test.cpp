@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
+#include <bit>
 #include <memory>
 #include <set>
 #include <vector>
@@ -50,6 +51,14 @@ std::vector<Bytes> texts() {
         }
         all.push_back(std::move(text));
     }
+    // Few bytes often and many seldom: words of all lengths.
+    Bytes skewed(300'000);
+    for (std::size_t at = 0; at < skewed.size(); ++at) {
+        const std::uint32_t random = testing::hash(static_cast<std::uint32_t>(at));
+        skewed[at] =
+            static_cast<std::byte>(random % 1500 == 0 ? random >> 24U : std::countr_zero(random | 1U << 20U));
+    }
+    all.push_back(std::move(skewed));
     return all;
 }
 
