@@ -59,6 +59,16 @@ std::vector<Bytes> texts() {
             static_cast<std::byte>(random % 1500 == 0 ? random >> 24U : std::countr_zero(random | 1U << 20U));
     }
     all.push_back(std::move(skewed));
+    // The same of lengths and distances: each half as often as the one before.
+    Bytes repeated(40'000);
+    for (std::uint32_t i = 0; repeated.size() < 700'000; ++i) {
+        const std::uint32_t random = testing::hash(i), other = testing::hash(~i);
+        repeated.push_back(static_cast<std::byte>(random >> 24U));
+        const std::size_t distance = std::size_t{1} << std::countr_zero(random | 1U << 14U);
+        const std::size_t length = 5 + 7 * static_cast<std::size_t>(std::countr_zero(other | 1U << 20U));
+        for (std::size_t k = 0; k < length; ++k) repeated.push_back(repeated[repeated.size() - distance]);
+    }
+    all.push_back(std::move(repeated));
     return all;
 }
 
