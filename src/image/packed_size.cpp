@@ -71,7 +71,7 @@ void PackedSize::addLength(std::size_t length) {
         ++symbols_[254 + length];
     } else {
         const auto extra = static_cast<unsigned>(std::bit_width(length - 3)) - 3;
-        ++symbols_[257 + 4 * extra + ((length - 3) >> extra)];
+        ++symbols_[257 + std::size_t{4} * extra + ((length - 3) >> extra)];
         extraBits_ += extra;
     }
 }
@@ -81,7 +81,7 @@ void PackedSize::addDistance(std::size_t distance) {
         ++distances_[distance - 1];
     } else {
         const auto extra = static_cast<unsigned>(std::bit_width(distance - 1)) - 2;
-        ++distances_[2 * extra + ((distance - 1) >> extra)];
+        ++distances_[std::size_t{2} * extra + ((distance - 1) >> extra)];
         extraBits_ += extra;
     }
 }

@@ -67,7 +67,7 @@ std::vector<Sample> samplesOf(std::size_t rowSize, int firstRow, int rows) {
         std::max<std::size_t>(1, (rowSize * static_cast<std::size_t>(rows) + period / 2) / period));
     std::vector<Sample> samples;
     for (int i = 0; i < count; ++i) {
-        const int middle = static_cast<int>(std::int64_t{rows} * (2 * i + 1) / (2 * count));
+        const int middle = static_cast<int>(rows * (std::int64_t{2} * i + 1) / (std::int64_t{2} * count));
         const int begin = std::clamp(middle - all / 2, 0, rows - all);
         samples.push_back({firstRow + begin, all, all / 2});
     }
