@@ -44,12 +44,6 @@ class BitReader {
     std::size_t position_ = 0;
 };
 
-struct Entry {
-    std::uint16_t symbol = 0;
-    std::uint8_t codeBits = 0;  ///< 0: no such code
-    std::uint8_t allBits = 0;   ///< with the extra bits, or with the literals behind a literal
-};
-
 /// Bits behind the code of a length symbol (RFC 1951, 3.2.5).
 unsigned extraOfLength(std::size_t symbol) {
     return symbol < 265 || symbol == 285 ? 0U : static_cast<unsigned>(symbol - 261) / 4;
@@ -57,65 +51,113 @@ unsigned extraOfLength(std::size_t symbol) {
 unsigned extraOfDistance(std::size_t symbol) {
     return symbol < 4 ? 0U : static_cast<unsigned>(symbol - 2) / 2;
 }
-unsigned noExtra(std::size_t) {
-    return 0;
-}
 
-/// Looks a code word up by the next bits of the stream, whatever follows it.
-class CodeTable {
+/// A Huffman code, its words in the order of their lengths.
+class Code {
   public:
-    /// False if the lengths are of more codes than there are.
-    bool build(std::span<const std::uint8_t> lengths, unsigned (*extra)(std::size_t symbol)) {
-        std::array<std::uint32_t, kLongestCode + 1> counts{};
-        for (const std::uint8_t each : lengths) ++counts[each];
-        counts[0] = 0;
-        bits_ = 1;
-        for (unsigned length = 1; length <= kLongestCode; ++length)
-            if (counts[length] > 0) bits_ = length;
-        std::array<std::uint32_t, kLongestCode + 1> next{};
+    /// False if the lengths are of more words than there are.
+    bool build(std::span<const std::uint8_t> lengths) {
+        counts_ = {};
+        for (const std::uint8_t each : lengths) ++counts_[each];
+        counts_[0] = 0;
+        std::array<std::uint16_t, kLongestCode + 1> next{};
+        std::uint32_t word = 0;
         for (unsigned length = 1; length <= kLongestCode; ++length) {
-            next[length] = (next[length - 1] + counts[length - 1]) << 1U;
-            if (next[length] + counts[length] > 1U << length) return false;
+            next[length] = static_cast<std::uint16_t>(next[length - 1] + counts_[length - 1]);
+            word = (word + counts_[length - 1]) << 1U;
+            firsts_[length] = word;
+            if (word + counts_[length] > 1U << length) return false;
         }
-        entries_.assign(std::size_t{1} << bits_, {});
-        for (std::size_t symbol = 0; symbol < lengths.size(); ++symbol) {
-            const unsigned length = lengths[symbol];
-            if (length == 0) continue;
-            const std::uint32_t code = reversed(next[length]++, length);
-            const Entry entry{static_cast<std::uint16_t>(symbol), static_cast<std::uint8_t>(length),
-                              static_cast<std::uint8_t>(length + extra(symbol))};
-            for (std::size_t i = code; i < entries_.size(); i += std::size_t{1} << length)
-                entries_[i] = entry;
-        }
+        begins_ = next;
+        for (std::size_t symbol = 0; symbol < lengths.size(); ++symbol)
+            if (lengths[symbol] > 0) symbols_[next[lengths[symbol]]++] = static_cast<std::uint16_t>(symbol);
         return true;
     }
-    /// Makes one step of as many literals as the looked up bits hold.
-    void joinLiterals() {
-        for (std::size_t i = 0; i < entries_.size(); ++i) {
-            std::size_t rest = i;
-            unsigned used = 0;
-            for (const Entry* each = &entries_[i];
-                 each->symbol < kEndOfBlock && each->codeBits > 0 && used + each->codeBits <= bits_;
-                 each = &entries_[rest]) {
-                used += each->codeBits;
-                rest >>= each->codeBits;
-            }
-            if (used > 0) entries_[i].allBits = static_cast<std::uint8_t>(used);
+
+    /// Takes a word; nothing if there is none of these bits.
+    std::optional<std::uint16_t> take(BitReader& reader) const {
+        std::uint64_t bits = reader.peek();
+        std::uint32_t word = 0;
+        for (unsigned length = 1; length <= kLongestCode; ++length, bits >>= 1U) {
+            word = word << 1U | static_cast<std::uint32_t>(bits & 1U);
+            if (word - firsts_[length] >= counts_[length]) continue;
+            reader.skip(length);
+            return symbols_[begins_[length] + word - firsts_[length]];
         }
+        return std::nullopt;
     }
-    [[nodiscard]] const Entry& find(std::uint64_t bits) const {
-        return entries_[bits & (entries_.size() - 1)];
+
+    /// Calls `use(symbol, length, bits)` for every word, `bits` being the word as it is read, lowest first.
+    template <class Use>
+    void forEach(unsigned longest, const Use& use) const {
+        for (unsigned length = 1; length <= longest; ++length)
+            for (std::uint32_t i = 0; i < counts_[length]; ++i)
+                use(symbols_[begins_[length] + i], length, reversed(firsts_[length] + i, length));
     }
 
   private:
-    static std::uint32_t reversed(std::uint32_t code, unsigned length) {
+    static std::uint32_t reversed(std::uint32_t word, unsigned length) {
         std::uint32_t result = 0;
-        for (unsigned i = 0; i < length; ++i) result |= (code >> i & 1U) << (length - 1 - i);
+        for (unsigned i = 0; i < length; ++i) result |= (word >> i & 1U) << (length - 1 - i);
         return result;
     }
 
-    std::vector<Entry> entries_;
-    unsigned bits_ = 1;
+    std::array<std::uint16_t, kLongestCode + 1> counts_{}, begins_{};  ///< by length
+    std::array<std::uint32_t, kLongestCode + 1> firsts_{};             ///< the first word of a length
+    std::array<std::uint16_t, kLiteralSymbols> symbols_{};
+};
+
+/// How far to go for the next bits of a block: over as many literals as they hold, and a length behind them;
+/// or over a distance.
+class Steps {
+  public:
+    /// Bits that are looked at: a step's word ends within them.
+    static constexpr unsigned kBits = 11;
+    /// In a step: a distance is next. Its lowest six bits are how far it goes; 0 where the table does not
+    /// say, for the end of a block and for longer words.
+    static constexpr std::uint16_t kToDistance = 1U << kBits;
+
+    void build(const Code& literals, const Code& distances) {
+        struct Word {
+            std::uint16_t symbol = 0;
+            std::uint8_t bits = 0;
+        };
+        std::array<Word, kCount> words{};
+        const auto fill = [](std::uint32_t bits, unsigned length, const auto& put) {
+            for (std::size_t i = bits; i < kCount; i += std::size_t{1} << length) put(i);
+        };
+        literals.forEach(kBits, [&](std::uint16_t symbol, unsigned length, std::uint32_t bits) {
+            fill(bits, length, [&](std::size_t i) {
+                words[i] = {symbol, static_cast<std::uint8_t>(length)};
+            });
+        });
+        for (std::size_t i = 0; i < kCount; ++i) {
+            unsigned used = 0;
+            Word word = words[i];
+            while (word.bits > 0 && word.symbol < kEndOfBlock && used + word.bits <= kBits) {
+                used += word.bits;
+                word = words[i >> used];
+            }
+            const bool isLength = word.bits > 0 && word.symbol > kEndOfBlock && used + word.bits <= kBits;
+            if (isLength) used += word.bits + extraOfLength(word.symbol);
+            steps_[i] = static_cast<std::uint16_t>(used | (isLength ? kToDistance : 0U));
+        }
+        std::fill_n(steps_.begin() + kCount, kCount, kToDistance);
+        distances.forEach(kBits, [&](std::uint16_t symbol, unsigned length, std::uint32_t bits) {
+            fill(bits, length, [&](std::size_t i) {
+                steps_[kCount + i] = static_cast<std::uint16_t>(length + extraOfDistance(symbol));
+            });
+        });
+    }
+
+    /// What follows `last` (0 at a block's start) if these are the next bits.
+    [[nodiscard]] std::uint16_t next(std::uint16_t last, std::uint64_t bits) const {
+        return steps_[(last & kToDistance) | (bits & (kCount - 1))];
+    }
+
+  private:
+    static constexpr std::size_t kCount = std::size_t{1} << kBits;
+    std::array<std::uint16_t, 2 * kCount> steps_{};
 };
 
 class Walk {
@@ -160,7 +202,7 @@ class Walk {
             lengths[i] = i < 144 ? 8 : i < 256 ? 9 : i < 280 ? 7 : 8;
         std::array<std::uint8_t, kDistanceSymbols> distances{};
         distances.fill(5);
-        return literals_.build(lengths, extraOfLength) && distances_.build(distances, extraOfDistance);
+        return literals_.build(lengths) && distances_.build(distances);
     }
 
     /// The codes of a block, whose lengths are packed themselves (RFC 1951, 3.2.7).
@@ -173,57 +215,61 @@ class Walk {
         std::array<std::uint8_t, 19> codeLengths{};
         for (std::size_t i = 0; i < given; ++i)
             codeLengths[kOrder[i]] = static_cast<std::uint8_t>(reader_.take(3));
-        CodeTable codes;
-        if (!codes.build(codeLengths, noExtra)) return false;
+        Code codes;
+        if (!codes.build(codeLengths)) return false;
         std::array<std::uint8_t, kLiteralSymbols + kDistanceSymbols> lengths{};
         const std::size_t all = literals + distances;
         for (std::size_t i = 0; i < all;) {
-            const Entry& entry = codes.find(reader_.peek());
-            if (entry.codeBits == 0) return false;
-            reader_.skip(entry.codeBits);
-            if (entry.symbol < 16) {
-                lengths[i++] = static_cast<std::uint8_t>(entry.symbol);
+            const auto symbol = codes.take(reader_);
+            if (!symbol) return false;
+            if (*symbol < 16) {
+                lengths[i++] = static_cast<std::uint8_t>(*symbol);
                 continue;
             }
-            if (entry.symbol == 16 && i == 0) return false;
-            const std::uint8_t repeated = entry.symbol == 16 ? lengths[i - 1] : std::uint8_t{0};
-            const std::size_t count = entry.symbol == 16   ? 3 + reader_.take(2)
-                                      : entry.symbol == 17 ? 3 + reader_.take(3)
-                                                           : 11 + reader_.take(7);
+            if (*symbol == 16 && i == 0) return false;
+            const std::uint8_t repeated = *symbol == 16 ? lengths[i - 1] : std::uint8_t{0};
+            const std::size_t count = *symbol == 16   ? 3 + reader_.take(2)
+                                      : *symbol == 17 ? 3 + reader_.take(3)
+                                                      : 11 + reader_.take(7);
             if (count > all - i) return false;
             std::fill_n(lengths.begin() + static_cast<std::ptrdiff_t>(i), count, repeated);
             i += count;
         }
         const std::span<const std::uint8_t> found(lengths);
-        return literals_.build(found.first(literals), extraOfLength) &&
-               distances_.build(found.subspan(literals, distances), extraOfDistance);
+        return literals_.build(found.first(literals)) && distances_.build(found.subspan(literals, distances));
     }
 
     bool passSymbols() {
-        literals_.joinLiterals();
+        steps_.build(literals_, distances_);
+        std::uint16_t step = 0;
         while (!reader_.isPastEnd()) {
-            // Three steps fit into the bits of one look: 15 + 15 + 20 of 57.
+            // Three steps for one look: no two distances follow each other, so that the third word begins
+            // before bit 41 of 57. What the table does not know goes nowhere.
             std::uint64_t bits = reader_.peek();
-            const Entry* entry = &literals_.find(bits);
-            std::size_t used = 0;
-            for (int i = 0; i < 2 && entry->symbol < kEndOfBlock && entry->codeBits > 0; ++i) {
-                used += entry->allBits;
-                bits >>= entry->allBits;
-                entry = &literals_.find(bits);
-            }
-            if (entry->codeBits == 0) return false;
-            reader_.skip(used + entry->allBits);
-            if (entry->symbol == kEndOfBlock) return true;
-            if (entry->symbol < kEndOfBlock) continue;
-            const Entry& distance = distances_.find(reader_.peek());
-            if (distance.codeBits == 0) return false;
-            reader_.skip(distance.allBits);
+            const std::uint16_t first = steps_.next(step, bits);
+            const unsigned firstBits = first & kStepBits;
+            const std::uint16_t second = steps_.next(first, bits >> firstBits);
+            const unsigned secondBits = firstBits + (second & kStepBits);
+            step = steps_.next(second, bits >> secondBits);
+            reader_.skip(secondBits + (step & kStepBits));
+            if ((step & kStepBits) != 0) continue;
+            const bool isDistance = (step & Steps::kToDistance) != 0;
+            const auto symbol = (isDistance ? distances_ : literals_).take(reader_);
+            if (!symbol) return false;
+            if (!isDistance && *symbol == kEndOfBlock) return true;
+            const bool isLength = !isDistance && *symbol > kEndOfBlock;
+            if (isDistance) reader_.skip(extraOfDistance(*symbol));
+            if (isLength) reader_.skip(extraOfLength(*symbol));
+            step = isLength ? Steps::kToDistance : std::uint16_t{0};
         }
         return false;
     }
 
+    static constexpr unsigned kStepBits = 63;
+
     BitReader reader_;
-    CodeTable literals_, distances_;
+    Code literals_, distances_;
+    Steps steps_;
 };
 
 }  // namespace

@@ -3,11 +3,8 @@
 #include <libdeflate.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <system_error>
@@ -15,7 +12,7 @@
 
 #include "image/bytes.h"
 #include "image/deflate_end.h"
-#include "image/png_filter.h"
+#include "image/png_rows.h"
 #include "image/quick_deflate.h"
 
 namespace glibra::image {
@@ -35,51 +32,6 @@ std::vector<Stripe> stripesOf(const Image& image) {
     std::vector<Stripe> stripes;
     for (int y = 0; y < image.height; y += rows) stripes.push_back({y, std::min(rows, image.height - y)});
     return stripes;
-}
-
-/// Gives rows in PNG's byte order, each until the next but one is asked for.
-class Rows {
-  public:
-    explicit Rows(const Image& image)
-        : image_(image), swaps_(image.type != Component::u8 && std::endian::native == std::endian::little) {
-        for (auto& each : swapped_) each.resize(swaps_ ? image.rowBytes() : 0);
-        zeros_.resize(image.rowBytes());
-    }
-
-    /// -1: what counts as the row above the first.
-    const std::uint8_t* at(int y) {
-        if (y < 0) return zeros_.data();
-        const auto from = image_.row(y);
-        if (!swaps_) return reinterpret_cast<const std::uint8_t*>(from.data());
-        std::vector<std::uint8_t>& to = swapped_[static_cast<std::size_t>(y) % 2];
-        for (std::size_t i = 0; i < from.size(); i += 2) {
-            to[i] = std::to_integer<std::uint8_t>(from[i + 1]);
-            to[i + 1] = std::to_integer<std::uint8_t>(from[i]);
-        }
-        return to.data();
-    }
-
-  private:
-    const Image& image_;
-    bool swaps_;
-    std::array<std::vector<std::uint8_t>, 2> swapped_;
-    std::vector<std::uint8_t> zeros_;
-};
-
-/// The filtered rows of a stripe, each with its filter's number in front.
-void filterRows(const Image& image, Stripe stripe, bool chooses, std::uint8_t* to) {
-    const std::size_t pixelBytes = static_cast<std::size_t>(image.components) * bytesOf(image.type);
-    PngRowFilter filter(image.rowBytes(), pixelBytes);
-    Rows rows(image);
-    const std::uint8_t* above = rows.at(stripe.firstRow - 1);
-    for (int y = stripe.firstRow; y < stripe.firstRow + stripe.rows; ++y, to += 1 + image.rowBytes()) {
-        const std::uint8_t* row = rows.at(y);
-        if (chooses)
-            filter.writeBest(row, above, to);
-        else
-            filter.writeUp(row, above, to);
-        above = row;
-    }
 }
 
 struct FreeCompressor {
@@ -105,7 +57,8 @@ class StripePacker {
 
     PackedStripe pack(Stripe stripe, bool isLast) {
         const std::size_t size = (1 + image_.rowBytes()) * static_cast<std::size_t>(stripe.rows);
-        filterRows(image_, stripe, true, filtered_.get());
+        filterRows(image_, stripe.firstRow, stripe.rows,
+                   chooseFiltering(image_, stripe.firstRow, stripe.rows), filtered_.get());
         PackedStripe result;
         result.adler = libdeflate_adler32(1, filtered_.get(), size);
         const std::size_t packedSize =
@@ -172,7 +125,7 @@ std::vector<std::byte> packAtOnce(const Image& image) {
     QuickPacker packer;
     for (int y = 0; y < image.height; y += rows) {
         const int count = std::min(rows, image.height - y);
-        filterRows(image, {y, count}, false, piece.data());
+        filterRows(image, y, count, PngFiltering::up, piece.data());
         packer.add(std::span(piece).first(rowSize * static_cast<std::size_t>(count)));
     }
     return packer.finish();

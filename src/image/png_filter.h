@@ -10,19 +10,19 @@
 namespace glibra::image {
 
 /// The filter's number stands in front of the filtered row in the file.
-enum class PngFilter : std::uint8_t { none, sub, up, average, paeth };
+enum class PngFilter : std::uint8_t { none = 0, sub = 1, up = 2, paeth = 4 };
 
 class PngRowFilter {
   public:
     /// Rows of `rowBytes`, pixels of `pixelBytes`, which divides it.
     PngRowFilter(std::size_t rowBytes, std::size_t pixelBytes);
 
-    /// Writes the filter's number and the filtered row to `to`, 1 + rowBytes. Of none, sub, up and Paeth
-    /// that with the least sum of absolute differences, as libpng chooses among all five (PNG specification,
-    /// 12.8); the fifth made pictures of 22 scenes smaller by 0.1 %.
+    /// Writes the filter's number and the filtered row to `to`, 1 + rowBytes.
+    void write(PngFilter filter, const std::uint8_t* row, const std::uint8_t* above, std::uint8_t* to) const;
+    /// The same with that of none, sub, up and Paeth which leaves the least sum of absolute differences, as
+    /// libpng chooses among all five (PNG specification, 12.8); the fifth made pictures of 22 scenes smaller
+    /// by 0.1 %.
     void writeBest(const std::uint8_t* row, const std::uint8_t* above, std::uint8_t* to);
-    /// The same with the up filter.
-    void writeUp(const std::uint8_t* row, const std::uint8_t* above, std::uint8_t* to) const;
 
   private:
     std::size_t rowBytes_, pixelBytes_;

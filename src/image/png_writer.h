@@ -1,6 +1,6 @@
 #pragma once
-// PNG files, written fast: the filter of each row chosen among four, libdeflate, large pictures by several
-// threads.
+// PNG files, written fast: filters chosen by a quick look at how well they pack, libdeflate, large pictures by
+// several threads.
 
 #include <string>
 #include <utility>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
+#include <bit>
 #include <memory>
 #include <set>
 #include <vector>
@@ -50,6 +51,24 @@ std::vector<Bytes> texts() {
         }
         all.push_back(std::move(text));
     }
+    // Few bytes often and many seldom: words of all lengths.
+    Bytes skewed(300'000);
+    for (std::size_t at = 0; at < skewed.size(); ++at) {
+        const std::uint32_t random = testing::hash(static_cast<std::uint32_t>(at));
+        skewed[at] =
+            static_cast<std::byte>(random % 1500 == 0 ? random >> 24U : std::countr_zero(random | 1U << 20U));
+    }
+    all.push_back(std::move(skewed));
+    // The same of lengths and distances: each half as often as the one before.
+    Bytes repeated(40'000);
+    for (std::uint32_t i = 0; repeated.size() < 700'000; ++i) {
+        const std::uint32_t random = testing::hash(i), other = testing::hash(~i);
+        repeated.push_back(static_cast<std::byte>(random >> 24U));
+        const std::size_t distance = std::size_t{1} << std::countr_zero(random | 1U << 14U);
+        const std::size_t length = 5 + 7 * static_cast<std::size_t>(std::countr_zero(other | 1U << 20U));
+        for (std::size_t k = 0; k < length; ++k) repeated.push_back(repeated[repeated.size() - distance]);
+    }
+    all.push_back(std::move(repeated));
     return all;
 }
 
