@@ -114,7 +114,7 @@ Result<SceneRenderer> SceneRenderer::of(gpu::Context& context, scene::Scene inte
     state->width = width;
     state->height = height;
     state->tiles = grid.tiles;
-    state->parts = grid.parts;
+    state->tileParts = grid.parts;
     append(diagnostics, state->placeEye(stats));
     append(diagnostics, state->preparePlan(stats, false));
     applyStrict(diagnostics, options.strict);
@@ -148,7 +148,7 @@ Result<SceneRenderer> SceneRenderer::of(gpu::Context& context, scene::Scene inte
 Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture,
                                            Stats& stats) {
     const Tile& tile = tiles[index];
-    const Tile& part = parts[index];
+    const Tile& part = tileParts[index];
     Diagnostics diagnostics;
     {
         const StageTimer timer(stats, "draw");
