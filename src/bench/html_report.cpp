@@ -66,7 +66,7 @@ std::string list(const std::vector<std::string>& items, std::string_view style) 
 std::string legend(const Figure& figure) {
     std::string html = "<ul class=\"legend\">";
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
-        html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(i),
+        html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(figure, i),
                             escapeHtml(figure.curves[i].name));
     return html + "</ul>\n";
 }

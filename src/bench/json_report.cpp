@@ -57,7 +57,9 @@ Json writtenList(const List& list) {
 }
 
 Json written(const Curve& curve) {
-    return {{"name", curve.name}, {"points", writtenList(curve.points)}};
+    Json json = {{"name", curve.name}, {"points", writtenList(curve.points)}};
+    if (curve.theoryOf) json["theoryOf"] = *curve.theoryOf;
+    return json;
 }
 
 Json written(const Figure& figure) {
@@ -124,6 +126,7 @@ Curve curveOf(const Json& json) {
     Curve curve;
     json.at("name").get_to(curve.name);
     for (const Json& each : json.at("points")) curve.points.push_back(pointOf(each));
+    if (const auto of = json.find("theoryOf"); of != json.end()) curve.theoryOf = of->get<std::size_t>();
     return curve;
 }
 

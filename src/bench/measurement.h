@@ -31,6 +31,8 @@ struct Point {
 struct Curve {
     std::string name;  ///< the method: "trilinear, half float"
     std::vector<Point> points{};
+    /// Index of the curve that this is the theory of: nothing measured, and on no front.
+    std::optional<std::size_t> theoryOf{};
 };
 
 /// Which points of a figure could stand for one another. A Pareto front is one of alternatives.

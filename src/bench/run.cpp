@@ -53,7 +53,7 @@ void markFront(Figure& figure) {
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
         for (Point& point : figure.curves[i].points) {
             point.isOnFront = false;
-            if (std::isnan(point.error)) continue;
+            if (std::isnan(point.error) || figure.curves[i].theoryOf) continue;
             const double key = figure.alternatives == Alternatives::curve     ? static_cast<double>(i)
                                : figure.alternatives == Alternatives::setting ? point.setting
                                                                               : 0;
