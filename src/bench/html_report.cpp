@@ -113,6 +113,8 @@ std::string_view frontNote(const Figure& figure) {
             return " Each curve has a front of its own.";
         case Alternatives::setting:
             return " Each setting has a front of its own: it is a difficulty, no price.";
+        case Alternatives::none:
+            return " There is no front, for no setting costs more than another.";
         case Alternatives::figure:
             break;
     }

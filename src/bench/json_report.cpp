@@ -25,6 +25,8 @@ const char* word(Alternatives alternatives) {
             return "curve";
         case Alternatives::setting:
             return "setting";
+        case Alternatives::none:
+            return "none";
         case Alternatives::figure:
             break;
     }
@@ -142,6 +144,7 @@ Figure figureOf(const Json& json) {
     if (const auto kind = json.find("alternatives"); kind != json.end())
         figure.alternatives = *kind == "curve"     ? Alternatives::curve
                               : *kind == "setting" ? Alternatives::setting
+                              : *kind == "none"    ? Alternatives::none
                                                    : Alternatives::figure;
     for (const Json& each : json.at("curves")) figure.curves.push_back(curveOf(each));
     return figure;

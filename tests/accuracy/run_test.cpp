@@ -67,6 +67,8 @@ TEST(Front, IsOneOfAlternativesOnly) {
     EXPECT_EQ(frontOf(figure), "*. *. ");
     figure.alternatives = Alternatives::setting;
     EXPECT_EQ(frontOf(figure), "** .* ");
+    figure.alternatives = Alternatives::none;
+    EXPECT_EQ(frontOf(figure), ".. .. ");
 }
 
 TEST(TimingOf, InterpolatesQuartilesBetweenRanks) {
