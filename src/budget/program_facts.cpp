@@ -22,8 +22,9 @@ bool showsPrimitives(std::string_view source) {
            (hasWord(source, "dFdx") && hasWord(source, "cross"));
 }
 
+/// A highlight reflects too, but what is seen in it is light that changes slowly.
 bool magnifies(std::string_view source) {
-    return hasWord(source, "reflect") || hasWord(source, "refract");
+    return hasWord(source, "refract") || (hasWord(source, "reflect") && hasWord(source, "samplerCube"));
 }
 
 /// Words before a parenthesis, but those that leave a value linear.

@@ -180,7 +180,9 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
         each->request.maxError = 50;
         each->program.inputs.push_back({"aNormal", 1, false});
     }
-    mirror.program.facts.stages[1].source = "void main() { vec3 seen = reflect(vSight, vNormal); }";
+    plain.program.facts.stages[1].source = "void main() { float s = pow(reflect(vLight, vNormal).z, 9.); }";
+    mirror.program.facts.stages[1].source =
+        "uniform samplerCube u; void main() { vec4 c = texture(u, reflect(vSight, vNormal)); }";
     plain.choose();
     mirror.choose();
     EXPECT_EQ(plain.numbers(0), (std::vector<double>{1, 36, 18}));
@@ -197,8 +199,8 @@ class LitBudget : public Budget {
             ++asked;
             EXPECT_TRUE(from.noise.empty());
             EXPECT_EQ(from.samples, 4);
-            const auto lit = [&](const Choice& choice) {
-                const double n = choice.shapes.front().numbers[1];
+            const auto lit = [&](const Choice& made) {
+                const double n = made.shapes.front().numbers[1];
                 return brightened(8. / 255 * slices * slices / (n * n));
             };
             return ContourShifts(lit(from), lit(to));
