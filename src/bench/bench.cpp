@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kShortest = 20e-6;  ///< seconds; shorter work is repeated inside one measurement
-constexpr double kEnough = .5;       ///< seconds of measurements
+constexpr double kLong = .25;        ///< seconds; what warms up is no part of work that long
 constexpr int kFewest = 5, kMost = 101, kQuick = 3;
 
 double seconds(const std::function<void()>& work, int inner) {
@@ -68,15 +68,17 @@ Apart& Bench::apart() {
     return state_->apart;
 }
 
-Timing Bench::time(const std::function<void()>& work) const {
+Timing Bench::time(const std::function<void()>& work, double enough) const {
     const double first = seconds(work, 1);
     const int inner = first < kShortest ? static_cast<int>(std::ceil(kShortest / std::max(first, 1e-9))) : 1;
-    std::vector<double> taken;
-    double total = 0;
-    const int fewest = isQuick() ? kQuick : kFewest;
-    const int most = isQuick() ? kQuick : kMost;
+    std::vector<double> taken{seconds(work, inner)};
+    const bool isLong = std::min(first, taken.front()) > kLong;
+    if (isLong) taken.push_back(first);
+    double total = taken.front() * inner;
+    const int fewest = isQuick() || isLong ? kQuick : kFewest;
+    const int most = isQuick() || isLong ? kQuick : kMost;
     while (static_cast<int>(taken.size()) < fewest ||
-           (static_cast<int>(taken.size()) < most && total < kEnough)) {
+           (static_cast<int>(taken.size()) < most && total < enough)) {
         taken.push_back(seconds(work, inner));
         total += taken.back() * inner;
     }

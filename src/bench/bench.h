@@ -34,10 +34,11 @@ class Bench {
     Result<gpu::Context*> context();
     /// A process without a driver, forked when the bench was made.
     Apart& apart();
-    /// Times `work`: once to warm up, then until the median stands (at least 5 times, at most about half a
-    /// second; in a quick run 3 times). Work shorter than 20 microseconds is repeated inside one measurement.
-    /// Work on the device must wait for it (glFinish) before it returns.
-    [[nodiscard]] Timing time(const std::function<void()>& work) const;
+    /// Times `work`: once to warm up, then until the median stands (at least 5 times, at most about `enough`
+    /// seconds; in a quick run 3 times). Work shorter than 20 microseconds is repeated inside one
+    /// measurement; work of a quarter of a second and more is done 3 times in all. Work on the device must
+    /// wait for it (glFinish) before it returns.
+    [[nodiscard]] Timing time(const std::function<void()>& work, double enough = .5) const;
 
   private:
     struct State;

@@ -111,7 +111,7 @@ Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& c
         Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kSide);
         if (!target) return std::move(target.diagnostics);
         Curve curve{.name = std::string(kind.name)};
-        Curve theory{.name = fmt::format("theory: {}", kind.name)};
+        Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
         for (const Place& place : places) {
             Result<double> gap = smallestGap(*target, kind, place.far, place.z, bench.isQuick());
             if (!gap) return std::move(gap.diagnostics);
@@ -171,7 +171,7 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
     Diagnostics problems = sweep(figure, bench, capabilities, places);
     if (!problems.empty()) return problems;
     for (const Curve& curve : figure.curves) {
-        if (curve.name.starts_with("theory")) continue;
+        if (curve.theoryOf) continue;
         double widest = 0;
         for (const Point& point : curve.points)
             if (point.error <= .001) widest = std::max(widest, point.setting);
@@ -205,7 +205,7 @@ Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabi
     Diagnostics problems = sweep(figure, bench, capabilities, places);
     if (!problems.empty()) return problems;
     for (const Curve& curve : figure.curves)
-        if (!curve.name.starts_with("theory")) figure.findings.push_back(orderSentence(curve, "distance", 8));
+        if (!curve.theoryOf) figure.findings.push_back(orderSentence(curve, "distance", 8));
     return figure;
 }
 

@@ -66,7 +66,7 @@ std::string list(const std::vector<std::string>& items, std::string_view style) 
 std::string legend(const Figure& figure) {
     std::string html = "<ul class=\"legend\">";
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
-        html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(i),
+        html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(figure, i),
                             escapeHtml(figure.curves[i].name));
     return html + "</ul>\n";
 }
@@ -113,6 +113,8 @@ std::string_view frontNote(const Figure& figure) {
             return " Each curve has a front of its own.";
         case Alternatives::setting:
             return " Each setting has a front of its own: it is a difficulty, no price.";
+        case Alternatives::none:
+            return " There is no front, for no setting costs more than another.";
         case Alternatives::figure:
             break;
     }

@@ -25,6 +25,8 @@ const char* word(Alternatives alternatives) {
             return "curve";
         case Alternatives::setting:
             return "setting";
+        case Alternatives::none:
+            return "none";
         case Alternatives::figure:
             break;
     }
@@ -57,7 +59,9 @@ Json writtenList(const List& list) {
 }
 
 Json written(const Curve& curve) {
-    return {{"name", curve.name}, {"points", writtenList(curve.points)}};
+    Json json = {{"name", curve.name}, {"points", writtenList(curve.points)}};
+    if (curve.theoryOf) json["theoryOf"] = *curve.theoryOf;
+    return json;
 }
 
 Json written(const Figure& figure) {
@@ -124,6 +128,7 @@ Curve curveOf(const Json& json) {
     Curve curve;
     json.at("name").get_to(curve.name);
     for (const Json& each : json.at("points")) curve.points.push_back(pointOf(each));
+    if (const auto of = json.find("theoryOf"); of != json.end()) curve.theoryOf = of->get<std::size_t>();
     return curve;
 }
 
@@ -139,6 +144,7 @@ Figure figureOf(const Json& json) {
     if (const auto kind = json.find("alternatives"); kind != json.end())
         figure.alternatives = *kind == "curve"     ? Alternatives::curve
                               : *kind == "setting" ? Alternatives::setting
+                              : *kind == "none"    ? Alternatives::none
                                                    : Alternatives::figure;
     for (const Json& each : json.at("curves")) figure.curves.push_back(curveOf(each));
     return figure;

@@ -178,7 +178,8 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::none};
     const int side = bench.isQuick() ? 64 : 192;
     const int stepsAUnit = bench.isQuick() ? 2 : 8;
     Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);

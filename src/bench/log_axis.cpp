@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -43,8 +44,17 @@ void LogAxis::addDecades(int mostLabels) {
 }
 
 void LogAxis::addSteps() {
-    for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(high_); ++decade)
-        for (const int digit : {1, 2, 5}) {
+    constexpr std::size_t kFewest = 3;
+    addDigits(std::array{1., 2., 5.});
+    if (ticks_.size() >= kFewest) return;
+    ticks_.clear();
+    addDigits(std::array{1., 1.2, 1.5, 2., 3., 4., 5., 7.});
+}
+
+void LogAxis::addDigits(std::span<const double> digits) {
+    for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::floor(high_));
+         ++decade)
+        for (const double digit : digits) {
             const double logarithm = decade + std::log10(digit);
             if (logarithm < low_ || logarithm > high_) continue;
             ticks_.push_back({(logarithm - low_) / (high_ - low_), tickLabel(digit * std::pow(10., decade))});

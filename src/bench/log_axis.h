@@ -15,8 +15,8 @@ struct Tick {
 class LogAxis {
   public:
     /// Covers the finite values above 0 with a margin; [1, 10] if there are none. Ranges below 2.5 decades
-    /// get ticks at 1, 2 and 5, longer ones at powers of ten, at most about `mostLabels` of them with a
-    /// label.
+    /// get ticks at 1, 2 and 5, or at more digits where those are too few, longer ones at powers of ten, at
+    /// most about `mostLabels` of them with a label.
     LogAxis(std::span<const double> values, int mostLabels);
 
     /// 0..1 for a value of the range; values at or below 0 lie at 0.
@@ -26,6 +26,7 @@ class LogAxis {
   private:
     void addDecades(int mostLabels);
     void addSteps();
+    void addDigits(std::span<const double> digits);
 
     double low_ = 0, high_ = 1;  ///< decimal logarithms
     std::vector<Tick> ticks_;

@@ -31,13 +31,16 @@ struct Point {
 struct Curve {
     std::string name;  ///< the method: "trilinear, half float"
     std::vector<Point> points{};
+    /// Index of the curve that this is the theory of: nothing measured, and on no front.
+    std::optional<std::size_t> theoryOf{};
 };
 
 /// Which points of a figure could stand for one another. A Pareto front is one of alternatives.
 enum class Alternatives {
-    figure,  ///< all of them: settings buy accuracy, whatever the curve
-    curve,   ///< those of a curve: the curves do different jobs
-    setting  ///< those of a setting: settings are no price but a difficulty, such as a distance
+    figure,   ///< all of them: settings buy accuracy, whatever the curve
+    curve,    ///< those of a curve: the curves do different jobs
+    setting,  ///< those of a setting: settings are no price but a difficulty, such as a distance
+    none      ///< none: the setting is neither, but what is looked for
 };
 
 /// One diagram: the curves share an error measure and a reference.

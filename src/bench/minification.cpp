@@ -231,9 +231,10 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     for (const char* name : {"linear", "mipmaps, bilinear", "mipmaps, trilinear", "anisotropic"}) {
         if (std::ranges::find(figure.curves, name, &Curve::name) == figure.curves.end()) continue;
         const Point& point = lastOf(figure, name);
-        figure.findings.push_back(
-            fmt::format("{} ({}): {:.0f} % of the error of nearest, {:.2f} times its time", name, point.label,
-                        100 * point.error / nearest.error, point.time->median / nearest.time->median));
+        figure.findings.push_back(fmt::format(
+            "{}: {:.0f} % of the error of nearest, {:.2f} times its time",
+            name == std::string_view("anisotropic") ? fmt::format("{} ({})", name, point.label) : name,
+            100 * point.error / nearest.error, point.time->median / nearest.time->median));
     }
     if (capabilities.maxAnisotropy < 2) {
         figure.findings.emplace_back("this driver has no anisotropic filter");

@@ -81,7 +81,10 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
                    .settingName = "texels a side",
                    .errorName = "root mean square error, of the octave's own root mean square",
                    .errorUnit = "",
-                   .reference = kReference};
+                   .reference = kReference,
+                   .curves = {},
+                   .findings = {},
+                   .alternatives = Alternatives::curve};
     const std::vector<Sample> samples = samplesOf(4096);
     Octaves strength{};
     for (const Sample& each : samples)

@@ -15,9 +15,9 @@ namespace {
 
 // In units of the SVG's own coordinates.
 constexpr double kWidth = 560, kHeight = 380;
-constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 50;
+constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 54;
 constexpr double kSign = 4.2;  ///< half the size of a point's sign
-constexpr std::size_t kStyles = 8;
+constexpr std::size_t kStyles = 9;
 
 struct Placed {
     const Point* point = nullptr;
@@ -34,7 +34,7 @@ double abscissaOf(const Point& point, Abscissa abscissa) {
     return abscissa == Abscissa::setting ? point.setting : point.time->median;
 }
 
-/// Circle, square, triangle, diamond, and the same once more for curves beyond four.
+/// Circle, square, triangle, diamond, and again.
 std::string sign(std::size_t index, double x, double y, std::string_view attributes) {
     const double s = kSign;
     switch (index % 4) {
@@ -72,7 +72,7 @@ std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
     for (const Tick& tick : across.ticks()) {
         const double x = kLeft + tick.place * (right - kLeft);
         svg += fmt::format("<path d=\"M{0:.1f} {1}V{2}\"/>", x, kTop, floor);
-        labels += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, floor + 17,
+        labels += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, floor + 21,
                               tick.label);
     }
     for (const Tick& tick : up.ticks()) {
@@ -121,9 +121,21 @@ std::string frontLine(std::vector<Placed> points) {
     return fmt::format("<path class=\"front\" d=\"{}\"/>", path);
 }
 
-std::string curveSvg(const Figure& figure, std::size_t index, const std::vector<Placed>& points) {
-    std::string svg = fmt::format("<g class=\"curve c{}\" data-curve=\"{}\">", index % kStyles, index);
-    svg += pathThrough(points, "line");
+/// A theory has the colour of what is measured.
+std::size_t styleOf(const Figure& figure, std::size_t index) {
+    return figure.curves[index].theoryOf.value_or(index) % kStyles;
+}
+
+/// Where settings are a difficulty, costs hardly differ between them, and a line would be a scribble.
+bool isJoined(const Figure& figure, Abscissa abscissa) {
+    return abscissa == Abscissa::setting || figure.alternatives != Alternatives::setting;
+}
+
+std::string curveSvg(const Figure& figure, std::size_t index, const std::vector<Placed>& points,
+                     Abscissa abscissa) {
+    std::string svg = fmt::format("<g class=\"curve c{}\" data-curve=\"{}\">", styleOf(figure, index), index);
+    if (figure.curves[index].theoryOf) return svg + pathThrough(points, "line theory") + "</g>";
+    if (isJoined(figure, abscissa)) svg += pathThrough(points, "line");
     for (const Placed& each : points)
         if (each.highX > each.lowX)
             svg += fmt::format("<path class=\"spread\" d=\"M{0:.1f} {2:.1f}H{1:.1f}\"/>", each.lowX,
@@ -166,7 +178,7 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
             }
             points.push_back(placed);
         }
-        curves += curveSvg(figure, i, points);
+        curves += curveSvg(figure, i, points, abscissa);
         all.insert(all.end(), points.begin(), points.end());
         if (hasFront && figure.alternatives == Alternatives::curve) fronts += frontLine(std::move(points));
     }
@@ -178,11 +190,13 @@ std::string plot(const Figure& figure, Abscissa abscissa) {
            fronts + curves + "</svg>";
 }
 
-std::string legendSign(std::size_t index) {
+std::string legendSign(const Figure& figure, std::size_t index) {
+    const bool isTheory = figure.curves[index].theoryOf.has_value();
     return fmt::format(
         "<svg class=\"sign\" viewBox=\"0 0 26 12\" aria-hidden=\"true\"><g class=\"curve c{}\">"
-        "<path class=\"line\" d=\"M1 6H25\"/>{}</g></svg>",
-        index % kStyles, sign(index, 13, 6, " class=\"point on\""));
+        "<path class=\"line{}\" d=\"M1 6H25\"/>{}</g></svg>",
+        styleOf(figure, index), isTheory ? " theory" : "",
+        isTheory ? std::string() : sign(index, 13, 6, " class=\"point on\""));
 }
 
 std::string escapeHtml(std::string_view text) {

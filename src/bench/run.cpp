@@ -48,12 +48,13 @@ bool isTimed(const Figure& figure) {
 void markFront(Figure& figure) {
     const Cost cost = isTimed(figure) ? Cost([](const Point& each) { return each.time->median; })
                                       : Cost([](const Point& each) { return each.setting; });
+    const bool hasFront = figure.alternatives != Alternatives::none;
     // What the key is the same of are alternatives.
     std::map<double, std::vector<Point*>> groups;
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
         for (Point& point : figure.curves[i].points) {
             point.isOnFront = false;
-            if (std::isnan(point.error)) continue;
+            if (std::isnan(point.error) || figure.curves[i].theoryOf || !hasFront) continue;
             const double key = figure.alternatives == Alternatives::curve     ? static_cast<double>(i)
                                : figure.alternatives == Alternatives::setting ? point.setting
                                                                               : 0;

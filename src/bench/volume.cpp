@@ -260,7 +260,8 @@ Result<Figure> terminationFigure(Bench& bench, const gpu::Capabilities& capabili
                   .errorUnit = "",
                   .reference = "the same steps to the end of every ray, on the same driver",
                   .curves = {},
-                  .findings = {}};
+                  .findings = {},
+                  .alternatives = Alternatives::curve};
     const float steps = bench.isQuick() ? 128 : 512;
     const auto prepared = [&](double threshold, double strength) {
         Result<gpu::Program> program =

@@ -4,10 +4,10 @@
 //
 // The bound holds for each of these by itself: a mesh against the surface it stands for, edges against the
 // places that the samples tell, noise against the function it samples. For meshes it is proved for programs
-// whose text shows that they place vertices by the model-view-projection alone (glsl::Placement). Not in it:
-// where two surfaces cut each other at a flat angle the cut moves further than the surfaces do; what a
-// program computes at the vertices but is not linear between them has no bound but CountArgument::smooth.
-// Passes into a texture are judged in its texels.
+// whose text shows that they place vertices by the model-view-projection alone (glsl::Placement). What
+// programs compute at the vertices or from their normals is measured, on small pictures. Not in it: where two
+// surfaces cut each other at a flat angle the cut moves further than the surfaces do; what tessellation
+// stages compute at their vertices but places. Passes into a texture are judged in its texels.
 
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -35,6 +35,8 @@ struct LevelValue {
     double value = 0;
 };
 
+struct Choice;
+
 struct Request {
     double maxError = 0;          ///< pixels, above 0
     bool overrideCounts = false;  ///< choose also what the scene states, levels always among it
@@ -43,11 +45,10 @@ struct Request {
     int mostSamples = 1;  ///< of the driver
     /// Projection * ModelView as the draw will have them; aspect is width / height of what it draws into.
     std::function<glm::dmat4(const scene::Draw& draw, double aspect)> clipFromModel;
-    /// How far contours move, in pixels of the picture, from the one noise to the other; without an answer a
-    /// period of noise is taken to be one unit of the model that it is seen on. Asked at most once.
-    std::function<std::optional<ContourShifts>(std::span<const NoiseChoice> from,
-                                               std::span<const NoiseChoice> to)>
-        noiseShift{};
+    /// How far contours move, in pixels of the picture, from the one shapes, noise and samples to the other.
+    /// Without an answer a period of noise is taken to be one unit of the model that it is seen on, and what
+    /// programs compute at the vertices has no bound.
+    std::function<std::optional<ContourShifts>(const Choice& from, const Choice& to)> contourShift{};
     int mostLevel = 64;                           ///< of tessellation, of the driver
     std::span<const plan::Override> overrides{};  ///< values that nothing else replaces
     /// What the tessellation stages make of the patches of the draw at Scene::passes[pass].steps[step] with

@@ -16,12 +16,17 @@
 #include "budget/pixel_text.h"
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
+#include "budget/vertex_values.h"
 #include "glib/command_table.h"
 #include "scene/primitives.h"
 #include "scene/view.h"
 
 namespace glibra::budget {
 namespace {
+
+/// By which counts have to be larger than for smooth light: a reflected ray turns by twice what its normal
+/// does, and a refracted one by more still at a flat angle.
+constexpr int kMirror = 2;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
@@ -49,7 +54,25 @@ struct Need {
     const scene::Draw* draw = nullptr;
     double scale = 0;    ///< pixels a model unit
     double allowed = 0;  ///< deviation in model units
+    int program = 0;     ///< index into FramePlan::programs
     bool isMoved = false;
+    bool isMeasured = false;  ///< its program makes more of the vertices than places
+};
+
+/// What a draw's shape gets.
+struct Drawn {
+    Need need;
+    const SurfaceModel* model = nullptr;
+    std::vector<double> before, numbers;  ///< complete
+    std::array<bool, 2> isFree{};
+    Fidelity fidelity = Fidelity::shape;
+    std::optional<VertexError> vertices{};
+
+    [[nodiscard]] bool isAllStated() const { return !isFree[0] && !isFree[1]; }
+    [[nodiscard]] bool isAnyStated() const {
+        return std::find(isFree.begin(), isFree.begin() + static_cast<std::ptrdiff_t>(model->countsUsed),
+                         false) != isFree.begin() + static_cast<std::ptrdiff_t>(model->countsUsed);
+    }
 };
 
 /// A draw of patches, into a picture of that size.
@@ -70,6 +93,8 @@ class Chooser {
     Choice choose() {
         for (const plan::PlannedPass& pass : plan_.passes) lookAt(pass);
         for (auto& [key, needs] : needs_) chooseCounts(key, needs);
+        measureVertices();
+        for (const Drawn& each : drawn_) conclude(each);
         for (const auto& [program, draws] : tessellated_) chooseLevels(program, draws);
         chooseNoise();
         chooseSamples();
@@ -93,6 +118,23 @@ class Chooser {
             pixels = error;
             draw = &at;
             word = what.empty() ? at.word : std::string(what);
+            counts = std::move(with);
+        }
+    };
+
+    /// The same of what programs make of their vertices.
+    struct WorstVertices {
+        VertexError error;
+        const scene::Draw* draw = nullptr;
+        std::string counts;
+        int others = -1;
+        void add(const VertexError& found, const scene::Draw& at, std::string with) {
+            ++others;
+            if (draw != nullptr &&
+                std::tie(found.pixels, found.colored) <= std::tie(error.pixels, error.colored))
+                return;
+            error = found;
+            draw = &at;
             counts = std::move(with);
         }
     };
@@ -147,7 +189,9 @@ class Chooser {
 
         need.scale = *scale;
         need.allowed = *scale > 0 ? request_.maxError / *scale : kAny;
+        need.program = planned.program;
         need.isMoved = !facts.placesByMatrix;
+        need.isMeasured = *scale > 0 && !need.isMoved && facts.computesAtVertices;
         const Fidelity fidelity = facts.readsTexCoord ? Fidelity::pattern : Fidelity::shape;
         std::array<bool, 2> isFree{};
         std::array<int, 2> least{};
@@ -156,12 +200,13 @@ class Chooser {
             const int asGiven = static_cast<int>(numbers[count.index]);
             isFree[i] = request_.overrideCounts || count.byDefault > 0 || count.index >= draw.givenNumbers;
             least[i] = facts.isBuiltin ? 1 : count.smooth == kAsGiven ? asGiven : count.smooth;
+            if (facts.magnifiesNormals && count.smooth != kAsGiven) least[i] *= kMirror;
             if (need.isMoved) least[i] = std::max(least[i], asGiven);
         }
         if (isFree[0] || isFree[1])
             needs_[{draw.shape, isFree, least, fidelity}].push_back(need);
         else
-            keepStated(*model, numbers, fidelity, need);
+            drawn_.push_back({need, model, numbers, numbers, isFree, fidelity});
     }
 
     /// One program's draws have its levels in common.
@@ -222,20 +267,6 @@ class Chooser {
         return largest;
     }
 
-    void keepStated(const SurfaceModel& model, const std::vector<double>& numbers, Fidelity fidelity,
-                    const Need& need) {
-        const double pixels = model.deviation(numbers, fidelity) * need.scale;
-        decide(*need.draw, fmt::format("{} as the scene states: {}", countsText(model, numbers),
-                                       boundText(pixels, need.isMoved)));
-        if (pixels > request_.maxError && !need.isMoved)
-            stated_.add(pixels, *need.draw, countsText(model, numbers));
-    }
-
-    static std::string boundText(double pixels, bool isMoved) {
-        return isMoved ? "no bound, its program moves the vertices"
-                       : fmt::format("at most {}", pixelText(pixels));
-    }
-
     /// Draws that need about the same get one mesh, made for the one that needs most.
     void chooseCounts(const MeshKey& key, std::vector<Need>& needs) {
         std::stable_sort(needs.begin(), needs.end(),
@@ -261,20 +292,64 @@ class Chooser {
                                                 .least = least,
                                                 .fidelity = fidelity,
                                                 .allowed = needs.front().allowed});
-        for (const Need& need : needs) {
-            const double pixels = chosen.deviation * need.scale;
-            if (chosen.numbers != before) choice_.shapes.push_back({need.pass, need.step, chosen.numbers});
-            decide(*need.draw, fmt::format("{}{}: {}", countsText(model, chosen.numbers),
-                                           chosen.numbers == before
-                                               ? " kept"
-                                               : fmt::format(" in place of {}", countsText(model, before)),
-                                           need.scale > 0 ? boundText(pixels, need.isMoved) : "not in view"));
-            if (pixels <= request_.maxError || need.isMoved) continue;
-            const bool isStated =
-                std::find(isFree.begin(), isFree.begin() + static_cast<std::ptrdiff_t>(model.countsUsed),
-                          false) != isFree.begin() + static_cast<std::ptrdiff_t>(model.countsUsed);
-            (isStated ? stated_ : beyond_).add(pixels, *need.draw, countsText(model, chosen.numbers));
+        for (const Need& need : needs)
+            drawn_.push_back({need, &model, before, chosen.numbers, isFree, fidelity});
+    }
+
+    /// Light, normals, moved vertices: finer where pictures tell that it is needed.
+    void measureVertices() {
+        if (!request_.contourShift) return;
+        VertexRequest vertices{{}, request_.maxError, {}};
+        std::vector<Drawn*> measured;
+        for (Drawn& each : drawn_)
+            if (each.need.isMeasured) {
+                const Need& need = each.need;
+                vertices.draws.push_back({need.pass, need.step, each.model, each.numbers, each.isFree,
+                                          need.program, each.fidelity, need.scale});
+                measured.push_back(&each);
+            }
+        if (measured.empty()) return;
+        vertices.shift = [&](std::span<const ShapeChoice> from, std::span<const ShapeChoice> to) {
+            Choice coarse, fine;
+            coarse.shapes.assign(from.begin(), from.end());
+            fine.shapes.assign(to.begin(), to.end());
+            // Of edges a single sample would tell too much or too little.
+            coarse.samples = fine.samples = std::min(4, std::max(1, request_.mostSamples));
+            return request_.contourShift(coarse, fine);
+        };
+        const std::optional<VertexValues> found = vertexValues(vertices);
+        if (!found) return;
+        for (std::size_t i = 0; i < measured.size(); ++i) {
+            measured[i]->numbers = found->numbers[i];
+            for (const VertexResult& each : found->programs)
+                if (each.program == measured[i]->need.program) measured[i]->vertices = each.error;
         }
+    }
+
+    void conclude(const Drawn& drawn) {
+        const Need& need = drawn.need;
+        const SurfaceModel& model = *drawn.model;
+        const bool isChanged = drawn.numbers != drawn.before;
+        const std::string counts = countsText(model, drawn.numbers);
+        if (isChanged) choice_.shapes.push_back({need.pass, need.step, drawn.numbers});
+        const double pixels = model.deviation(drawn.numbers, drawn.fidelity) * need.scale;
+        const std::string kept = drawn.isAllStated() ? " as the scene states" : " kept";
+        decide(*need.draw,
+               fmt::format("{}{}: {}", counts,
+                           isChanged ? fmt::format(" in place of {}", countsText(model, drawn.before)) : kept,
+                           need.scale > 0 ? boundText(pixels, drawn) : "not in view"));
+        if (!need.isMoved && pixels > request_.maxError)
+            (drawn.isAnyStated() ? stated_ : beyond_).add(pixels, *need.draw, counts);
+        if (drawn.vertices && !drawn.vertices->isKept)
+            (drawn.isAnyStated() ? statedVertices_ : beyondVertices_)
+                .add(*drawn.vertices, *need.draw, counts);
+    }
+
+    static std::string boundText(double pixels, const Drawn& drawn) {
+        if (drawn.need.isMoved) return "no bound, its program moves the vertices";
+        const std::string shape = fmt::format("at most {}", pixelText(pixels));
+        if (!drawn.vertices) return shape;
+        return shape + "; what its program makes of the vertices " + vertexText(*drawn.vertices);
     }
 
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
@@ -325,6 +400,23 @@ class Chooser {
                                     beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
                                     pixelText(request_.maxError), others(beyond_.others)),
                         beyond_.draw->place));
+        if (beyondVertices_.draw != nullptr)
+            choice_.diagnostics.push_back(warning(
+                "draw-W07",
+                fmt::format("what the program makes of the vertices of {} with {} is {}; finer counts "
+                            "do not help, the bound is {}{}",
+                            beyondVertices_.draw->word, beyondVertices_.counts,
+                            vertexText(beyondVertices_.error), pixelText(request_.maxError),
+                            others(beyondVertices_.others)),
+                beyondVertices_.draw->place));
+        if (stated_.draw == nullptr && statedVertices_.draw != nullptr)
+            choice_.diagnostics.push_back(note(
+                "draw-N03",
+                fmt::format("what the program makes of the vertices of {} with {}, as the scene states, is "
+                            "{}; --override-counts chooses for it{}",
+                            statedVertices_.draw->word, statedVertices_.counts,
+                            vertexText(statedVertices_.error), others(statedVertices_.others)),
+                statedVertices_.draw->place));
         if (stated_.draw != nullptr)
             choice_.diagnostics.push_back(note(
                 "draw-N03",
@@ -340,7 +432,9 @@ class Chooser {
     std::map<MeshKey, std::vector<Need>> needs_;
     std::map<int, std::vector<TessellatedDraw>> tessellated_;  ///< by index into FramePlan::programs
     std::map<int, NoiseUse> noise_;                            ///< by texture
+    std::vector<Drawn> drawn_;
     Worst beyond_, stated_;
+    WorstVertices beyondVertices_, statedVertices_;
     Choice choice_;
 };
 

@@ -45,13 +45,13 @@ class NoiseChooser {
     /// What two pictures tell of how contours move: programs stretch noise, add octaves of their own and
     /// raise its contrast, which all moves them further than the noise's own.
     void measure() {
-        std::vector<NoiseChoice> from, to;
+        Choice from, to;
         for (const auto& [texture, use] : uses_) {
             if (!isFree(noiseOf(texture))) continue;
-            from.push_back({texture, {kNoiseProbeSizes[0], scene::NoiseTexels::shorts}});
-            to.push_back({texture, {kNoiseProbeSizes[1], scene::NoiseTexels::shorts}});
+            from.noise.push_back({texture, {kNoiseProbeSizes[0], scene::NoiseTexels::shorts}});
+            to.noise.push_back({texture, {kNoiseProbeSizes[1], scene::NoiseTexels::shorts}});
         }
-        if (!from.empty() && request_.noiseShift) measured_ = request_.noiseShift(from, to);
+        if (!from.noise.empty() && request_.contourShift) measured_ = request_.contourShift(from, to);
     }
 
     /// Pixels. Changes of a value that are not seen move nothing.

@@ -22,6 +22,29 @@ bool showsPrimitives(std::string_view source) {
            (hasWord(source, "dFdx") && hasWord(source, "cross"));
 }
 
+/// A highlight reflects too, but what is seen in it is light that changes slowly.
+bool magnifies(std::string_view source) {
+    return hasWord(source, "refract") || (hasWord(source, "reflect") && hasWord(source, "samplerCube"));
+}
+
+/// Words before a parenthesis, but those that leave a value linear.
+bool callsFunctions(std::string_view source) {
+    constexpr std::array kHarmless{"main", "vec2",   "vec3", "vec4",      "mat2",  "mat3", "mat4",
+                                   "if",   "layout", "for",  "normalize", "float", "while"};
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= source.size(); ++i) {
+        if (i < source.size() && isWordCharacter(source[i])) continue;
+        const std::string_view word = source.substr(begin, i - begin);
+        begin = i + 1;
+        if (word.empty()) continue;
+        const std::size_t next = source.find_first_not_of(" \t", i);
+        if (next != std::string_view::npos && source[next] == '(' &&
+            std::find(kHarmless.begin(), kHarmless.end(), word) == kHarmless.end())
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 bool hasWord(std::string_view text, std::string_view word) {
@@ -38,13 +61,21 @@ ProgramFacts programFacts(const plan::ProgramInterface& program) {
     ProgramFacts facts;
     facts.isBuiltin = program.isBuiltin;
     facts.placesByMatrix = program.isBuiltin || program.facts.placement != glsl::Placement::unknown;
+    bool readsNormals = false;
     for (const plan::ActiveInput& each : program.inputs)
-        if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(each.name); row != nullptr)
+        if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(each.name); row != nullptr) {
             facts.readsTexCoord = facts.readsTexCoord || row->attribute == geometry::kTexCoord;
+            readsNormals =
+                readsNormals || row->attribute == geometry::kNormal || row->attribute == geometry::kTangent;
+        }
     for (const glsl::TranslatedStage& each : program.facts.stages) {
         facts.worksOnPrimitives = facts.worksOnPrimitives ||
                                   (each.stage != glsl::Stage::vertex && each.stage != glsl::Stage::fragment);
         facts.hasTessellation = facts.hasTessellation || each.stage == glsl::Stage::tessEvaluation;
+        facts.computesAtVertices =
+            facts.computesAtVertices || (each.stage == glsl::Stage::vertex && callsFunctions(each.source));
+        if (each.stage == glsl::Stage::fragment)
+            facts.magnifiesNormals = readsNormals && magnifies(each.source);
         facts.showsPrimitives = facts.showsPrimitives || showsPrimitives(each.source);
     }
     return facts;

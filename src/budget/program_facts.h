@@ -13,6 +13,12 @@ struct ProgramFacts {
     bool readsTexCoord = false;
     bool worksOnPrimitives = false;  ///< has a tessellation or geometry stage
     bool hasTessellation = false;
+    /// It reads normals or tangents, which between vertices are not those of the surface, and its fragment
+    /// stage looks into a cube map along a reflection or refracts, as far as the words in its text say.
+    bool magnifiesNormals = false;
+    /// Its vertex stage calls functions but constructors and normalize(), as far as the words in its text
+    /// say: what it makes of the vertices may not be linear between them.
+    bool computesAtVertices = false;
     /// Something is flat on a triangle, counts triangles or vertices, or takes a normal from derivatives, as
     /// far as the words in its text say: with other counts it would show something else.
     bool showsPrimitives = false;

@@ -47,10 +47,9 @@ Result<std::vector<const bench::Subject*>> choose(const std::vector<std::string>
     Diagnostics problems;
     for (const std::string& each : names) {
         if (std::ranges::find(known, each) != known.end()) continue;
-        const std::string near = glib::nearestName(each, known);
-        problems.push_back(error(
-            "bench-E01", fmt::format("there is no subject '{}'; {}", each,
-                                     near.empty() ? "--list names them" : "did you mean '" + near + "'?")));
+        const std::string near = glib::suggestion(each, known);
+        problems.push_back(error("bench-E01", fmt::format("there is no subject '{}'{}", each,
+                                                          near.empty() ? "; --list names them" : near)));
     }
     if (!problems.empty()) return problems;
     std::vector<const bench::Subject*> chosen;

@@ -157,7 +157,7 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
     if (!found) return nullptr;
     stats_.add("meshes kept", 1);
     if (const scene::Draw* draw = drawOf(plan, planned))
-        stats_.skip("mesh", draw->word + ": it is there from an earlier scene", draw->place);
+        stats_.skip("mesh", draw->word + ": it is there already", draw->place);
     return found;
 }
 

@@ -47,7 +47,7 @@ bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& b
         isBuiltin ? nullptr : &scene_.programs[static_cast<std::size_t>(variant.program)];
     stats_.skip(
         "program",
-        fmt::format("'{}': it is there from an earlier scene", isBuiltin ? "built-in" : program->name),
+        fmt::format("'{}': it is there already", isBuiltin ? "built-in" : program->name),
         isBuiltin ? Place{scene_.path, 1, 1} : program->place);
     return true;
 }

@@ -139,7 +139,7 @@ Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Cont
     state->width = width;
     state->height = height;
     state->tiles = std::move(grid.tiles);
-    state->parts = std::move(grid.parts);
+    state->tileParts = std::move(grid.parts);
     Diagnostics diagnostics = state->placeEye(stats);
     return {std::move(state), std::move(diagnostics)};
 }
@@ -187,7 +187,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
 Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture,
                                            Stats& stats) {
     const Tile& tile = tiles[index];
-    const Tile& part = parts[index];
+    const Tile& part = tileParts[index];
     Diagnostics diagnostics;
     {
         const StageTimer timer(stats, "draw");

@@ -8,8 +8,8 @@
 
 #include "budget/budget.h"
 #include "gpu/loop_limit.h"
-#include "render/noise_probe.h"
 #include "render/patch_probe.h"
+#include "render/picture_probe.h"
 #include "render/sight.h"
 #include "scene/primitives.h"
 #include "scene/view.h"
@@ -30,25 +30,26 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
     const plan::FramePlan first = planScene(planOptions);
     if (hasError(first.diagnostics)) return {};
     const StageTimer timer(stats, "budget");
+    const PictureProbe pictures{context, scene, options, width, height, view, parts};
     PatchProbe probe(context, scene, options, width, height);
-    budget::Choice choice = budget::choose(
-        scene, first,
-        {.maxError = options.maxError,
-         .overrideCounts = options.overrideCounts,
-         .width = width,
-         .height = height,
-         .areSamplesFree = options.samples == 0,
-         .mostSamples = context.capabilities().maxSamples,
-         .clipFromModel =
-             [&](const scene::Draw& draw, double aspect) {
-                 return view.projection(draw.projection, aspect) * view.modelView(draw);
-             },
-         .noiseShift = [&](auto from,
-                           auto to) { return noiseShift(context, scene, options, width, height, from, to); },
-         .mostLevel = context.capabilities().maxTessellationLevel,
-         .overrides = planOptions.overrides,
-         .patches = [&](std::size_t pass, std::size_t step,
-                        auto values) { return probe.patches(pass, step, values); }});
+    budget::Choice choice =
+        budget::choose(scene, first,
+                       {.maxError = options.maxError,
+                        .overrideCounts = options.overrideCounts,
+                        .width = width,
+                        .height = height,
+                        .areSamplesFree = options.samples == 0,
+                        .mostSamples = context.capabilities().maxSamples,
+                        .clipFromModel =
+                            [&](const scene::Draw& draw, double aspect) {
+                                return view.projection(draw.projection, aspect) * view.modelView(draw);
+                            },
+                        .contourShift = [&](const budget::Choice& from,
+                                            const budget::Choice& to) { return pictures.shift(from, to); },
+                        .mostLevel = context.capabilities().maxTessellationLevel,
+                        .overrides = planOptions.overrides,
+                        .patches = [&](std::size_t pass, std::size_t step,
+                                       auto values) { return probe.patches(pass, step, values); }});
     if (options.samples == 0) options.samples = choice.samples;
     for (const int shape : budget::apply(choice, scene)) device.forgetMesh(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());

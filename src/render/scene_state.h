@@ -1,6 +1,7 @@
 #pragma once
 // What a SceneRenderer is made of: for the files that implement it.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "render/frame.h"
 #include "render/programs.h"
 #include "render/scene_renderer.h"
+#include "render/shared_parts.h"
 #include "render/tile.h"
 #include "render/view_matrices.h"
 
@@ -23,8 +25,11 @@ struct SceneRenderer::State {
         : context(usedContext),
           options(std::move(usedOptions)),
           scene(std::move(interpreted)),
-          programs(context, scene, options, tiled, stats, shared),
-          device(context, scene, stats, shared) {}
+          ownParts(options.maxError > 0 && options.skip && !shared ? std::make_unique<SharedParts>()
+                                                                   : nullptr),
+          parts(ownParts ? ownParts.get() : shared),
+          programs(context, scene, options, tiled, stats, parts),
+          device(context, scene, stats, parts) {}
 
     /// Without GL. Errors: glib-E15 for a picture that is too large.
     static Result<std::unique_ptr<State>> of(gpu::Context& context, scene::Scene interpreted,
@@ -33,13 +38,15 @@ struct SceneRenderer::State {
     gpu::Context& context;
     RenderOptions options;
     scene::Scene scene;
+    std::unique_ptr<SharedParts> ownParts;  ///< between the picture and those that a bound is measured on
+    SharedParts* parts;                     ///< these, or what other scenes have too, or null
     ProgramLibrary programs;
     DeviceScene device;
     plan::FramePlan plan;
     std::optional<FrameDrawer> drawer;
     std::optional<Axes> axes;
-    std::vector<Tile> tiles;  ///< with their margins
-    std::vector<Tile> parts;  ///< what of each tile goes into the picture
+    std::vector<Tile> tiles;      ///< with their margins
+    std::vector<Tile> tileParts;  ///< what of each tile goes into the picture
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
     ViewMatrices view;

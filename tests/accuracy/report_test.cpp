@@ -53,6 +53,25 @@ TEST(Csv, HasARowForEachPointAndThirteenCells) {
     EXPECT_EQ(cellsOf(lines[5])[5], "inf");
 }
 
+TEST(Html, DrawsATheoryInTheColourOfWhatIsMeasured) {
+    Report report;
+    Figure figure;
+    figure.name = "gap";
+    figure.curves = {{"a", {pointAt(1, .2), pointAt(2, .1)}},
+                     {"b", {pointAt(1, .3), pointAt(2, .2)}},
+                     {"theory: b", {pointAt(1, .3), pointAt(2, .2)}, 1}};
+    report.subjects.emplace_back();
+    report.subjects[0].name = "depth";
+    report.subjects[0].figures = {figure};
+    const std::string page = htmlReport(report, nullptr);
+    EXPECT_NE(page.find("curve c1\" data-curve=\"2\"><path class=\"line theory\""), std::string::npos);
+    EXPECT_EQ(page.find("curve c2"), std::string::npos);
+    const Result<Report> read = readJsonReport(jsonReport(report), "a.json");
+    ASSERT_TRUE(read) << toString(read.diagnostics.front());
+    EXPECT_EQ(read->subjects[0].figures[0].curves[2].theoryOf, 1U);
+    EXPECT_FALSE(read->subjects[0].figures[0].curves[1].theoryOf);
+}
+
 TEST(Json, ComesBackWhole) {
     const Report report = sampleReport();
     const std::string text = jsonReport(report);

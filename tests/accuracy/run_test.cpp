@@ -49,6 +49,15 @@ TEST(Front, HoldsEqualPointsTogetherAndNeverOneWithoutError) {
     EXPECT_EQ(frontOf(figure), "*. *. ");
 }
 
+TEST(Front, HoldsNoTheory) {
+    Figure figure;
+    figure.curves = {{"a", {pointAt(1, .2), pointAt(2, .1)}},
+                     {"theory: a", {pointAt(1, .1), pointAt(2, .05)}}};
+    EXPECT_EQ(frontOf(figure), ".. ** ");
+    figure.curves[1].theoryOf = 0;
+    EXPECT_EQ(frontOf(figure), "** .. ");
+}
+
 TEST(Front, IsOneOfAlternativesOnly) {
     Figure figure;
     figure.curves = {{"a", {timedPoint(1, .1, 1), timedPoint(2, .3, 2)}},
@@ -58,6 +67,8 @@ TEST(Front, IsOneOfAlternativesOnly) {
     EXPECT_EQ(frontOf(figure), "*. *. ");
     figure.alternatives = Alternatives::setting;
     EXPECT_EQ(frontOf(figure), "** .* ");
+    figure.alternatives = Alternatives::none;
+    EXPECT_EQ(frontOf(figure), ".. .. ");
 }
 
 TEST(TimingOf, InterpolatesQuartilesBetweenRanks) {
@@ -105,6 +116,22 @@ TEST(LogAxis, PlacesPowersAtEqualSteps) {
         EXPECT_LE(tick.place, 1);
     }
     EXPECT_EQ(axis.ticks().size(), 10U);
+}
+
+TEST(LogAxis, NeverHasOneLabelAlone) {
+    for (double low = 1; low < 10; low *= 1.07)
+        for (const double factor : {1., 1.3, 2., 4., 30., 300.}) {
+            const std::vector<double> values{low, low * factor};
+            EXPECT_GE(LogAxis(values, 8).ticks().size(), 2U) << low << " to " << low * factor;
+        }
+}
+
+TEST(LogAxis, HasFewDigitsWhereTheyAreEnough) {
+    const std::vector<double> values{1, 20};
+    std::string labels;
+    const LogAxis axis(values, 8);
+    for (const Tick& tick : axis.ticks()) labels += tick.label + " ";
+    EXPECT_EQ(labels, "1 2 5 10 20 ");
 }
 
 Result<std::vector<Figure>> fails(Bench& /*bench*/) {

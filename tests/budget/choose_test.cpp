@@ -174,6 +174,95 @@ TEST(Choose, KeepsEnoughVerticesForLightComputedAtThem) {
     EXPECT_EQ(plain.numbers(2), (std::vector<double>{0, 1, 1, 1}));
 }
 
+TEST(Choose, IsFinerForAProgramThatReflects) {
+    Budget plain(kEye + kProgram + "Sphere\n"), mirror(kEye + kProgram + "Sphere\n");
+    for (Budget* each : {&plain, &mirror}) {
+        each->request.maxError = 50;
+        each->program.inputs.push_back({"aNormal", 1, false});
+    }
+    plain.program.facts.stages[1].source = "void main() { float s = pow(reflect(vLight, vNormal).z, 9.); }";
+    mirror.program.facts.stages[1].source =
+        "uniform samplerCube u; void main() { vec4 c = texture(u, reflect(vSight, vNormal)); }";
+    plain.choose();
+    mirror.choose();
+    EXPECT_EQ(plain.numbers(0), (std::vector<double>{1, 36, 18}));
+    EXPECT_EQ(mirror.numbers(0), (std::vector<double>{1, 72, 36}));
+}
+
+/// A scene whose program computes light at the vertices, which is off by 8/255 with `slices` slices.
+class LitBudget : public Budget {
+  public:
+    LitBudget(const std::string& sphere, double slices) : Budget(kEye + kProgram + sphere) {
+        program.facts.stages[0].source = "void main() { vLight = pow(dot(n, l), 40.); }";
+        request.maxError = 5;
+        request.contourShift = [this, slices](const Choice& from, const Choice& to) {
+            ++asked;
+            EXPECT_TRUE(from.noise.empty());
+            EXPECT_EQ(from.samples, 4);
+            const auto lit = [&](const Choice& made) {
+                const double n = made.shapes.front().numbers[1];
+                return brightened(8. / 255 * slices * slices / (n * n));
+            };
+            return ContourShifts(lit(from), lit(to));
+        };
+    }
+    int asked = 0;
+
+  private:
+    static image::Image brightened(double light) {
+        constexpr int kSide = 64;
+        const std::vector<float> values(std::size_t{3} * kSide * kSide, static_cast<float>(.2 + light));
+        image::Image made{kSide, kSide, 3, image::Component::f32, {}};
+        made.data.resize(values.size() * sizeof(float));
+        std::memcpy(made.data.data(), values.data(), made.data.size());
+        return made;
+    }
+};
+
+TEST(Choose, MeasuresWhatIsComputedAtTheVertices) {
+    LitBudget smooth("Sphere\n", 10), coarse("Sphere\n", 80), stated("Sphere 1 60 60\n", 200);
+    smooth.choose();
+    EXPECT_EQ(smooth.numbers(0), (std::vector<double>{1, 36, 18}));
+    EXPECT_EQ(smooth.asked, 1);
+    coarse.choose();
+    EXPECT_GE(coarse.numbers(0)[1], 80);
+    EXPECT_TRUE(coarse.choice.diagnostics.empty());
+    EXPECT_NE(coarse.decision("Sphere").find("what its program makes of the vertices"), std::string::npos);
+    stated.choose();
+    EXPECT_EQ(stated.numbers(0), (std::vector<double>{1, 60, 60}));
+    ASSERT_EQ(stated.choice.diagnostics.size(), 1U);
+    EXPECT_EQ(stated.choice.diagnostics[0].id, "draw-N03");
+    EXPECT_NE(stated.choice.diagnostics[0].text.find("of 1000 pixels"), std::string::npos);
+}
+
+TEST(Choose, SaysWhereFinerMeshesDoNotHelp) {
+    LitBudget chaotic("Sphere\n", 36);
+    chaotic.request.contourShift = [](const Choice& from, const Choice&) {
+        const std::vector<float> bright(std::size_t{3} * 64 * 64, .5F + .1F / float(from.shapes.size()));
+        image::Image one{64, 64, 3, image::Component::f32, {}}, other = one;
+        one.data.resize(bright.size() * sizeof(float));
+        other.data.resize(bright.size() * sizeof(float));
+        std::memcpy(one.data.data(), bright.data(), one.data.size());
+        return ContourShifts(one, other);
+    };
+    chaotic.choose();
+    ASSERT_EQ(chaotic.choice.diagnostics.size(), 1U);
+    EXPECT_EQ(chaotic.choice.diagnostics[0].id, "draw-W07");
+    EXPECT_NE(chaotic.choice.diagnostics[0].text.find("finer counts do not help"), std::string::npos);
+}
+
+TEST(Choose, MeasuresNothingOfProgramsThatOnlyPlace) {
+    Budget budget(kEye + kProgram + "Sphere\n");
+    budget.program.facts.stages[0].source =
+        "layout(location = 0) in vec4 aVertex;\nvoid main() { vN = normalize(uNormalMatrix * aNormal);\n"
+        "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.); }";
+    budget.request.contourShift = [](const Choice&, const Choice&) {
+        ADD_FAILURE() << "no picture is needed";
+        return std::optional<ContourShifts>();
+    };
+    budget.choose();
+}
+
 TEST(Choose, IsFinerForAProgramThatReadsTextureCoordinates) {
     Budget plain(kEye + kProgram + "Sphere\n"), textured(kEye + kProgram + "Sphere\n");
     textured.program.inputs.push_back({"aTexCoord0", 1, false});
@@ -311,11 +400,11 @@ TEST(Choose, TakesTheNoiseFromPicturesWhereTheyTellIt) {
     const auto chosenFor = [](const std::optional<ContourShifts>& shifts, double bound) {
         NoiseBudget budget("", bound);
         int asked = 0;
-        budget.request.noiseShift = [&](std::span<const NoiseChoice> from, std::span<const NoiseChoice> to) {
+        budget.request.contourShift = [&](const Choice& from, const Choice& to) {
             ++asked;
-            EXPECT_EQ(from.size(), 1U);
-            EXPECT_GT(to.front().format.size, from.front().format.size);
-            EXPECT_EQ(to.front().texture, 1);
+            EXPECT_EQ(from.noise.size(), 1U);
+            EXPECT_GT(to.noise.front().format.size, from.noise.front().format.size);
+            EXPECT_EQ(to.noise.front().texture, 1);
             return shifts;
         };
         const NoiseFormat chosen = budget.chosen();
@@ -343,7 +432,7 @@ TEST(Choose, SaysWhatNoiseCannotKeep) {
     EXPECT_NE(stated.choice.diagnostics[0].text.find("Noise3D with 40 texels"), std::string::npos);
     NoiseBudget beyond("", .001);
     beyond.request.areSamplesFree = false;
-    beyond.request.noiseShift = [](auto, auto) { return slopes(40); };
+    beyond.request.contourShift = [](const auto&, const auto&) { return slopes(40); };
     beyond.choose();
     const auto& all = beyond.choice.diagnostics;
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Diagnostic& each) {

@@ -92,6 +92,43 @@ TEST(ContourShift, NoticesAChangeInOneCorner) {
     EXPECT_GT(contourShift(before, after), .5);
 }
 
+TEST(ContourShift, CountsLightOfAnotherColourButNoEdges) {
+    const auto lit = [](double more) {
+        return picture([=](double x, double y) { return (x < 64 ? .2 : .9) + (y < 32 ? more : 0); });
+    };
+    // A quarter of the pixels, but for those beside the edge and beside the border of the light.
+    const auto share = [&](double more, double above, double shift = 0) {
+        return ContourShifts(lit(0), lit(more)).shareOfSmoothChangesAbove(above, shift);
+    };
+    EXPECT_NEAR(share(.05, .04), .25, .01);
+    EXPECT_EQ(share(.05, .06), 0);
+    const auto moved = picture([](double x, double) { return x < 64.5 ? .2 : .9; });
+    EXPECT_EQ(ContourShifts(lit(0), moved).shareOfSmoothChangesAbove(.01, 0), 0);
+}
+
+TEST(ContourShift, DoesNotCountWhatAShiftChanges) {
+    const image::Image before = picture(wave),
+                       after = picture([](double x, double y) { return wave(x - .4, y - .3); });
+    EXPECT_GT(ContourShifts(before, after).shareOfSmoothChangesAbove(.005, 0), .5);
+    EXPECT_LT(ContourShifts(before, after).shareOfSmoothChangesAbove(.005, .5), .01);
+    EXPECT_LT(ContourShifts(before, after, 2).shareOfSmoothChangesAbove(.005, 1), .01);
+}
+
+TEST(ContourShift, ReadsBytesAsFloats) {
+    const auto asBytes = [](const image::Image& floats) {
+        image::Image bytes{floats.width, floats.height, 3, image::Component::u8, {}};
+        for (std::size_t i = 0; i < floats.data.size(); i += sizeof(float)) {
+            float value = 0;
+            std::memcpy(&value, floats.data.data() + i, sizeof(float));
+            bytes.data.push_back(static_cast<std::byte>(std::lround(255 * value)));
+        }
+        return bytes;
+    };
+    const image::Image before = picture(wave),
+                       after = picture([](double x, double y) { return wave(x - .8, y - .6); });
+    EXPECT_NEAR(contourShift(asBytes(before), asBytes(after)), contourShift(before, after), .05);
+}
+
 TEST(ContourShift, TakesNanAsBlack) {
     image::Image before = picture([](double, double) { return 0.; });
     image::Image after = before;

@@ -47,8 +47,8 @@ TEST(SharedParts, ASecondSceneMakesNothingThatTheFirstHas) {
     EXPECT_EQ(after.calls.programsLinked, 0U);
     EXPECT_EQ(after.calls.bytesUploaded, 0U);
     EXPECT_EQ(after.count("programs kept") + after.count("meshes kept") + after.count("textures kept"), 3U);
-    EXPECT_EQ(after.skipped("program"), std::vector<std::string>{"'P': it is there from an earlier scene"});
-    EXPECT_EQ(after.skipped("mesh").front(), "Teapot: it is there from an earlier scene");
+    EXPECT_EQ(after.skipped("program"), std::vector<std::string>{"'P': it is there already"});
+    EXPECT_EQ(after.skipped("mesh").front(), "Teapot: it is there already");
     EXPECT_TRUE(after.pixels == drawText(folder, second, nullptr).pixels);
     EXPECT_TRUE(drawText(folder, first, &shared).pixels == before.pixels);
 }

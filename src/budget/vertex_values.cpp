@@ -1,0 +1,124 @@
+#include "budget/vertex_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "budget/least_counts.h"
+#include "budget/pixel_text.h"
+#include "scene/primitives.h"
+
+namespace glibra::budget {
+namespace {
+
+constexpr double kFiner = 1.5, kShareOfStep = 1 - 1 / (kFiner * kFiner);
+constexpr double kVisible = 8. / 255, kMostColored = .001;
+constexpr int kMostRounds = 5;
+
+using Numbers = std::vector<double>;
+
+Numbers more(const VertexDraw& draw, const Numbers& numbers, double factor, bool onlyFree) {
+    Numbers raised = numbers;
+    for (std::size_t i = 0; i < draw.model->countsUsed; ++i)
+        if (double& number = raised[draw.model->counts[i].index]; !onlyFree || draw.isFree[i])
+            number = std::ceil(number * factor);
+    return raised;
+}
+
+bool isSmallEnough(const VertexDraw& draw, const Numbers& numbers) {
+    const auto counts = scene::countsOf({draw.model->command, numbers, scene::kNone, nullptr});
+    return counts && counts->vertices <= kMostBudgetVertices;
+}
+
+class Refinement {
+  public:
+    explicit Refinement(const VertexRequest& request) : request_(request) {
+        for (const VertexDraw& each : request.draws) {
+            values_.numbers.push_back(each.numbers);
+            programs_.insert(each.program);
+        }
+    }
+
+    std::optional<VertexValues> find() {
+        // Mostly all is well, and two pictures tell that of all programs.
+        const std::optional<VertexError> all = measure(programs_, 1);
+        if (!all) return std::nullopt;
+        for (const int program : programs_) {
+            std::optional<VertexError> error = all;
+            if (!all->isKept && programs_.size() > 1) error = measure({program}, 1);
+            if (!error) return std::nullopt;
+            values_.programs.push_back({program, error->isKept ? *error : refine(program, *error)});
+        }
+        return std::move(values_);
+    }
+
+  private:
+    /// What is off where these programs' draws have their free counts times `factor`.
+    [[nodiscard]] std::optional<VertexError> measure(const std::set<int>& programs, double factor) const {
+        std::vector<ShapeChoice> from, to;
+        double shapes = 0;
+        for (std::size_t i = 0; i < request_.draws.size(); ++i) {
+            const VertexDraw& draw = request_.draws[i];
+            Numbers coarse = values_.numbers[i], fine = coarse;
+            if (programs.contains(draw.program)) {
+                coarse = more(draw, draw.numbers, factor, true);
+                fine = more(draw, coarse, kFiner, false);
+                if (!isSmallEnough(draw, fine)) return std::nullopt;
+                shapes = std::max(shapes, draw.scale * draw.model->deviation(coarse, draw.fidelity));
+            }
+            from.push_back({draw.pass, draw.step, std::move(coarse)});
+            to.push_back({draw.pass, draw.step, std::move(fine)});
+        }
+        const std::optional<ContourShifts> step = request_.shift(from, to);
+        if (!step) return std::nullopt;
+        constexpr double kSeen = kVisible * kShareOfStep;
+        VertexError error{std::max(0., step->ofChangesAbove(kSeen) / kShareOfStep - shapes),
+                          step->shareOfSmoothChangesAbove(kSeen, kShareOfStep * shapes)};
+        error.isKept =
+            error.pixels <= std::max(request_.maxError, .1 * step->pixel()) && error.colored <= kMostColored;
+        return error;
+    }
+
+    VertexError refine(int program, const VertexError& first) {
+        double factor = 1;
+        VertexError error = first;
+        const bool isFree =
+            std::any_of(request_.draws.begin(), request_.draws.end(), [&](const VertexDraw& each) {
+                return each.program == program && (each.isFree[0] || each.isFree[1]);
+            });
+        for (int round = 0; isFree && !error.isKept && round < kMostRounds; ++round) {
+            const double growth = std::clamp(1.1 * std::sqrt(error.pixels / request_.maxError), 1.5, 3.);
+            const std::optional<VertexError> found = measure({program}, factor * growth);
+            constexpr double kHelps = .8;
+            if (!found || (!found->isKept && found->pixels > kHelps * error.pixels &&
+                           found->colored > kHelps * error.colored))
+                break;
+            factor *= growth;
+            error = *found;
+        }
+        for (std::size_t i = 0; i < request_.draws.size(); ++i)
+            if (const VertexDraw& draw = request_.draws[i]; draw.program == program)
+                values_.numbers[i] = more(draw, draw.numbers, factor, true);
+        return error;
+    }
+
+    const VertexRequest& request_;
+    std::set<int> programs_;
+    VertexValues values_;
+};
+
+}  // namespace
+
+std::string vertexText(const VertexError& error) {
+    const std::string off = fmt::format("about {} off", pixelText(error.pixels));
+    if (error.colored <= kMostColored) return off;
+    return off + fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * error.colored);
+}
+
+std::optional<VertexValues> vertexValues(const VertexRequest& request) {
+    return Refinement(request).find();
+}
+
+}  // namespace glibra::budget
