@@ -101,7 +101,7 @@ void filterRows(const Image& image, int firstRow, int rows, PngFiltering filteri
 }
 
 PngFiltering chooseFiltering(const Image& image, int firstRow, int rows) {
-    constexpr double kMuchLonger = 1.2;
+    constexpr double kMuchLonger = 1.1;
     // Packers look for more matches than PackedSize does, and unfiltered rows have most to find.
     // The factor made the files of 68 pictures half a percent smaller.
     constexpr double kOfUnfiltered = .95;
