@@ -36,7 +36,10 @@ Result<image::Image> scenePicture(gpu::Context& context, const std::filesystem::
     render::Stats stats;
     Result<render::SceneRenderer> loaded = render::SceneRenderer::load(context, scene, options, stats);
     if (!loaded) return std::move(loaded.diagnostics);
-    return loaded->draw(0, stats);
+    Result<image::Image> picture = loaded->draw(0, stats);
+    picture.diagnostics.insert(picture.diagnostics.begin(), loaded.diagnostics.begin(),
+                               loaded.diagnostics.end());
+    return picture;
 }
 
 double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,

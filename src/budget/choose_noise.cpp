@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 #include "budget/pixel_text.h"
@@ -47,7 +48,7 @@ class NoiseChooser {
     void measure() {
         Choice from, to;
         for (const auto& [texture, use] : uses_) {
-            if (!isFree(noiseOf(texture))) continue;
+            if (noiseOf(texture).file != scene::kNone) continue;
             from.noise.push_back({texture, {kNoiseProbeSizes[0], scene::NoiseTexels::shorts}});
             to.noise.push_back({texture, {kNoiseProbeSizes[1], scene::NoiseTexels::shorts}});
         }
@@ -75,11 +76,14 @@ class NoiseChooser {
                                   fmt::format("{} texels a side", size), isStated});
     }
 
+    [[nodiscard]] std::string_view sourceText() const {
+        return measured_ ? ", as two pictures tell" : " if a period is one unit of the model";
+    }
+
     void keepStated(const scene::NoiseSource& noise, const NoiseUse& use) {
-        const double pixels = noiseError(noise.dimensions, {noise.size, noise.texels}) * use.period;
+        const double pixels = errorOf(noise.dimensions, {noise.size, noise.texels}, use.period);
         say(noise, use,
-            fmt::format("{} as the scene states: about {} if a period is one unit of the model", noise.size,
-                        pixelText(pixels)));
+            fmt::format("{} as the scene states: about {}{}", noise.size, pixelText(pixels), sourceText()));
         if (pixels > request_.maxError) miss(noise, use, pixels, noise.size, true);
     }
 
@@ -95,8 +99,7 @@ class NoiseChooser {
         say(noise, use,
             fmt::format("{}{}: about {}{}", noiseText(best),
                         best == before ? " kept" : fmt::format(" in place of {}", noiseText(before)),
-                        pixelText(pixels),
-                        measured_ ? ", as two pictures tell" : " if a period is one unit of the model"));
+                        pixelText(pixels), sourceText()));
         if (pixels > request_.maxError) miss(noise, use, pixels, best.size, false);
     }
 

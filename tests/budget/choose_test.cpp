@@ -430,6 +430,15 @@ TEST(Choose, SaysWhatNoiseCannotKeep) {
     ASSERT_EQ(stated.choice.diagnostics.size(), 1U);
     EXPECT_EQ(stated.choice.diagnostics[0].id, "draw-N03");
     EXPECT_NE(stated.choice.diagnostics[0].text.find("Noise3D with 40 texels"), std::string::npos);
+    // The sizes of a scene are judged by pictures too.
+    NoiseBudget stretched("Noise3D 100\n", 4);
+    stretched.choose();
+    EXPECT_TRUE(stretched.choice.diagnostics.empty());
+    NoiseBudget seen("Noise3D 100\n", 4);
+    seen.request.contourShift = [](const auto&, const auto&) { return slopes(10); };
+    seen.choose();
+    ASSERT_EQ(seen.choice.diagnostics.size(), 1U);
+    EXPECT_EQ(seen.choice.diagnostics[0].id, "draw-N03");
     NoiseBudget beyond("", .001);
     beyond.request.areSamplesFree = false;
     beyond.request.contourShift = [](const auto&, const auto&) { return slopes(40); };

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <map>
+#include <numbers>
 #include <vector>
 
 namespace glibra::budget {
@@ -32,9 +32,9 @@ image::Image slope(double light) {
     return picture([&](double x) { return .2 + .005 * x + light; });
 }
 
-/// Steep slopes, moved by so many pixels.
-image::Image zigzag(double shift) {
-    return picture([&](double x) { return .1 + .08 * std::abs(std::fmod(x - shift + 40, 20) - 10); });
+/// Waves with steep slopes, moved by so many pixels.
+image::Image waves(double shift) {
+    return picture([&](double x) { return .5 + .4 * std::sin((x - shift) * std::numbers::pi / 16); });
 }
 
 VertexDraw sphere(int program, double slices, bool isFree = true) {
@@ -160,7 +160,7 @@ TEST(VertexValues, AShapeOwnShareIsNotTheirs) {
         const auto off = [&](const ShapeChoice& each) {
             return 20 * request.draws[0].model->deviation(each.numbers, Fidelity::shape);
         };
-        return std::optional(ContourShifts(zigzag(off(from[0])), zigzag(off(to[0]))));
+        return std::optional(ContourShifts(waves(off(from[0])), waves(off(to[0]))));
     };
     const double shape = 20 * request.draws[0].model->deviation(request.draws[0].numbers, Fidelity::shape);
     ASSERT_GT(shape, .25);
