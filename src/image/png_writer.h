@@ -11,7 +11,7 @@
 namespace glibra::image {
 
 struct PngOptions {
-    /// libdeflate's, 1 (fast) to 12 (smallest); 0: as quickly as possible, for files 13 % larger than those
+    /// libdeflate's, 1 (fast) to 12 (smallest); 0: as quickly as possible, for files a quarter larger than those
     /// of 1.
     int level = 4;
     /// Keyword and text (UTF-8), stored as tEXt, or as iTXt where the text is not plain ASCII. Keywords
