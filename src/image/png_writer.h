@@ -1,6 +1,6 @@
 #pragma once
-// PNG files, written fast: filters chosen by a quick look at how well they pack, libdeflate, large pictures by
-// several threads.
+// PNG files, written fast: filters chosen by a quick look at how well they pack, libdeflate, large pictures
+// by several threads.
 
 #include <string>
 #include <utility>
@@ -11,8 +11,8 @@
 namespace glibra::image {
 
 struct PngOptions {
-    /// libdeflate's, 1 (fast) to 12 (smallest); 0: as quickly as possible, for files 13 % larger than those
-    /// of 1.
+    /// libdeflate's, 1 (fast) to 12 (smallest); 0: as quickly as possible, for files a quarter larger than
+    /// those of 1.
     int level = 4;
     /// Keyword and text (UTF-8), stored as tEXt, or as iTXt where the text is not plain ASCII. Keywords
     /// are 1..79 printable ASCII characters; others are left out.
