@@ -193,8 +193,7 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     stats_.add("textures kept", 1);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
     stats_.skip(isNoise ? "noise texture" : "texture",
-                fmt::format("unit {}: it is there already",
-                            plan::slotText(texture.unit, texture.target)),
+                fmt::format("unit {}: it is there already", plan::slotText(texture.unit, texture.target)),
                 texture.place);
     return found;
 }

@@ -45,10 +45,8 @@ bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& b
     const bool isBuiltin = variant.program == scene::kNone;
     const scene::Program* program =
         isBuiltin ? nullptr : &scene_.programs[static_cast<std::size_t>(variant.program)];
-    stats_.skip(
-        "program",
-        fmt::format("'{}': it is there already", isBuiltin ? "built-in" : program->name),
-        isBuiltin ? Place{scene_.path, 1, 1} : program->place);
+    stats_.skip("program", fmt::format("'{}': it is there already", isBuiltin ? "built-in" : program->name),
+                isBuiltin ? Place{scene_.path, 1, 1} : program->place);
     return true;
 }
 
