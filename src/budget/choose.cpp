@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "budget/budget.h"
+#include "budget/choose_levels.h"
 #include "budget/choose_noise.h"
 #include "budget/least_counts.h"
-#include "budget/least_levels.h"
 #include "budget/pixel_text.h"
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
@@ -75,13 +75,6 @@ struct Drawn {
     }
 };
 
-/// A draw of patches, into a picture of that size.
-struct TessellatedDraw {
-    std::size_t pass = 0, step = 0;
-    const scene::Draw* draw = nullptr;
-    glm::dvec2 size{0};
-};
-
 /// What draws must have in common to share a mesh.
 using MeshKey = std::tuple<int, std::array<bool, 2>, std::array<int, 2>, Fidelity>;
 
@@ -95,7 +88,7 @@ class Chooser {
         for (auto& [key, needs] : needs_) chooseCounts(key, needs);
         measureVertices();
         for (const Drawn& each : drawn_) conclude(each);
-        for (const auto& [program, draws] : tessellated_) chooseLevels(program, draws);
+        chooseLevels();
         chooseNoise();
         chooseSamples();
         report();
@@ -209,64 +202,6 @@ class Chooser {
             drawn_.push_back({need, model, numbers, numbers, isFree, fidelity});
     }
 
-    /// One program's draws have its levels in common.
-    void chooseLevels(int program, const std::vector<TessellatedDraw>& draws) {
-        const plan::PlannedProgram& planned = plan_.programs[static_cast<std::size_t>(program)];
-        LevelsRequest levels{
-            levelUniforms(planned, request_.mostLevel), request_.overrideCounts, request_.maxError, {}};
-        const auto& uniforms = planned.interface->uniforms;
-        const auto nameOf = [&](int uniform) { return uniforms[static_cast<std::size_t>(uniform)].name; };
-        std::erase_if(levels.uniforms, [&](const LevelUniform& each) {
-            return std::any_of(request_.overrides.begin(), request_.overrides.end(),
-                               [&](const plan::Override& set) { return set.name == nameOf(each.uniform); });
-        });
-        if (levels.uniforms.empty() || !request_.patches) return;
-        levels.error = [&](std::span<const LevelValue> coarse, std::span<const LevelValue> fine) {
-            return levelError(draws, coarse, fine);
-        };
-        const std::optional<LeastLevels> found = leastLevels(levels);
-        const scene::Draw& first = *draws.front().draw;
-        if (!found) return decide(first, "kept: what its tessellation does cannot be measured");
-
-        std::string values, before;
-        for (std::size_t i = 0; i < found->values.size(); ++i) {
-            const auto& [uniform, value] = found->values[i];
-            const std::string_view comma = i > 0 ? ", " : "";
-            values += fmt::format("{}{} {:.4g}", comma, nameOf(uniform), value);
-            before += fmt::format("{}{:.4g}", comma, levels.uniforms[i].value);
-        }
-        decide(first, fmt::format("{}{}: at most {}", values,
-                                  levels.isFree ? " in place of " + before : " as the scene states",
-                                  pixelText(found->pixels)));
-        if (levels.isFree)
-            for (const auto& [uniform, value] : found->values)
-                choice_.levels.push_back(
-                    {nameOf(uniform), glib::UniformForm::number, {value}, programOf(planned)});
-        if (!found->isKept) (levels.isFree ? beyond_ : stated_).add(found->pixels, first, values);
-    }
-
-    /// As plan::Override::program names it.
-    [[nodiscard]] std::string programOf(const plan::PlannedProgram& planned) const {
-        return std::to_string(scene_.programs[static_cast<std::size_t>(planned.variant.program)].place.line);
-    }
-
-    [[nodiscard]] std::optional<double> levelError(const std::vector<TessellatedDraw>& draws,
-                                                   std::span<const LevelValue> coarse,
-                                                   std::span<const LevelValue> fine) const {
-        double largest = 0;
-        for (const TessellatedDraw& draw : draws) {
-            const auto from = request_.patches(draw.pass, draw.step, coarse);
-            const auto to = request_.patches(draw.pass, draw.step, fine);
-            if (!from || !to || from->size() != to->size()) return std::nullopt;
-            for (std::size_t i = 0; i < from->size(); ++i) {
-                const std::optional<double> pixels = patchError((*from)[i], (*to)[i], draw.size);
-                if (!pixels) return std::nullopt;
-                largest = std::max(largest, *pixels);
-            }
-        }
-        return largest;
-    }
-
     /// Draws that need about the same get one mesh, made for the one that needs most.
     void chooseCounts(const MeshKey& key, std::vector<Need>& needs) {
         std::stable_sort(needs.begin(), needs.end(),
@@ -361,6 +296,14 @@ class Chooser {
             use.period = std::max(use.period, scale.value_or(height / 2));
             use.draw = planned.draw;
         }
+    }
+
+    void chooseLevels() {
+        ChosenLevels chosen = budget::chooseLevels(scene_, plan_, tessellated_, request_);
+        choice_.levels = std::move(chosen.overrides);
+        std::move(chosen.decisions.begin(), chosen.decisions.end(), std::back_inserter(choice_.decisions));
+        for (const LevelMiss& each : chosen.misses)
+            (each.isStated ? stated_ : beyond_).add(each.pixels, *each.draw, each.with);
     }
 
     void chooseNoise() {
