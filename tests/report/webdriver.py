@@ -19,8 +19,15 @@ class Browser:
         self.size = (width, height)
 
     def __enter__(self):
+        try:
+            return self.start()
+        except BaseException:
+            self.stop()
+            raise
+
+    def start(self):
+        self.session = None
         self.profile = tempfile.mkdtemp(prefix="glibra-browser-")
-        self.log = os.path.join(self.profile, "driver.log")
         # Port 0 lets the system choose; chromedriver prints which it is.
         self.driver = subprocess.Popen(["chromedriver", "--port=0", "--allowed-ips=127.0.0.1"], stdout=subprocess.PIPE,
                                        stderr=subprocess.STDOUT, text=True)
@@ -34,12 +41,12 @@ class Browser:
         options = {
             "binary": shutil.which("chromium"),
             "args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                     "--remote-debugging-pipe",  # needs no name of this machine
                      "--disable-background-networking", "--disable-component-update", "--disable-sync",
                      "--disable-dev-shm-usage", "--force-device-scale-factor=1",
                      "--user-data-dir=" + os.path.join(self.profile, "profile"),
                      "--window-size=%d,%d" % self.size],
         }
-        self.session = None
         answer = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
             "browserName": "chrome", "goog:chromeOptions": options,
             "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}}})
@@ -51,10 +58,13 @@ class Browser:
             if self.session:
                 self.ask("DELETE", self.session)
         finally:
-            self.driver.terminate()
-            self.driver.wait()
-            self.driver.stdout.close()
-            shutil.rmtree(self.profile, ignore_errors=True)
+            self.stop()
+
+    def stop(self):
+        self.driver.terminate()
+        self.driver.wait()
+        self.driver.stdout.close()
+        shutil.rmtree(self.profile, ignore_errors=True)
 
     def ask(self, method, path, body=None):
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=300)
