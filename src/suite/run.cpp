@@ -127,12 +127,22 @@ class Run {
             blamed = *first;
         }
         ShotResult result = endedBy(*blamed, outcome);
-        // A shot that hangs cannot be the next one: none waits for it.
-        const auto next = std::find(shots.begin(), shots.end(), *blamed) + 1;
-        if (outcome.end == End::crashed && next != shots.end())
-            suspicions_.add(*blamed, *next, std::move(result));
-        else
+        // A shot that hangs cannot be one of the next: none waits for it.
+        std::vector<ShotReference> prepared;
+        if (outcome.end == End::crashed) prepared = preparedBeside(*blamed, shots);
+        if (prepared.empty())
             finish(*blamed, result);
+        else
+            suspicions_.add(*blamed, std::move(prepared), std::move(result));
+    }
+
+    [[nodiscard]] std::vector<ShotReference> preparedBeside(const ShotReference& drawn,
+                                                            const std::vector<ShotReference>& shots) const {
+        std::vector<ShotReference> prepared;
+        auto next = std::find(shots.begin(), shots.end(), drawn);
+        for (std::size_t i = 0; i < kShotsAhead && next != shots.end() && ++next != shots.end(); ++i)
+            if (!done_.contains(*next)) prepared.push_back(*next);
+        return prepared;
     }
 
     [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const render::Outcome& outcome) const {

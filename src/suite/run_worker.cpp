@@ -46,6 +46,14 @@ class Recalls {
     std::deque<Recall> recalls_;
 };
 
+std::size_t bytesOf(const Attempt& attempt) {
+    std::size_t bytes = 0;
+    for (const Rendering* each : {&attempt.own, attempt.match ? &*attempt.match : nullptr,
+                                  attempt.differ ? &*attempt.differ : nullptr})
+        if (each && each->picture) bytes += each->picture->data.size();
+    return bytes;
+}
+
 }  // namespace
 
 const Shot& ShotWorker::shotOf(const ShotReference& reference) const {
@@ -68,7 +76,7 @@ std::string ShotWorker::openContext() {
     return {};
 }
 
-Attempt ShotWorker::attempt(const ShotReference& reference, const Shot* next) {
+Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot* const> coming) {
     const Suite& suite = plan_.suites[reference.suite];
     const Shot& shot = shotOf(reference);
     Attempt attempt;
@@ -80,7 +88,7 @@ Attempt ShotWorker::attempt(const ShotReference& reference, const Shot* next) {
         if (found == suite.shots.end()) return std::nullopt;
         return renderer_->render(*found);
     };
-    attempt.own = renderer_->render(shot, next);
+    attempt.own = renderer_->render(shot, coming);
     if (attempt.own.picture) {
         attempt.match = partner(shot.match);
         attempt.differ = partner(shot.differ);
@@ -127,7 +135,7 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
         while (const std::optional<Recalls::Recall> recall = recalls.next()) {
             tell(Begins{recall->reference});
             renderer_->forget();
-            const Attempt again = attempt(recall->reference, nullptr);
+            const Attempt again = attempt(recall->reference, {});
             const Clock::time_point start = Clock::now();
             report(recall->reference, judges_[recall->reference.suite].second(*recall->attempt, again),
                    start);
@@ -142,9 +150,12 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
         const bool first = !context_;
         if (std::string problem = openContext(); !problem.empty()) return problem;
         if (first) tell(DriverIs{driver_});
-        auto drawn = std::make_shared<const Attempt>(
-            attempt(reference, i + 1 < shots.size() ? &shotOf(shots[i + 1]) : nullptr));
-        judging.add([this, reference, drawn, &report, &recalls] {
+        std::vector<const Shot*> coming;
+        for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
+            coming.push_back(&shotOf(shots[next]));
+        auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
+        const std::size_t bytes = bytesOf(*drawn);
+        auto judge = [this, reference, drawn, &report, &recalls] {
             const Clock::time_point start = Clock::now();
             if (judges_.empty())
                 report(reference, keep(reference, *drawn), start);
@@ -152,7 +163,8 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
                 report(reference, std::move(*judged), start);
             else
                 recalls.add({reference, drawn});
-        });
+        };
+        judging.add(std::move(judge), bytes);
         drawn.reset();
         renderRecalled();
     }

@@ -1,6 +1,6 @@
 #pragma once
 // The work of one worker process: it keeps its GL context from piece to piece and overlaps drawing one shot
-// with judging the one before and preparing the one after.
+// with judging those before and preparing those after.
 
 #include <memory>
 #include <optional>
@@ -36,8 +36,8 @@ class ShotWorker {
   private:
     /// Empty if there is a context.
     std::string openContext();
-    /// `next` is the shot that follows, or null.
-    Attempt attempt(const ShotReference& reference, const Shot* next);
+    /// `coming` are the shots that follow.
+    Attempt attempt(const ShotReference& reference, std::span<const Shot* const> coming);
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
     [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;
 

@@ -16,43 +16,59 @@ ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
     return source;
 }
 
-void ShotRenderer::prepare(const Shot* next, const Source& current) {
-    if (!next) return;
-    Source source = sourceOf(*next);
-    if (preparation_ && preparation_->source == source) return;
-    background_.wait();
-    preparation_.reset();  // nobody came for it
-    if (source == current) return;
-    Preparation& begun = preparation_.emplace();
+void ShotRenderer::prepare(std::span<const Shot* const> coming, const Source& current) {
+    const Source* before = &current;
+    std::size_t wanted = 0;
+    for (const Shot* each : coming) {
+        Source source = sourceOf(*each);
+        if (source == *before) continue;
+        if (wanted == preparations_.size() || !(preparations_[wanted].source == source)) {
+            dropPreparationsFrom(wanted);
+            beginPreparation(std::move(source));
+        }
+        before = &preparations_[wanted++].source;
+    }
+}
+
+void ShotRenderer::beginPreparation(Source source) {
+    Preparation& begun = preparations_.emplace_back();
     begun.source = std::move(source);
     begun.stats = std::make_unique<render::Stats>();
-    background_.add([this, &begun] {
+    begun.job = background_.add([this, &begun] {
         try {
             begun.scene = render::SceneRenderer::prepare(context_, begun.source.script, begun.source.options,
                                                          *begun.stats, &*shared_);
         } catch (const std::exception&) {
-            // Two scenes at once may have been too much for the memory: load() tries it by itself.
+            // Several scenes at once may have been too much for the memory: load() tries it by itself.
             begun.scene.reset();
         }
     });
 }
 
+void ShotRenderer::dropPreparationsFrom(std::size_t first) {
+    if (first >= preparations_.size()) return;
+    background_.wait();
+    while (preparations_.size() > first) preparations_.pop_back();
+}
+
 /// Leaves loaded_ with the scene, or empty for the reasons given.
-Diagnostics ShotRenderer::load(const Source& source, const Shot* next) {
+Diagnostics ShotRenderer::load(const Source& source, std::span<const Shot* const> coming) {
     loaded_.reset();
     auto stats = std::make_unique<render::Stats>();
     std::optional<render::PreparedScene> prepared;
-    if (preparation_ && preparation_->source == source) {
-        background_.wait();
-        if (preparation_->scene) {
-            prepared = std::move(preparation_->scene);
-            stats = std::move(preparation_->stats);
+    if (!preparations_.empty() && preparations_.front().source == source) {
+        Preparation& own = preparations_.front();
+        background_.wait(own.job);
+        if (own.scene) {
+            prepared = std::move(own.scene);
+            stats = std::move(own.stats);
+            preparations_.pop_front();
         } else {
-            next = nullptr;
+            dropPreparationsFrom(0);
+            coming = {};
         }
-        preparation_.reset();
     }
-    prepare(next, source);
+    prepare(coming, source);
     Result<render::SceneRenderer> renderer =
         prepared ? render::SceneRenderer::load(std::move(*prepared), *stats)
                  : render::SceneRenderer::load(context_, source.script, source.options, *stats, &*shared_);
@@ -62,12 +78,12 @@ Diagnostics ShotRenderer::load(const Source& source, const Shot* next) {
     return {};
 }
 
-Rendering ShotRenderer::tryRender(const Shot& shot, const Shot* next) {
+Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const> coming) {
     Rendering rendering;
     const Source source = sourceOf(shot);
     if (loaded_ && loaded_->source == source && !loaded_->renderer.remembersFrames())
-        prepare(next, source);
-    else if (Diagnostics problems = load(source, next); !loaded_) {
+        prepare(coming, source);
+    else if (Diagnostics problems = load(source, coming); !loaded_) {
         rendering.diagnostics = std::move(problems);
         return rendering;
     }
@@ -98,13 +114,12 @@ Result<image::Image> ShotRenderer::draw(double time) {
 }
 
 void ShotRenderer::forget() {
-    background_.wait();
-    preparation_.reset();
+    dropPreparationsFrom(0);
     loaded_.reset();
     shared_.emplace();
 }
 
-Rendering ShotRenderer::render(const Shot& shot, const Shot* next) {
+Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> coming) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     Rendering rendering;
@@ -114,7 +129,7 @@ Rendering ShotRenderer::render(const Shot& shot, const Shot* next) {
         rendering.diagnostics.push_back(error(id, text, {shot.script.string(), 1, 1}));
     };
     try {
-        rendering = tryRender(shot, next);
+        rendering = tryRender(shot, coming);
         if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
         if (hasError(rendering.diagnostics)) rendering.picture.reset();
     } catch (const std::bad_alloc&) {

@@ -5,19 +5,23 @@
 
 namespace glibra::suite {
 
-void Suspicions::add(const ShotReference& drawn, const ShotReference& prepared, ShotResult ended) {
-    suspicions_.push_back({drawn, prepared, std::move(ended), std::nullopt, std::nullopt});
+void Suspicions::add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended) {
+    suspicions_.push_back({drawn, std::move(prepared), std::move(ended), std::nullopt});
+}
+
+bool Suspicions::concerns(const Suspicion& suspicion, const ShotReference& shot) {
+    return suspicion.drawn == shot ||
+           std::find(suspicion.open.begin(), suspicion.open.end(), shot) != suspicion.open.end();
 }
 
 bool Suspicions::isUnder(const ShotReference& shot) const {
     return std::any_of(suspicions_.begin(), suspicions_.end(),
-                       [&](const Suspicion& each) { return each.drawn == shot || each.prepared == shot; });
+                       [&](const Suspicion& each) { return concerns(each, shot); });
 }
 
 std::vector<ShotResult> Suspicions::settle(const ShotReference& shot, const ShotResult& result) {
-    const auto found = std::find_if(suspicions_.begin(), suspicions_.end(), [&](const Suspicion& each) {
-        return each.drawn == shot || each.prepared == shot;
-    });
+    const auto found = std::find_if(suspicions_.begin(), suspicions_.end(),
+                                    [&](const Suspicion& each) { return concerns(each, shot); });
     if (found == suspicions_.end()) return {result};
     const bool isGuilty = result.verdict == Verdict::crashed || result.verdict == Verdict::timedOut;
     std::vector<ShotResult> told;
@@ -25,10 +29,10 @@ std::vector<ShotResult> Suspicions::settle(const ShotReference& shot, const Shot
         found->result = result;
     } else {
         told.push_back(result);
-        if (found->prepared == shot) found->isPreparedGuilty = isGuilty;
+        if (std::erase(found->open, shot) > 0 && isGuilty) found->isOtherGuilty = true;
     }
-    if (found->result && found->isPreparedGuilty)
-        told.push_back(*found->isPreparedGuilty ? *found->result : found->ended);
+    if (found->result && found->open.empty())
+        told.push_back(found->isOtherGuilty ? *found->result : found->ended);
     return told;
 }
 

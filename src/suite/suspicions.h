@@ -1,5 +1,5 @@
 #pragma once
-// Which shot ended a worker that drew one and prepared the next.
+// Which shot ended a worker that drew one and prepared the next ones.
 
 #include <optional>
 #include <vector>
@@ -9,24 +9,27 @@
 
 namespace glibra::suite {
 
-/// Both shots are drawn once more, each by itself; the one that ends its worker again is to blame. If neither
+/// All of them are drawn once more, each by itself; the one that ends its worker again is to blame. If none
 /// does, the one that was being drawn is: an end without a reason is not passed over.
 class Suspicions {
   public:
-    /// `ended` is what is told of `drawn` if neither does it again. A shot is under one suspicion at most.
-    void add(const ShotReference& drawn, const ShotReference& prepared, ShotResult ended);
+    /// `ended` is what is told of `drawn` if none does it again. A shot is under one suspicion at most.
+    void add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended);
     /// True for a shot that is to be drawn by itself, now and later.
     [[nodiscard]] bool isUnder(const ShotReference& shot) const;
-    /// What can be told now that the shot has come to this result: nothing if it depends on the other one.
+    /// What can be told now that the shot has come to this result: nothing if it depends on the others.
     std::vector<ShotResult> settle(const ShotReference& shot, const ShotResult& result);
 
   private:
     struct Suspicion {
-        ShotReference drawn, prepared;
+        ShotReference drawn;
+        std::vector<ShotReference> open;  ///< prepared ones that are still to be drawn by themselves
         ShotResult ended;
-        std::optional<ShotResult> result;      ///< of `drawn`, by itself
-        std::optional<bool> isPreparedGuilty;  ///< `prepared` ended its worker by itself
+        std::optional<ShotResult> result;  ///< of `drawn`, by itself
+        bool isOtherGuilty = false;        ///< a prepared one ended its worker by itself
     };
+    static bool concerns(const Suspicion& suspicion, const ShotReference& shot);
+
     std::vector<Suspicion> suspicions_;
 };
 

@@ -1,8 +1,10 @@
-// What is prepared beside a shot changes no picture and no message, whatever the next one turns out to be.
+// What is prepared beside a shot changes no picture and no message, whatever the next ones turn out to be.
 
 #include "suite/shot_renderer.h"
 
 #include <gtest/gtest.h>
+
+#include <initializer_list>
 
 #include "folder.h"
 #include "gpu/context.h"
@@ -44,9 +46,10 @@ class ShotRendering : public testing::Test {
             for (const std::byte each : rendering.picture->data) text += static_cast<char>(each);
         return text;
     }
-    void expectAsAlone(ShotRenderer& renderer, std::size_t shot, std::optional<std::size_t> next) {
-        EXPECT_EQ(seenOf(renderer.render(shots[shot], next ? &shots[*next] : nullptr)), alone[shot])
-            << shots[shot].name;
+    void expectAsAlone(ShotRenderer& renderer, std::size_t shot, std::initializer_list<std::size_t> next) {
+        std::vector<const Shot*> coming;
+        for (const std::size_t each : next) coming.push_back(&shots[each]);
+        EXPECT_EQ(seenOf(renderer.render(shots[shot], coming)), alone[shot]) << shots[shot].name;
     }
 
     Folder folder;
@@ -61,24 +64,36 @@ TEST_F(ShotRendering, GivesEveryShotAfterEveryOtherThePictureThatItHasAlone) {
     ShotRenderer renderer(*context, true);
     for (std::size_t i = 0; i < shots.size(); ++i)
         for (std::size_t next = 0; next < shots.size(); ++next) {
-            expectAsAlone(renderer, i, next);
-            expectAsAlone(renderer, next, i);
+            expectAsAlone(renderer, i, {next});
+            expectAsAlone(renderer, next, {i});
         }
+}
+
+TEST_F(ShotRendering, IsTheSameWithEveryPairOfShotsPrepared) {
+    ShotRenderer renderer(*context, true);
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        for (std::size_t next = 0; next < shots.size(); ++next)
+            for (std::size_t last = 0; last < shots.size(); ++last) {
+                expectAsAlone(renderer, i, {next, last});
+                expectAsAlone(renderer, next, {last});
+                expectAsAlone(renderer, last, {});
+            }
 }
 
 TEST_F(ShotRendering, MayBeToldWrongly) {
     ShotRenderer renderer(*context, true);
     for (std::size_t i = 0; i < 3 * shots.size(); ++i) {
-        expectAsAlone(renderer, i % shots.size(), (i * 5 + 2) % shots.size());
+        const std::size_t next = (i * 5 + 2) % shots.size();
+        expectAsAlone(renderer, i % shots.size(), {next, (i * 3 + 1) % shots.size()});
         if (i % 7 == 3) renderer.forget();
-        if (i % 3 == 1) expectAsAlone(renderer, (i * 5 + 2) % shots.size(), std::nullopt);
+        if (i % 3 == 1) expectAsAlone(renderer, next, {});
     }
 }
 
 TEST_F(ShotRendering, EndsInTheMiddleOfAPreparation) {
     for (int i = 0; i < 5; ++i) {
         ShotRenderer renderer(*context, true);
-        expectAsAlone(renderer, 0, 2);
+        expectAsAlone(renderer, 0, {2, 4});
     }
 }
 

@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace glibra::suite {
 namespace {
 
-const ShotReference kDrawn{0, 1};
-const ShotReference kPrepared{0, 2};
+const std::vector<ShotReference> kShots{{0, 1}, {0, 2}, {0, 3}};  // the one that was drawn first
+const char* const kNames[] = {"drawn", "next", "last"};
 
 ShotResult resultOf(const char* shot, Verdict verdict) {
     ShotResult result;
@@ -17,43 +22,48 @@ ShotResult resultOf(const char* shot, Verdict verdict) {
     return result;
 }
 
-/// "drawn passed, prepared crashed": what is told once both have been drawn by themselves.
-std::string told(Verdict drawn, Verdict prepared, bool isDrawnFirst) {
+Suspicions ofAll() {
     Suspicions suspicions;
-    suspicions.add(kDrawn, kPrepared, resultOf("drawn", Verdict::crashed));
-    std::vector<ShotResult> all;
-    for (const bool isDrawn : {isDrawnFirst, !isDrawnFirst})
-        for (ShotResult& each : isDrawn ? suspicions.settle(kDrawn, resultOf("drawn", drawn))
-                                        : suspicions.settle(kPrepared, resultOf("prepared", prepared)))
-            all.push_back(std::move(each));
-    std::sort(all.begin(), all.end(),
-              [](const ShotResult& a, const ShotResult& b) { return a.shot < b.shot; });
-    std::string text;
-    for (const ShotResult& each : all) text += each.shot + (isFailure(each.verdict) ? " bad " : " good ");
-    return text;
+    suspicions.add(kShots[0], {kShots[1], kShots[2]}, resultOf("drawn", Verdict::crashed));
+    return suspicions;
 }
+
+/// "drawn good, next bad, last good": what is told once all have been drawn by themselves, in every order.
+std::set<std::string> told(const std::array<Verdict, 3>& verdicts) {
+    std::set<std::string> texts;
+    std::array<std::size_t, 3> order{0, 1, 2};
+    do {
+        Suspicions suspicions = ofAll();
+        std::map<std::string, std::string> all;
+        for (const std::size_t i : order)
+            for (const ShotResult& each : suspicions.settle(kShots[i], resultOf(kNames[i], verdicts[i])))
+                all[each.shot] += isFailure(each.verdict) ? " bad" : " good";
+        texts.insert(all["drawn"] + "," + all["next"] + "," + all["last"]);
+    } while (std::next_permutation(order.begin(), order.end()));
+    return texts;
+}
+
+using Texts = std::set<std::string>;
 
 TEST(Suspicions, FallOnTheShotThatEndsItsWorkerAgain) {
-    for (const bool isDrawnFirst : {true, false}) {
-        EXPECT_EQ(told(Verdict::passed, Verdict::crashed, isDrawnFirst), "drawn good prepared bad ");
-        EXPECT_EQ(told(Verdict::passed, Verdict::timedOut, isDrawnFirst), "drawn good prepared bad ");
-        EXPECT_EQ(told(Verdict::crashed, Verdict::passed, isDrawnFirst), "drawn bad prepared good ");
-        EXPECT_EQ(told(Verdict::crashed, Verdict::crashed, isDrawnFirst), "drawn bad prepared bad ");
-    }
+    using enum Verdict;
+    EXPECT_EQ(told({passed, crashed, passed}), Texts{" good, bad, good"});
+    EXPECT_EQ(told({passed, passed, timedOut}), Texts{" good, good, bad"});
+    EXPECT_EQ(told({passed, crashed, crashed}), Texts{" good, bad, bad"});
+    EXPECT_EQ(told({crashed, passed, passed}), Texts{" bad, good, good"});
+    EXPECT_EQ(told({crashed, passed, crashed}), Texts{" bad, good, bad"});
 }
 
-TEST(Suspicions, StayOnTheShotThatWasDrawnIfNeitherDoesItAgain) {
-    for (const bool isDrawnFirst : {true, false})
-        EXPECT_EQ(told(Verdict::passed, Verdict::passed, isDrawnFirst), "drawn bad prepared good ");
+TEST(Suspicions, StayOnTheShotThatWasDrawnIfNoneDoesItAgain) {
+    using enum Verdict;
+    EXPECT_EQ(told({passed, passed, passed}), Texts{" bad, good, good"});
 }
 
 TEST(Suspicions, AreNoneOfTheOthers) {
-    Suspicions suspicions;
-    suspicions.add(kDrawn, kPrepared, resultOf("drawn", Verdict::crashed));
-    EXPECT_TRUE(suspicions.isUnder(kDrawn));
-    EXPECT_TRUE(suspicions.isUnder(kPrepared));
-    EXPECT_FALSE(suspicions.isUnder({0, 3}));
-    EXPECT_EQ(suspicions.settle({0, 3}, resultOf("other", Verdict::passed)).size(), 1U);
+    Suspicions suspicions = ofAll();
+    for (const ShotReference& each : kShots) EXPECT_TRUE(suspicions.isUnder(each));
+    EXPECT_FALSE(suspicions.isUnder({0, 4}));
+    EXPECT_EQ(suspicions.settle({0, 4}, resultOf("other", Verdict::passed)).size(), 1U);
 }
 
 }  // namespace
