@@ -69,7 +69,8 @@ bench::Report measure(std::span<const bench::Subject* const> chosen, const bench
     const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
     bench::Report report =
         bench::run(chosen, options, [&](const bench::Subject& subject, std::size_t index, std::size_t count) {
-            if (isTerminal) fmt::print(stderr, "\r\033[K[{}/{}] {}", index + 1, count, subject.title);
+            fmt::print(stderr, "{}[{}/{}] {}{}", isTerminal ? "\r\033[K" : "", index + 1, count,
+                       subject.title, isTerminal ? "" : "\n");
         });
     if (isTerminal) fmt::print(stderr, "\r\033[K");
     report.glibra = GLIBRA_VERSION;
