@@ -22,14 +22,23 @@ import zlib
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BUILD = os.environ.get("GLIBRA_BENCH_BUILD", os.path.join(ROOT, "build", "bench"))
 GLIBRA = os.path.join(BUILD, "glibra")
+SIDE = 1024  # pixels
 
 
 def chunk(kind, content):
     return (len(content).to_bytes(4, "big") + kind + content + zlib.crc32(kind + content).to_bytes(4, "big"))
 
 
+def predicted(kind, left, up, corner):
+    """What a PNG filter subtracts (W3C PNG, 9.2)."""
+    if kind == 4:
+        guess = left + up - corner
+        return min((left, up, corner), key=lambda each: abs(guess - each))
+    return (0, left, up, (left + up) // 2)[kind]
+
+
 def png_parts(data):
-    """The decompressed rows of an RGB file as glibra writes it (up filter), and its chunks before and after the pixels."""
+    """The rows of an RGB file with 8 bits a component, and its chunks before the pixels."""
     at, before, packed = 8, data[:8], b""
     while at < len(data):
         length = int.from_bytes(data[at:at + 4], "big")
@@ -39,12 +48,26 @@ def png_parts(data):
         elif kind != b"IEND":
             before += data[at:at + 12 + length]
         at += 12 + length
-    return before, bytearray(zlib.decompress(packed))
+    filtered, stride, rows = zlib.decompress(packed), 3 * SIDE, []
+    above = bytearray(stride)
+    for y in range(SIDE):
+        kind, *row = filtered[y * (stride + 1):(y + 1) * (stride + 1)]
+        for i in range(stride):
+            left, corner = (row[i - 3], above[i - 3]) if i >= 3 else (0, 0)
+            row[i] = (row[i] + predicted(kind, left, above[i], corner)) % 256
+        above = bytearray(row)
+        rows.append(above)
+    return before, rows
 
 
 def write_png(path, before, rows):
+    """With the filter "up" for all rows."""
+    filtered, above = bytearray(), bytes(3 * SIDE)
+    for row in rows:
+        filtered += b"\2" + bytes((a - b) % 256 for a, b in zip(row, above))
+        above = row
     with open(path, "wb") as file:
-        file.write(before + chunk(b"IDAT", zlib.compress(bytes(rows), 1)) + chunk(b"IEND", b""))
+        file.write(before + chunk(b"IDAT", zlib.compress(bytes(filtered), 1)) + chunk(b"IEND", b""))
 
 
 def wall(command):
@@ -66,7 +89,7 @@ def show(title, first, second, pairs):
 
 def files(folder):
     picture = os.path.join(folder, "a.png")
-    subprocess.run([GLIBRA, "render", os.path.join(ROOT, "glib", "noise", "marble.glib"), "--size", "1024x1024", "-o",
+    subprocess.run([GLIBRA, "render", os.path.join(ROOT, "glib", "noise", "marble.glib"), "--size", f"{SIDE}x{SIDE}", "-o",
                     picture], check=True)
     with open(picture, "rb") as file:
         data = file.read()
@@ -75,11 +98,9 @@ def files(folder):
         file.write(data)
     before, rows = png_parts(data)
     write_png(repacked, before, rows)
-    stride = 1 + 3 * 1024
-    for y in range(3, 1021, 7):  # one step up in one pixel, and down again in the row below (the filter is "up")
-        at = y * stride + 1 + (y * 97) % 3000
-        rows[at] = (rows[at] + 1) % 256
-        rows[at + stride] = (rows[at + stride] - 1) % 256
+    for y in range(3, SIDE - 3, 7):  # one step in one pixel
+        at = (y * 97) % (3 * SIDE)
+        rows[y][at] += 1 if rows[y][at] < 255 else -1
     write_png(near, before, rows)
     return picture, (("equal files", copy), ("equal pixels, other files", repacked), ("a tolerance decides", near))
 
