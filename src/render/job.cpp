@@ -27,14 +27,16 @@ Diagnostics writeToStandardOutput(const image::Image& picture) {
     return {error("file-E10", "cannot write to standard output")};
 }
 
-/// "; nothing is in sight: line 7, Teapot: it is behind ..." if draws were left out and none is left.
+/// "; nothing is in sight: line 7, Teapot: it is behind ..." if draws were left out and none is left. Their
+/// shaders were not compiled, so nobody has heard yet what is wrong with them.
 std::string whyNothingIsSeen(const plan::FramePlan& plan) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
             if (std::holds_alternative<plan::PlannedDraw>(step)) return {};
     for (const plan::Skipped& each : plan.skipped)
         if (each.what == "draw")
-            return fmt::format("; nothing is in sight: line {}, {}", each.place.line, each.why);
+            return fmt::format("; nothing is in sight: line {}, {}; 'glibra check' compiles its shaders too",
+                               each.place.line, each.why);
     return {};
 }
 

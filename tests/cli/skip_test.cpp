@@ -44,6 +44,22 @@ TEST(NoSkip, EverySceneIsTheSameBitForBit) {
             << each.path();
 }
 
+TEST(NoSkip, APictureOfNothingSaysWhyAndWhatElseToAsk) {
+    const Folder folder;
+    folder.write("a.vert",
+                 "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+    folder.write("a.frag", "#version 330 core\nvoid main() { missing = 1; }\n");
+    folder.write("a.glib", "LookAt 0 0 3 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXZ\n");
+    const Finished run = glibra(folder.path(), "render a.glib -o a.png");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("nothing is in sight: line 5, QuadXZ: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("; 'glibra check' compiles its shaders too [draw-N02]"), std::string::npos)
+        << run.err;
+    const Finished check = glibra(folder.path(), "check a.glib");
+    EXPECT_EQ(check.status, 3);
+    EXPECT_NE(check.err.find("a.frag:2:"), std::string::npos) << check.err;
+}
+
 TEST(NoSkip, SuitesAreDrawnTheSameWay) {
     const Folder folder;
     folder.write("a.glib", "Sphere 1\n");
