@@ -59,8 +59,8 @@ namespace {
 /// from its middle. Each has an order of its own, the same at every run, so that no two move together.
 std::vector<std::vector<glm::dvec2>> sampleOrders(std::size_t passes, int side) {
     std::vector<glm::dvec2> places;
-    for (int i = 0; i < side * side; ++i)
-        places.emplace_back((i % side + .5) / side - .5, (i / side + .5) / side - .5);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) places.emplace_back((x + .5) / side - .5, (y + .5) / side - .5);
     std::mt19937 random(1);
     std::vector<std::vector<glm::dvec2>> orders{places};
     while (orders.size() <= passes) {

@@ -139,6 +139,7 @@ std::string comparison(const std::vector<Measured>& all, std::size_t way) {
 /// How long scenes take, and what the ways bring.
 std::vector<std::string> overall(const std::vector<Measured>& all) {
     std::vector<double> times;
+    times.reserve(all.size());
     for (const Measured& each : all) times.push_back(each.times[kPlain].median);
     const auto slowest =
         std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });

@@ -282,7 +282,7 @@ class Chooser {
 
     static std::string boundText(double pixels, const Drawn& drawn) {
         if (drawn.need.isMoved) return "no bound, its program moves the vertices";
-        const std::string shape = fmt::format("at most {}", pixelText(pixels));
+        std::string shape = fmt::format("at most {}", pixelText(pixels));
         if (!drawn.vertices) return shape;
         return shape + "; what its program makes of the vertices " + vertexText(*drawn.vertices);
     }

@@ -61,7 +61,8 @@ class Refinement {
         double shapes = 0;
         for (std::size_t i = 0; i < request_.draws.size(); ++i) {
             const VertexDraw& draw = request_.draws[i];
-            Numbers coarse = values_.numbers[i], fine = coarse;
+            Numbers coarse = values_.numbers[i];
+            Numbers fine = coarse;
             if (programs.contains(draw.program)) {
                 coarse = more(draw, draw.numbers, factor, true);
                 fine = more(draw, coarse, kFiner, false);
@@ -112,7 +113,7 @@ class Refinement {
 }  // namespace
 
 std::string vertexText(const VertexError& error) {
-    const std::string off = fmt::format("about {} off", pixelText(error.pixels));
+    std::string off = fmt::format("about {} off", pixelText(error.pixels));
     if (error.colored <= kMostColored) return off;
     return off + fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * error.colored);
 }

@@ -45,6 +45,7 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
             sources.emplace_back(GL_TESS_EVALUATION_SHADER, withCoordinate(each.source));
     }
     std::vector<gpu::StageSource> stages;
+    stages.reserve(sources.size());
     for (const auto& [stage, text] : sources) stages.push_back({stage, text});
     std::vector<gpu::NamedLocation> inputs;  // the vertex array is made for these
     for (const gpu::ActiveInput& each : built.reflected.inputs)
@@ -89,6 +90,9 @@ budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu:
 }  // namespace
 
 struct PatchProbe::State {
+    State(gpu::Context& withContext, RenderOptions withOptions, const scene::Scene& ofScene)
+        : context(withContext), options(std::move(withOptions)), scene(ofScene) {}
+
     gpu::Context& context;
     const RenderOptions options;
     const scene::Scene& scene;
