@@ -8,7 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/uniform.h"
-#include "render/copied_uniforms.h"
+#include "render/derived_program.h"
 #include "render/frame.h"
 #include "render/patch_split.h"
 #include "render/probe_options.h"
@@ -47,11 +47,8 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
     std::vector<gpu::StageSource> stages;
     stages.reserve(sources.size());
     for (const auto& [stage, text] : sources) stages.push_back({stage, text});
-    std::vector<gpu::NamedLocation> inputs;  // the vertex array is made for these
-    for (const gpu::ActiveInput& each : built.reflected.inputs)
-        if (each.location >= 0) inputs.push_back({each.name, static_cast<GLuint>(each.location)});
     return gpu::buildProgram(capabilities, {.stages = stages,
-                                            .vertexInputs = std::move(inputs),
+                                            .vertexInputs = inputLocations(built),
                                             .fragmentOutputs = {},
                                             .captured = {"gl_Position", "glibra_coordinate"}})
         .program;

@@ -8,7 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/timer.h"
-#include "render/copied_uniforms.h"
+#include "render/derived_program.h"
 #include "render/frame.h"
 #include "render/gl_names.h"
 
@@ -45,11 +45,8 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
     std::vector<gpu::StageSource> stages;
     for (const glsl::TranslatedStage& each : built.interface.facts.stages)
         if (each.stage != glsl::Stage::fragment) stages.push_back({glStage(each.stage), each.source});
-    std::vector<gpu::NamedLocation> inputs;  // the vertex array is made for these
-    for (const gpu::ActiveInput& each : built.reflected.inputs)
-        if (each.location >= 0) inputs.push_back({each.name, static_cast<GLuint>(each.location)});
     return gpu::buildProgram(capabilities, {.stages = stages,
-                                            .vertexInputs = std::move(inputs),
+                                            .vertexInputs = inputLocations(built),
                                             .fragmentOutputs = {},
                                             .captured = {"gl_Position"}})
         .program;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu/uniform.h"
-#include "render/copied_uniforms.h"
+#include "render/derived_program.h"
 #include "render/gl_names.h"
 
 namespace glibra::view {

@@ -1,4 +1,4 @@
-#include "render/copied_uniforms.h"
+#include "render/derived_program.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,6 +6,13 @@
 #include "gpu/uniform.h"
 
 namespace glibra::render {
+
+std::vector<gpu::NamedLocation> inputLocations(const BuiltProgram& of) {
+    std::vector<gpu::NamedLocation> locations;
+    for (const gpu::ActiveInput& each : of.reflected.inputs)
+        if (each.location >= 0) locations.push_back({each.name, static_cast<GLuint>(each.location)});
+    return locations;
+}
 
 void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
                   const gpu::ProgramInterface& reflected) {
