@@ -2,12 +2,12 @@
 # that the program glibra stays free of GLFW and ImGui.
 glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
 
-file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/*)
+file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/shaders/*)
 glibra_embed(glibra_view_objects lens_shaders ${lens_shaders})
 
 pkg_check_modules(glfw IMPORTED_TARGET glfw3)
 pkg_check_modules(imgui IMPORTED_TARGET imgui)
-file(GLOB window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/window/*.cpp)
+file(GLOB_RECURSE window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/window/*.cpp)
 if(NOT TARGET PkgConfig::glfw OR NOT TARGET PkgConfig::imgui)
     message(STATUS "GLFW or Dear ImGui is missing: glibra view is not built")
 elseif(window_sources)

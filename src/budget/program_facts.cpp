@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/mesh.h"
-#include "glsl/builtins.h"
+#include "glsl/rules/builtins.h"
 
 namespace glibra::budget {
 namespace {

@@ -13,9 +13,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "geometry/arrow.h"
-#include "geometry/teapot.h"
-#include "geometry/teapot_patches.h"
+#include "geometry/shapes/arrow.h"
+#include "geometry/shapes/teapot.h"
+#include "geometry/shapes/teapot_patches.h"
 
 namespace glibra::budget {
 namespace {

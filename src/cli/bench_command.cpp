@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/comparison.h"
-#include "bench/csv_report.h"
-#include "bench/html_report.h"
-#include "bench/json_report.h"
-#include "bench/run.h"
-#include "bench/text_report.h"
+#include "bench/core/run.h"
+#include "bench/report/comparison.h"
+#include "bench/report/csv_report.h"
+#include "bench/report/html_report.h"
+#include "bench/report/json_report.h"
+#include "bench/report/text_report.h"
 #include "cli/commands.h"
 #include "glib/suggest.h"
 #include "image/file.h"

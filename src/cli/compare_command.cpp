@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "image/compare/heat_map.h"
+#include "image/compare/judge.h"
 #include "image/file.h"
-#include "image/heat_map.h"
-#include "image/judge.h"
-#include "image/png_chunks.h"
+#include "image/png/png_chunks.h"
 #include "image/read.h"
 #include "image/write.h"
 

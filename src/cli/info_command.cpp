@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bench/builtin_precision.h"
+#include "bench/subjects/builtin_precision.h"
 #include "cli/commands.h"
 #include "gpu/context.h"
 #include "gpu/info.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "view/noise_file.h"
+#include "view/export/noise_file.h"
 
 namespace glibra::cli {
 namespace {

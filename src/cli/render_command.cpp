@@ -22,7 +22,7 @@
 #include "render/animation.h"
 #include "render/job.h"
 #include "render/workers.h"
-#include "suite/run.h"
+#include "suite/run/run.h"
 
 namespace glibra::cli {
 namespace {

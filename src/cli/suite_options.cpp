@@ -7,8 +7,8 @@
 #include <map>
 
 #include "cli/commands.h"
-#include "suite/selection.h"
-#include "suite/suite_file.h"
+#include "suite/file/selection.h"
+#include "suite/file/suite_file.h"
 
 namespace glibra::cli {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "suite/run.h"
+#include "suite/run/run.h"
 #include "suite/suite.h"
 
 namespace CLI {

@@ -17,12 +17,12 @@
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
 #include "image/file.h"
-#include "suite/hash_key.h"
-#include "suite/html_report.h"
-#include "suite/junit_report.h"
-#include "suite/merge.h"
-#include "suite/terminal_report.h"
-#include "suite/verdict_commands.h"
+#include "suite/golden/hash_key.h"
+#include "suite/report/html_report.h"
+#include "suite/report/junit_report.h"
+#include "suite/report/terminal_report.h"
+#include "suite/report/verdict_commands.h"
+#include "suite/results/merge.h"
 
 namespace glibra::cli {
 namespace {

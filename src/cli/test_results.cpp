@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "cli/commands.h"
-#include "suite/verdict.h"
+#include "suite/run/verdict.h"
 
 namespace glibra::cli {
 namespace {

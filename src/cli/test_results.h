@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "suite/results_file.h"
-#include "suite/run.h"
+#include "suite/results/results_file.h"
+#include "suite/run/run.h"
 
 namespace glibra::cli {
 

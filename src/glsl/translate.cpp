@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "glsl/emit.h"
-#include "glsl/facts.h"
-#include "glsl/loops.h"
-#include "glsl/rules.h"
-#include "glsl/source.h"
-#include "glsl/usage.h"
+#include "glsl/emit/emit.h"
+#include "glsl/facts/facts.h"
+#include "glsl/facts/loops.h"
+#include "glsl/parse/usage.h"
+#include "glsl/read/source.h"
+#include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/counted_loop.h"
+#include "glsl/facts/counted_loop.h"
 
 namespace glibra::glsl {
 

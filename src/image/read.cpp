@@ -4,11 +4,11 @@
 
 #include <new>
 
-#include "image/bmp_reader.h"
+#include "image/bmp/bmp_reader.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "image/jpeg_segments.h"
-#include "image/png_reader.h"
+#include "image/png/png_reader.h"
 
 namespace glibra::image {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "image/image.h"
 #include "image/module_loader.h"
-#include "image/png_writer.h"
+#include "image/png/png_writer.h"
 
 namespace glibra::image {
 

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <span>
 
-#include "glsl/builtins.h"
+#include "glsl/rules/builtins.h"
 
 namespace glibra::render {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "image/judge.h"
+#include "image/compare/judge.h"
 
 namespace glibra::suite {
 

@@ -1,4 +1,4 @@
-#include "bench/antialiasing.h"
+#include "bench/subjects/antialiasing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "bench/coverage.h"
-#include "bench/fit.h"
-#include "bench/offscreen.h"
-#include "bench/patterns.h"
-#include "bench/pixel_filter.h"
+#include "bench/core/fit.h"
+#include "bench/draw/offscreen.h"
+#include "bench/draw/pixel_filter.h"
+#include "bench/reference/coverage.h"
+#include "bench/reference/patterns.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/apart.h"
+#include "bench/core/apart.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "bench/builtin_precision.h"
+#include "bench/subjects/builtin_precision.h"
 #include "gpu/context.h"
 
 namespace glibra::bench {

@@ -1,11 +1,11 @@
-#include "bench/depth.h"
+#include "bench/subjects/depth.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bench/depth_target.h"
-#include "bench/fit.h"
+#include "bench/core/fit.h"
+#include "bench/draw/depth_target.h"
 
 namespace glibra::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bench/budget.h"
+#include "bench/subjects/budget.h"
 
 namespace glibra::bench {
 namespace {

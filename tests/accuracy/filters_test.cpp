@@ -1,13 +1,13 @@
-#include "bench/filters.h"
+#include "bench/subjects/filters.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/bench.h"
-#include "bench/filter_passes.h"
-#include "bench/filter_reference.h"
+#include "bench/core/bench.h"
+#include "bench/draw/filter_passes.h"
+#include "bench/reference/filter_reference.h"
 
 namespace glibra::bench {
 namespace {

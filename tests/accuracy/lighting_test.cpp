@@ -1,4 +1,4 @@
-#include "bench/lighting.h"
+#include "bench/subjects/lighting.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "bench/analytic_lighting.h"
-#include "bench/fit.h"
+#include "bench/core/fit.h"
+#include "bench/reference/analytic_lighting.h"
 
 namespace glibra::bench {
 namespace {

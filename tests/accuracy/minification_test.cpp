@@ -1,12 +1,12 @@
-#include "bench/minification.h"
+#include "bench/subjects/minification.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <stdexcept>
 
-#include "bench/fit.h"
-#include "bench/test_card.h"
+#include "bench/core/fit.h"
+#include "bench/reference/test_card.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/noise_textures.h"
+#include "bench/subjects/noise_textures.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/byte_filter.h"
-#include "bench/fit.h"
-#include "bench/noise_shaders.h"
-#include "bench/noise_volume.h"
+#include "bench/core/fit.h"
+#include "bench/draw/byte_filter.h"
+#include "bench/draw/noise_shaders.h"
+#include "bench/draw/noise_volume.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,8 +1,8 @@
-#include "bench/offscreen.h"
+#include "bench/draw/offscreen.h"
 
 #include <gtest/gtest.h>
 
-#include "bench/bench.h"
+#include "bench/core/bench.h"
 
 namespace glibra::bench {
 namespace {

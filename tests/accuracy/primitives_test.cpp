@@ -1,6 +1,6 @@
 // Subject 1: known orders of convergence, and references held against each other.
 
-#include "bench/primitives.h"
+#include "bench/subjects/primitives.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "bench/bezier_surface.h"
-#include "bench/fit.h"
-#include "bench/solids.h"
-#include "geometry/box.h"
-#include "geometry/sphere.h"
-#include "geometry/teapot.h"
+#include "bench/core/fit.h"
+#include "bench/reference/bezier_surface.h"
+#include "bench/reference/solids.h"
+#include "geometry/shapes/box.h"
+#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/teapot.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

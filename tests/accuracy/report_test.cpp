@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/comparison.h"
-#include "bench/csv_report.h"
-#include "bench/html_report.h"
-#include "bench/json_report.h"
-#include "bench/text_report.h"
+#include "bench/report/comparison.h"
+#include "bench/report/csv_report.h"
+#include "bench/report/html_report.h"
+#include "bench/report/json_report.h"
+#include "bench/report/text_report.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

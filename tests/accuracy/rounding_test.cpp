@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/curves.h"
-#include "bench/exact.h"
-#include "bench/fit.h"
-#include "bench/fractals.h"
-#include "bench/ray_sphere.h"
-#include "bench/shader_values.h"
-#include "bench/transforms.h"
+#include "bench/core/exact.h"
+#include "bench/core/fit.h"
+#include "bench/draw/shader_values.h"
+#include "bench/subjects/curves.h"
+#include "bench/subjects/fractals.h"
+#include "bench/subjects/ray_sphere.h"
+#include "bench/subjects/transforms.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

@@ -1,6 +1,6 @@
 // Fronts, timing, orders, and what a run makes of its subjects.
 
-#include "bench/run.h"
+#include "bench/core/run.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/fit.h"
-#include "bench/log_axis.h"
+#include "bench/core/fit.h"
+#include "bench/report/log_axis.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

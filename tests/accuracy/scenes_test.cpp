@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include "bench/scene_picture.h"
-#include "bench/shipped_scenes.h"
+#include "bench/draw/scene_picture.h"
+#include "bench/subjects/shipped_scenes.h"
 
 namespace glibra::bench {
 namespace {

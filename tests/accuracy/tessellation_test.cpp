@@ -1,4 +1,4 @@
-#include "bench/tessellation.h"
+#include "bench/subjects/tessellation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "bench/fit.h"
-#include "bench/pn_triangle.h"
-#include "bench/tessellator.h"
+#include "bench/core/fit.h"
+#include "bench/draw/tessellator.h"
+#include "bench/reference/pn_triangle.h"
 
 namespace glibra::bench {
 namespace {

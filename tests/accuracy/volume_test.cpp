@@ -1,4 +1,4 @@
-#include "bench/volume.h"
+#include "bench/subjects/volume.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "bench/fit.h"
-#include "bench/volume_field.h"
+#include "bench/core/fit.h"
+#include "bench/reference/volume_field.h"
 
 namespace glibra::bench {
 namespace {

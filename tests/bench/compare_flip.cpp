@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-#include "image/flip.h"
+#include "image/compare/flip.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 #include "functions/libpng_writer.h"
 #include "image/convert.h"
-#include "image/png_writer.h"
+#include "image/png/png_writer.h"
 #include "image/read.h"
 
 namespace {

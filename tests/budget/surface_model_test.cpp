@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "geometry/teapot.h"
-#include "geometry/teapot_patches.h"
+#include "geometry/shapes/teapot.h"
+#include "geometry/shapes/teapot_patches.h"
 #include "surfaces.h"
 
 namespace glibra::budget {

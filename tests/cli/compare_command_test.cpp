@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "image/png_writer.h"
+#include "image/png/png_writer.h"
 #include "image/read.h"
 #include "program.h"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "image/inspect.h"
 #include "image/read.h"
 #include "program.h"

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "check.h"
-#include "geometry/obj_mesh.h"
-#include "geometry/obj_model.h"
-#include "geometry/shapefile.h"
+#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
+#include "geometry/obj/shapefile.h"
 
 namespace {
 

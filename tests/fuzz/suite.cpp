@@ -1,8 +1,8 @@
 // Any bytes as a suite file, and as a line of a list of accepted hashes.
 
 #include "check.h"
-#include "suite/hash_list.h"
-#include "suite/suite_file.h"
+#include "suite/file/suite_file.h"
+#include "suite/golden/hash_list.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace glibra;

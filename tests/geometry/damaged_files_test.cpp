@@ -5,8 +5,8 @@
 #include <string>
 
 #include "geometry/mix.h"
-#include "geometry/obj_mesh.h"
-#include "geometry/shapefile.h"
+#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/shapefile.h"
 #include "mesh_checks.h"
 #include "shapefile_writer.h"
 

@@ -1,6 +1,6 @@
 // Decimal numbers read several digits at a time, beside std::from_chars.
 
-#include "geometry/decimal.h"
+#include "geometry/obj/decimal.h"
 
 #include <gtest/gtest.h>
 

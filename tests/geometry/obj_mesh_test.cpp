@@ -1,13 +1,13 @@
 // Meshes of OBJ models: vertices, normals, tangents, adjacency, edges.
 
-#include "geometry/obj_mesh.h"
+#include "geometry/obj/obj_mesh.h"
 
 #include <set>
 #include <string>
 
 #include "geometry/frame.h"
 #include "geometry/mix.h"
-#include "geometry/sphere.h"
+#include "geometry/shapes/sphere.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "geometry/mix.h"
-#include "geometry/obj_model.h"
+#include "geometry/obj/obj_model.h"
 
 namespace glibra::geometry {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/obj_model.h"
+#include "geometry/obj/obj_model.h"
 
 namespace glibra::geometry {
 namespace {

@@ -1,6 +1,6 @@
 // The usual OBJ file read in pieces, beside the reader of any file.
 
-#include "geometry/obj_plain.h"
+#include "geometry/obj/obj_plain.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Squares and point clouds.
 
-#include "geometry/quads.h"
-#include "geometry/clouds.h"
+#include "geometry/shapes/quads.h"
 #include "geometry/mix.h"
+#include "geometry/shapes/clouds.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -1,6 +1,6 @@
 // Shapefiles, written here byte by byte from the format's description.
 
-#include "geometry/shapefile.h"
+#include "geometry/obj/shapefile.h"
 
 #include <limits>
 #include <string>

@@ -1,6 +1,6 @@
 // The soccer ball against the numbering and the placement that the specification gives.
 
-#include "geometry/soccerball.h"
+#include "geometry/shapes/soccerball.h"
 
 #include <numbers>
 #include <set>

@@ -1,10 +1,10 @@
 // The teapot against what is known of the original and against de Casteljau's construction.
 
-#include "geometry/teapot.h"
+#include "geometry/shapes/teapot.h"
 
 #include <set>
 
-#include "geometry/teapot_patches.h"
+#include "geometry/shapes/teapot_patches.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -2,13 +2,13 @@
 
 #include <set>
 
-#include "geometry/box.h"
-#include "geometry/cone.h"
-#include "geometry/cylinder.h"
 #include "geometry/frame.h"
-#include "geometry/sphere.h"
-#include "geometry/teapot.h"
-#include "geometry/torus.h"
+#include "geometry/shapes/box.h"
+#include "geometry/shapes/cone.h"
+#include "geometry/shapes/cylinder.h"
+#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/teapot.h"
+#include "geometry/shapes/torus.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

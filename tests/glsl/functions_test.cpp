@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "glsl/rules.h"
+#include "glsl/rules/rules.h"
 #include "support.h"
 
 namespace glibra::glsl::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "glsl/log_line.h"
+#include "glsl/emit/log_line.h"
 #include "support.h"
 
 namespace glibra::glsl::test {

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <memory>
 
-#include "glsl/token.h"
+#include "glsl/read/token.h"
 
 namespace glibra::glsl::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "bmp_maker.h"
-#include "image/bmp_reader.h"
-#include "image/compare.h"
-#include "image/png_writer.h"
+#include "image/bmp/bmp_reader.h"
+#include "image/compare/compare.h"
+#include "image/png/png_writer.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "support.h"

@@ -1,6 +1,6 @@
 // Measures of difference, looks at single pictures, conversions: against numbers worked out by hand.
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 
 #include <gtest/gtest.h>
 

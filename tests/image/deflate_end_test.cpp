@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "image/deflate_end.h"
+#include "image/png/deflate_end.h"
 #include "support.h"
 
 namespace glibra::image {

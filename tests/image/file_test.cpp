@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "image/write.h"
 #include "support.h"
 

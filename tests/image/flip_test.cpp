@@ -1,7 +1,7 @@
 // FLIP: against a direct evaluation of the definition in double, and against figures of the authors' own
 // program.
 
-#include "image/flip.h"
+#include "image/compare/flip.h"
 
 #include <gtest/gtest.h>
 

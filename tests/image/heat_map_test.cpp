@@ -1,6 +1,6 @@
 // The picture of differences: its colors and its scale.
 
-#include "image/heat_map.h"
+#include "image/compare/heat_map.h"
 
 #include <gtest/gtest.h>
 

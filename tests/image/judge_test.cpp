@@ -1,6 +1,6 @@
 // The verdict over two pictures: each rung of the ladder, at its limit and just beyond.
 
-#include "image/judge.h"
+#include "image/compare/judge.h"
 
 #include <gtest/gtest.h>
 

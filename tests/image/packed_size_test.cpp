@@ -1,6 +1,6 @@
 // The estimate of a packed size, against libdeflate.
 
-#include "image/packed_size.h"
+#include "image/png/packed_size.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>

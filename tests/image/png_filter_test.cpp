@@ -1,6 +1,6 @@
 // PNG's filters, undone as the specification says, and the choice among them.
 
-#include "image/png_filter.h"
+#include "image/png/png_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 // The fast way of the usual PNG: files of libspng's encoder, with every filter, and files it must leave
 // alone.
 
-#include "image/png_quick_reader.h"
+#include "image/png/png_quick_reader.h"
 
 #include <gtest/gtest.h>
 #include <spng.h>
 
 #include <memory>
 
-#include "image/compare.h"
-#include "image/png_chunks.h"
-#include "image/png_writer.h"
+#include "image/compare/compare.h"
+#include "image/png/png_chunks.h"
+#include "image/png/png_writer.h"
 #include "support.h"
 
 namespace glibra::image {

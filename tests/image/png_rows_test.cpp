@@ -1,6 +1,6 @@
 // How a picture's rows are filtered, against what libdeflate then makes of them.
 
-#include "image/png_rows.h"
+#include "image/png/png_rows.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "image/bytes.h"
-#include "image/compare.h"
-#include "image/png_reader.h"
-#include "image/png_writer.h"
+#include "image/compare/compare.h"
+#include "image/png/png_reader.h"
+#include "image/png/png_writer.h"
 #include "support.h"
 
 namespace glibra::image {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "image/jpeg_segments.h"

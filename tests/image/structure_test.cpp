@@ -1,6 +1,6 @@
 // The structural difference: what it forgives, what it sees, and its figure where it can be worked out.
 
-#include "image/structure.h"
+#include "image/compare/structure.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "image/file.h"
-#include "image/png_reader.h"
+#include "image/png/png_reader.h"
 
 namespace glibra::render {
 namespace {

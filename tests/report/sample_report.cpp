@@ -11,12 +11,12 @@
 #include <fstream>
 #include <string>
 
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "image/write.h"
-#include "suite/html_report.h"
-#include "suite/junit_report.h"
-#include "suite/results_file.h"
-#include "suite/terminal_report.h"
+#include "suite/report/html_report.h"
+#include "suite/report/junit_report.h"
+#include "suite/report/terminal_report.h"
+#include "suite/results/results_file.h"
 
 namespace {
 

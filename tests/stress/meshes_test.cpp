@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
-#include "geometry/obj_mesh.h"
+#include "geometry/obj/obj_mesh.h"
 #include "support.h"
 
 namespace glibra::stress {

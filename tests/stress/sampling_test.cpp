@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "image/png_writer.h"
+#include "image/png/png_writer.h"
 #include "support.h"
 
 namespace glibra::stress {

@@ -1,4 +1,4 @@
-#include "suite/background.h"
+#include "suite/run/background.h"
 
 #include <gtest/gtest.h>
 

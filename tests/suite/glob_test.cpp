@@ -1,6 +1,6 @@
 // Patterns, beside fnmatch() of the C library.
 
-#include "suite/glob.h"
+#include "suite/file/glob.h"
 
 #include <fnmatch.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "suite/golden_store.h"
+#include "suite/golden/golden_store.h"
 
 #include <gtest/gtest.h>
 
 #include "folder.h"
-#include "image/compare.h"
+#include "image/compare/compare.h"
 #include "pictures.h"
 
 namespace glibra::suite {

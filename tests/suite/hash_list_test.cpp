@@ -1,4 +1,4 @@
-#include "suite/hash_list.h"
+#include "suite/golden/hash_list.h"
 
 #include <gtest/gtest.h>
 

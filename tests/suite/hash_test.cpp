@@ -1,9 +1,9 @@
-#include "suite/hash.h"
+#include "suite/golden/hash.h"
 
 #include <gtest/gtest.h>
 
 #include "pictures.h"
-#include "suite/hash_key.h"
+#include "suite/golden/hash_key.h"
 
 namespace glibra::suite {
 namespace {

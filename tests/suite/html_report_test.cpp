@@ -1,4 +1,4 @@
-#include "suite/html_report.h"
+#include "suite/report/html_report.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -11,7 +11,7 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
-#include "suite/report_files.h"
+#include "suite/report/report_files.h"
 
 namespace glibra::suite {
 namespace {

@@ -1,11 +1,11 @@
-#include "suite/merge.h"
+#include "suite/results/merge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "folder.h"
-#include "suite/results_file.h"
+#include "suite/results/results_file.h"
 
 namespace glibra::suite {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "image/image.h"
+#include "suite/run/verdict.h"
 #include "suite/suite.h"
-#include "suite/verdict.h"
 
 namespace glibra::suite {
 

@@ -1,4 +1,4 @@
-#include "suite/results_file.h"
+#include "suite/results/results_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

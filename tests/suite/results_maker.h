@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "suite/results.h"
+#include "suite/results/results.h"
 
 namespace glibra::suite {
 

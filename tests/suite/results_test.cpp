@@ -1,4 +1,4 @@
-#include "suite/results.h"
+#include "suite/results/results.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "suite/run_pieces.h"
+#include "suite/run/run_pieces.h"
 
 #include <gtest/gtest.h>
 
-#include "suite/run_messages.h"
-#include "suite/verdict_commands.h"
+#include "suite/report/verdict_commands.h"
+#include "suite/run/run_messages.h"
 
 namespace glibra::suite {
 namespace {

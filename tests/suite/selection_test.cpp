@@ -1,6 +1,6 @@
 // Which shots run where.
 
-#include "suite/selection.h"
+#include "suite/file/selection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What is prepared beside a shot changes no picture and no message, whatever the next ones turn out to be.
 
-#include "suite/shot_renderer.h"
+#include "suite/run/shot_renderer.h"
 
 #include <gtest/gtest.h>
 

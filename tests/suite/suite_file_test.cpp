@@ -1,6 +1,6 @@
 // Suite files that are right: what shots they make.
 
-#include "suite/suite_file.h"
+#include "suite/file/suite_file.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "glib/diagnostic_catalogue.h"
-#include "suite/suite_file.h"
+#include "suite/file/suite_file.h"
 #include "suite_text.h"
 
 namespace glibra::suite::test {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "glib/diagnostic_catalogue.h"
-#include "suite/selection.h"
-#include "suite/suite_file.h"
+#include "suite/file/selection.h"
+#include "suite/file/suite_file.h"
 #include "suite_text.h"
 
 namespace glibra::suite::test {

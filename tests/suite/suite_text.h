@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "suite/suite_file.h"
+#include "suite/file/suite_file.h"
 
 namespace glibra::suite::test {
 

@@ -1,4 +1,4 @@
-#include "suite/suspicions.h"
+#include "suite/run/suspicions.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
-#include "suite/figures.h"
-#include "suite/junit_report.h"
-#include "suite/small_heat_map.h"
-#include "suite/terminal_report.h"
-#include "suite/utf8.h"
+#include "suite/report/junit_report.h"
+#include "suite/report/small_heat_map.h"
+#include "suite/report/terminal_report.h"
+#include "suite/report/utf8.h"
+#include "suite/results/figures.h"
 
 namespace glibra::suite {
 namespace {

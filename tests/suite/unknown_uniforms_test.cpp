@@ -1,4 +1,4 @@
-#include "suite/unknown_uniforms.h"
+#include "suite/file/unknown_uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "suite/verdict.h"
+#include "suite/run/verdict.h"
 
 #include <gtest/gtest.h>
 

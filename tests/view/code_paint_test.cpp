@@ -1,4 +1,4 @@
-#include "view/code_paint.h"
+#include "view/edit/code_paint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "view/detached_process.h"
+#include "view/browse/detached_process.h"
 
 #include <sys/wait.h>
 

@@ -1,4 +1,4 @@
-#include "view/edited_file.h"
+#include "view/edit/edited_file.h"
 
 #include "scene_folder.h"
 

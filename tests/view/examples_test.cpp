@@ -6,9 +6,9 @@
 
 #include "image/read.h"
 #include "scene_folder.h"
-#include "view/example_scenes.h"
-#include "view/folder_list.h"
-#include "view/thumbnails.h"
+#include "view/browse/example_scenes.h"
+#include "view/browse/folder_list.h"
+#include "view/browse/thumbnails.h"
 
 namespace glibra::test {
 namespace {

@@ -1,7 +1,7 @@
-#include "view/file_use.h"
+#include "view/browse/file_use.h"
 
 #include "scene_folder.h"
-#include "view/session.h"
+#include "view/scene/session.h"
 
 namespace glibra::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/file_watch.h"
+#include "view/scene/file_watch.h"
 
 #include <gtest/gtest.h>
 

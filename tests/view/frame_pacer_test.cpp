@@ -1,4 +1,4 @@
-#include "view/frame_pacer.h"
+#include "view/scene/frame_pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "view/hardcopy_job.h"
-#include "view/video_encoder.h"
+#include "view/export/hardcopy_job.h"
+#include "view/export/video_encoder.h"
 
 #include <cstdio>
 #include <cstdlib>

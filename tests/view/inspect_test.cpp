@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "scene_folder.h"
-#include "view/frame_cost.h"
-#include "view/texel_view.h"
+#include "view/lens/texel_view.h"
+#include "view/scene/frame_cost.h"
 
 namespace glibra::test {
 namespace {

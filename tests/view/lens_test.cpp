@@ -1,4 +1,4 @@
-#include "view/lens.h"
+#include "view/lens/lens.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "view/noise_file.h"
+#include "view/export/noise_file.h"
 
 #include <cstdlib>
 #include <string>

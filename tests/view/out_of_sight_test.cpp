@@ -6,7 +6,7 @@
 
 #include "render/stats.h"
 #include "scene_folder.h"
-#include "view/session.h"
+#include "view/scene/session.h"
 
 namespace glibra::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "gpu/context.h"
-#include "view/session.h"
+#include "view/scene/session.h"
 
 namespace glibra::test {
 

@@ -1,4 +1,4 @@
-#include "view/source_files.h"
+#include "view/edit/source_files.h"
 
 #include <algorithm>
 

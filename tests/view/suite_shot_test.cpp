@@ -1,9 +1,9 @@
-#include "view/suite_shot.h"
+#include "view/export/suite_shot.h"
 
 #include "render/scene_renderer.h"
 #include "render/view_matrices.h"
 #include "scene_folder.h"
-#include "suite/suite_file.h"
+#include "suite/file/suite_file.h"
 
 namespace glibra::test {
 namespace {

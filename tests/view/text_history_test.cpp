@@ -1,4 +1,4 @@
-#include "view/text_history.h"
+#include "view/edit/text_history.h"
 
 #include <gtest/gtest.h>
 

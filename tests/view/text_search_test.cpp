@@ -1,4 +1,4 @@
-#include "view/text_search.h"
+#include "view/edit/text_search.h"
 
 #include <gtest/gtest.h>
 

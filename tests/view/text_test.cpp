@@ -3,9 +3,9 @@
 
 #include "glib/script.h"
 #include "scene_folder.h"
-#include "view/history.h"
-#include "view/save_values.h"
-#include "view/source_lines.h"
+#include "view/edit/save_values.h"
+#include "view/edit/source_lines.h"
+#include "view/scene/history.h"
 
 namespace glibra::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "glib/text.h"
-#include "view/file_use.h"
+#include "view/browse/file_use.h"
 
 namespace glibra::view {
 namespace {

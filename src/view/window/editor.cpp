@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/detached_process.h"
+#include "view/browse/detached_process.h"
 
 namespace glibra::view {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "view/edited_file.h"
-#include "view/folder_list.h"
-#include "view/window/example_browser.h"
-#include "view/window/noise_window.h"
+#include "view/browse/folder_list.h"
+#include "view/edit/edited_file.h"
+#include "view/window/panels/example_browser.h"
+#include "view/window/panels/noise_window.h"
 #include "view/window/settings.h"
 
 namespace glibra::view {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gpu/context.h"
-#include "view/file_watch.h"
-#include "view/session.h"
+#include "view/scene/file_watch.h"
+#include "view/scene/session.h"
 #include "view/window/ui.h"
 
 namespace glibra::view {

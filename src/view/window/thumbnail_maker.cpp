@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "gpu/context.h"
-#include "view/thumbnails.h"
+#include "view/browse/thumbnails.h"
 
 namespace glibra::view {
 namespace {

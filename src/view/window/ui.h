@@ -14,15 +14,15 @@
 #include <vector>
 
 #include "gpu/context.h"
-#include "view/frame_cost.h"
-#include "view/hardcopy_job.h"
-#include "view/history.h"
-#include "view/session.h"
-#include "view/texel_view.h"
+#include "view/export/hardcopy_job.h"
+#include "view/lens/texel_view.h"
+#include "view/scene/frame_cost.h"
+#include "view/scene/history.h"
+#include "view/scene/session.h"
 #include "view/window/display.h"
+#include "view/window/panels/source_panel.h"
 #include "view/window/settings.h"
 #include "view/window/shared.h"
-#include "view/window/source_panel.h"
 
 namespace glibra::view {
 

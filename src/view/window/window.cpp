@@ -14,9 +14,9 @@
 
 #include "gpu/context.h"
 #include "image/file.h"
-#include "view/file_watch.h"
-#include "view/frame_pacer.h"
-#include "view/state_json.h"
+#include "view/export/state_json.h"
+#include "view/scene/file_watch.h"
+#include "view/scene/frame_pacer.h"
 #include "view/window/display.h"
 #include "view/window/dropped.h"
 #include "view/window/gui.h"

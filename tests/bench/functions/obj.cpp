@@ -11,8 +11,8 @@
 #include <string>
 
 #include "functions/grid_model.h"
-#include "geometry/obj_mesh.h"
-#include "geometry/obj_model.h"
+#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
 
 namespace {
 

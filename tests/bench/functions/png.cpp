@@ -12,8 +12,8 @@
 
 #include "functions/libpng_writer.h"
 #include "image/image.h"
-#include "image/png_reader.h"
-#include "image/png_writer.h"
+#include "image/png/png_reader.h"
+#include "image/png/png_writer.h"
 #include "noise/noise.h"
 
 namespace {

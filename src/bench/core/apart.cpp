@@ -1,0 +1,154 @@
+#include "bench/core/apart.h"
+
+#include <link.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+namespace glibra::bench {
+namespace {
+
+/// False if the other end is closed.
+bool writeAll(int file, const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const std::byte*>(data);
+    while (size > 0) {
+        const ssize_t written = write(file, bytes, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes += written;
+        size -= static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+bool readAll(int file, void* data, std::size_t size) {
+    auto* bytes = static_cast<std::byte*>(data);
+    while (size > 0) {
+        const ssize_t got = read(file, bytes, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        bytes += got;
+        size -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+/// What goes before each text. A forked process has its functions at the same addresses.
+struct Head {
+    Apart::Work work = nullptr;  ///< of requests only; null: it is over
+    bool isAnswered = false;     ///< of answers only
+    std::size_t size = 0;
+};
+
+bool send(int file, Head head, const std::string& text) {
+    head.size = text.size();
+    return writeAll(file, &head, sizeof head) && writeAll(file, text.data(), text.size());
+}
+
+bool receive(int file, Head& head, std::string& text) {
+    if (!readAll(file, &head, sizeof head)) return false;
+    text.resize(head.size);
+    return readAll(file, text.data(), text.size());
+}
+
+/// A process of its own for one piece of work, so that the next one finds no driver loaded.
+void answerOnce(int answers, const Head& request, const std::string& text) {
+    const pid_t child = fork();
+    if (child == 0) {
+        try {
+            send(answers, {.isAnswered = true}, request.work(text));
+        } catch (const std::exception&) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    if (child > 0)
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        }
+    const bool isAnswered = child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!isAnswered) send(answers, {}, {});
+}
+
+bool isDriverLoaded() {
+    const auto isDriver = [](dl_phdr_info* library, std::size_t, void*) {
+        const std::string_view path = library->dlpi_name;
+        return path.find("libEGL") != path.npos || path.find("OSMesa") != path.npos ? 1 : 0;
+    };
+    return dl_iterate_phdr(isDriver, nullptr) != 0;
+}
+
+/// False too where threads cannot be counted.
+bool isSingleThreaded() {
+    std::error_code problem;
+    const std::filesystem::directory_iterator threads("/proc/self/task", problem);
+    return !problem && std::distance(begin(threads), end(threads)) == 1;
+}
+
+[[noreturn]] void serve(int requests, int answers) {
+    // A parent that is gone is noticed by its closed pipes.
+    (void)std::signal(SIGPIPE, SIG_IGN);
+    Head request;
+    std::string text;
+    while (receive(requests, request, text) && request.work) answerOnce(answers, request, text);
+    _exit(0);
+}
+
+}  // namespace
+
+Apart::Apart() {
+    if (!isSingleThreaded() || isDriverLoaded()) return;
+    std::array<int, 2> requests{}, answers{};
+    if (pipe(requests.data()) != 0) return;
+    if (pipe(answers.data()) != 0) {
+        close(requests[0]);
+        close(requests[1]);
+        return;
+    }
+    process_ = fork();
+    if (process_ == 0) {
+        close(requests[1]);
+        close(answers[0]);
+        serve(requests[0], answers[1]);
+    }
+    close(requests[0]);
+    close(answers[1]);
+    if (process_ < 0) {
+        close(requests[1]);
+        close(answers[0]);
+        return;
+    }
+    requests_ = requests[1];
+    answers_ = answers[0];
+}
+
+Apart::~Apart() {
+    if (process_ <= 0) return;
+    // Closing alone would not do: processes forked since then hold the pipe open too.
+    send(requests_, {}, {});
+    close(requests_);
+    close(answers_);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+std::optional<std::string> Apart::run(Work work, const std::string& request) {
+    if (process_ <= 0) return std::nullopt;
+    Head answer;
+    std::string text;
+    if (!send(requests_, {.work = work}, request) || !receive(answers_, answer, text)) return std::nullopt;
+    if (!answer.isAnswered) return std::nullopt;
+    return text;
+}
+
+}  // namespace glibra::bench

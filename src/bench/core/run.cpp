@@ -1,0 +1,97 @@
+#include "bench/core/run.h"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <utility>
+
+#include "bench/core/machine.h"
+
+namespace glibra::bench {
+namespace {
+
+using Cost = double (*)(const Point&);
+
+/// In rising cost, a point is on the front if it is more accurate than all before it; equals stand beside.
+void markFront(std::vector<Point*> points, Cost cost) {
+    std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
+    const Point* best = nullptr;
+    for (Point* each : points) {
+        const bool isEqual = best && cost(*each) == cost(*best) && each->error == best->error;
+        each->isOnFront = !best || isEqual || each->error < best->error;
+        if (each->isOnFront) best = each;
+    }
+}
+
+void nameDriver(Machine& machine, Bench& bench) {
+    const Result<gpu::Context*> context = bench.context();
+    if (!context) return;
+    const gpu::Capabilities& capabilities = (*context)->capabilities();
+    machine.driver = (*context)->howOpened();
+    machine.renderer = capabilities.renderer;
+    machine.version = capabilities.version;
+}
+
+}  // namespace
+
+bool isTimed(const Figure& figure) {
+    return std::ranges::all_of(figure.curves, [](const Curve& curve) {
+        return std::ranges::all_of(
+            curve.points, [](const Point& each) { return each.time.has_value() || std::isnan(each.error); });
+    });
+}
+
+void markFront(Figure& figure) {
+    const Cost cost = isTimed(figure) ? Cost([](const Point& each) { return each.time->median; })
+                                      : Cost([](const Point& each) { return each.setting; });
+    const bool hasFront = figure.alternatives != Alternatives::none;
+    // What the key is the same of are alternatives.
+    std::map<double, std::vector<Point*>> groups;
+    for (std::size_t i = 0; i < figure.curves.size(); ++i)
+        for (Point& point : figure.curves[i].points) {
+            point.isOnFront = false;
+            if (std::isnan(point.error) || figure.curves[i].theoryOf || !hasFront) continue;
+            const double key = figure.alternatives == Alternatives::curve     ? static_cast<double>(i)
+                               : figure.alternatives == Alternatives::setting ? point.setting
+                                                                              : 0;
+            groups[key].push_back(&point);
+        }
+    for (auto& [key, points] : groups) markFront(std::move(points), cost);
+}
+
+Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress) {
+    using Clock = std::chrono::steady_clock;
+    Report report;
+    report.quick = options.quick;
+    report.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    report.machine = describeMachine();
+    Bench bench(options);
+    nameDriver(report.machine, bench);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const Subject& subject = *chosen[i];
+        progress(subject, i, chosen.size());
+        const Clock::time_point start = Clock::now();
+        Result<std::vector<Figure>> measured = subject.measure(bench);
+        SubjectRun& done = report.subjects.emplace_back();
+        done.name = subject.name;
+        done.title = subject.title;
+        done.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (measured) done.figures = std::move(*measured);
+        done.diagnostics = std::move(measured.diagnostics);
+        for (Figure& figure : done.figures) markFront(figure);
+    }
+    return report;
+}
+
+bool lacksDriver(const Report& report) {
+    return std::ranges::any_of(report.subjects, [](const SubjectRun& subject) {
+        return std::ranges::any_of(subject.diagnostics,
+                                   [](const Diagnostic& each) { return each.id == "gpu-E01"; });
+    });
+}
+
+}  // namespace glibra::bench

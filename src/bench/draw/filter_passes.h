@@ -1,0 +1,58 @@
+#pragma once
+// Filters as chains of full-screen passes on the device, each into a texture of a chosen format.
+
+#include <glibra/result.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/reference/filter_reference.h"
+#include "gpu/capabilities.h"
+#include "gpu/program.h"
+#include "gpu/target.h"
+#include "gpu/texture.h"
+
+namespace glibra::bench {
+
+/// Fragment shaders of a pass: they read uPicture and write fColor.
+std::string directBlur(const std::vector<double>& weights);
+/// One direction of the separable blur, `isVertical` or horizontal.
+std::string blurAlong(const std::vector<double>& weights, bool isVertical);
+/// The same with half as many reads: the linear filter weighs two neighbours by the place between them.
+std::string pairedBlurAlong(const std::vector<double>& weights, bool isVertical);
+std::string directSobel();
+/// First pass: red the column smoothed by 1 2 1, green its difference, times `scale` plus `bias`.
+std::string sobelColumns(double scale, double bias);
+/// Second pass: the gradient's length from what the first one left.
+std::string sobelRows(double scale, double bias);
+
+/// Passes that follow one another: the first reads the picture, the last writes floats, the others a texture
+/// of `between` each.
+class FilterChain {
+  public:
+    /// `fragments`: one text a pass, at least one. The picture is uploaded as bytes.
+    static Result<FilterChain> create(const gpu::Capabilities& capabilities, const Plane& picture,
+                                      const std::vector<std::string>& fragments, gpu::TexelFormat between);
+    /// Runs all passes; does not wait.
+    void draw() const;
+    /// Red of the last pass.
+    [[nodiscard]] Result<Plane> result(const gpu::Capabilities& capabilities) const;
+    /// Bytes of the textures between the passes.
+    [[nodiscard]] double bytesBetween() const;
+
+  private:
+    struct Pass {
+        gpu::Program program;
+        gpu::Target target;
+    };
+    explicit FilterChain(gpu::Texture picture) : picture_(std::move(picture)) {}
+    // Textures lie on the heap because targets know them by address.
+    gpu::Texture picture_;
+    std::vector<std::unique_ptr<const gpu::Texture>> between_;
+    std::vector<Pass> passes_;
+    gpu::Sampler linear_{gpu::Wrap::clampToEdge};
+};
+
+}  // namespace glibra::bench

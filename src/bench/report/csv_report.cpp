@@ -1,0 +1,44 @@
+#include "bench/report/csv_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace glibra::bench {
+namespace {
+
+std::string quoted(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string cell = "\"";
+    for (const char each : text) cell.append(each == '"' ? 2 : 1, each);
+    return cell + '"';
+}
+
+std::string number(double value) {
+    return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+std::string timing(const std::optional<Timing>& time) {
+    return time ? fmt::format("{},{},{},{}", time->median, time->low, time->high, time->repeats) : ",,,";
+}
+
+}  // namespace
+
+std::string csvReport(const Report& report) {
+    std::string csv =
+        "subject,figure,curve,setting,label,error,error_unit,time_median_s,time_low_s,time_high_s,repeats,"
+        "memory_bytes,front\n";
+    for (const SubjectRun& subject : report.subjects)
+        for (const Figure& figure : subject.figures)
+            for (const Curve& curve : figure.curves)
+                for (const Point& point : curve.points)
+                    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", quoted(subject.name),
+                                       quoted(figure.name), quoted(curve.name), number(point.setting),
+                                       quoted(point.label), number(point.error), quoted(figure.errorUnit),
+                                       timing(point.time), point.memory ? number(*point.memory) : "",
+                                       point.isOnFront ? 1 : 0);
+    return csv;
+}
+
+}  // namespace glibra::bench

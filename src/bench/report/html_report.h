@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "bench/report/comparison.h"
+#include "bench/report/report.h"
+
+namespace glibra::bench {
+
+/// One page that needs nothing else, no network either: each figure as two diagrams (error against setting
+/// and against time), its findings, and a table of all its points. With a comparison, what changed comes
+/// first.
+std::string htmlReport(const Report& report, const Comparison* comparison = nullptr);
+
+}  // namespace glibra::bench

@@ -1,0 +1,237 @@
+#include "bench/report/json_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace glibra::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "glibra-bench-1";
+
+Json written(double value) {
+    if (std::isfinite(value)) return value;
+    return std::isnan(value) ? Json(nullptr) : Json("inf");
+}
+
+const char* word(Alternatives alternatives) {
+    switch (alternatives) {
+        case Alternatives::curve:
+            return "curve";
+        case Alternatives::setting:
+            return "setting";
+        case Alternatives::none:
+            return "none";
+        case Alternatives::figure:
+            break;
+    }
+    return "figure";
+}
+
+Json written(const Curve& curve);
+Json written(const Figure& figure);
+Json written(const Diagnostic& each);
+Json written(const SubjectRun& subject);
+
+Json written(const Point& point) {
+    Json json = {
+        {"setting", written(point.setting)}, {"label", point.label}, {"error", written(point.error)}};
+    if (point.time)
+        json["time"] = {{"median", point.time->median},
+                        {"low", point.time->low},
+                        {"high", point.time->high},
+                        {"repeats", point.time->repeats}};
+    if (point.memory) json["memory"] = *point.memory;
+    json["front"] = point.isOnFront;
+    return json;
+}
+
+template <class List>
+Json writtenList(const List& list) {
+    Json array = Json::array();
+    for (const auto& each : list) array.push_back(written(each));
+    return array;
+}
+
+Json written(const Curve& curve) {
+    Json json = {{"name", curve.name}, {"points", writtenList(curve.points)}};
+    if (curve.theoryOf) json["theoryOf"] = *curve.theoryOf;
+    return json;
+}
+
+Json written(const Figure& figure) {
+    return {{"name", figure.name},
+            {"title", figure.title},
+            {"settingName", figure.settingName},
+            {"errorName", figure.errorName},
+            {"errorUnit", figure.errorUnit},
+            {"reference", figure.reference},
+            {"findings", figure.findings},
+            {"alternatives", word(figure.alternatives)},
+            {"curves", writtenList(figure.curves)}};
+}
+
+Json written(const Diagnostic& each) {
+    return {{"severity", name(each.severity)}, {"id", each.id}, {"text", each.text}};
+}
+
+Json written(const SubjectRun& subject) {
+    return {{"name", subject.name},
+            {"title", subject.title},
+            {"seconds", subject.seconds},
+            {"diagnostics", writtenList(subject.diagnostics)},
+            {"figures", writtenList(subject.figures)}};
+}
+
+Json written(const Machine& machine) {
+    return {{"processor", machine.processor}, {"cores", machine.cores},       {"memory", machine.memory},
+            {"system", machine.system},       {"compiler", machine.compiler}, {"driver", machine.driver},
+            {"renderer", machine.renderer},   {"version", machine.version}};
+}
+
+// Reading. Wrong types are told by nlohmann's exceptions, which name the member.
+
+double numberOf(const Json& json) {
+    if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+    if (json == "inf") return std::numeric_limits<double>::infinity();
+    return json.get<double>();
+}
+
+template <class Value>
+void read(const Json& json, const char* key, Value& to) {
+    if (const auto member = json.find(key); member != json.end()) member->get_to(to);
+}
+
+Point pointOf(const Json& json) {
+    Point point;
+    point.setting = numberOf(json.at("setting"));
+    json.at("label").get_to(point.label);
+    point.error = numberOf(json.at("error"));
+    if (const auto time = json.find("time"); time != json.end()) {
+        point.time.emplace();
+        time->at("median").get_to(point.time->median);
+        time->at("low").get_to(point.time->low);
+        time->at("high").get_to(point.time->high);
+        read(*time, "repeats", point.time->repeats);
+    }
+    if (const auto memory = json.find("memory"); memory != json.end()) point.memory = memory->get<double>();
+    read(json, "front", point.isOnFront);
+    return point;
+}
+
+Curve curveOf(const Json& json) {
+    Curve curve;
+    json.at("name").get_to(curve.name);
+    for (const Json& each : json.at("points")) curve.points.push_back(pointOf(each));
+    if (const auto of = json.find("theoryOf"); of != json.end()) curve.theoryOf = of->get<std::size_t>();
+    return curve;
+}
+
+Figure figureOf(const Json& json) {
+    Figure figure;
+    json.at("name").get_to(figure.name);
+    read(json, "title", figure.title);
+    read(json, "settingName", figure.settingName);
+    read(json, "errorName", figure.errorName);
+    read(json, "errorUnit", figure.errorUnit);
+    read(json, "reference", figure.reference);
+    read(json, "findings", figure.findings);
+    if (const auto kind = json.find("alternatives"); kind != json.end())
+        figure.alternatives = *kind == "curve"     ? Alternatives::curve
+                              : *kind == "setting" ? Alternatives::setting
+                              : *kind == "none"    ? Alternatives::none
+                                                   : Alternatives::figure;
+    for (const Json& each : json.at("curves")) figure.curves.push_back(curveOf(each));
+    return figure;
+}
+
+Diagnostic diagnosticOf(const Json& json) {
+    const auto severity = json.at("severity").get<std::string>();
+    return {severity == "error"     ? Severity::error
+            : severity == "warning" ? Severity::warning
+                                    : Severity::note,
+            json.at("id").get<std::string>(),
+            json.at("text").get<std::string>(),
+            {}};
+}
+
+SubjectRun subjectOf(const Json& json) {
+    SubjectRun subject;
+    json.at("name").get_to(subject.name);
+    read(json, "title", subject.title);
+    read(json, "seconds", subject.seconds);
+    for (const Json& each : json.at("figures")) subject.figures.push_back(figureOf(each));
+    if (const auto told = json.find("diagnostics"); told != json.end())
+        for (const Json& each : *told) subject.diagnostics.push_back(diagnosticOf(each));
+    return subject;
+}
+
+Machine machineOf(const Json& json) {
+    Machine machine;
+    read(json, "processor", machine.processor);
+    read(json, "cores", machine.cores);
+    read(json, "memory", machine.memory);
+    read(json, "system", machine.system);
+    read(json, "compiler", machine.compiler);
+    read(json, "driver", machine.driver);
+    read(json, "renderer", machine.renderer);
+    read(json, "version", machine.version);
+    return machine;
+}
+
+Report reportOf(const Json& json) {
+    Report report;
+    read(json, "glibra", report.glibra);
+    read(json, "date", report.date);
+    read(json, "quick", report.quick);
+    report.machine = machineOf(json.at("machine"));
+    for (const Json& each : json.at("subjects")) report.subjects.push_back(subjectOf(each));
+    return report;
+}
+
+Place placeOfByte(std::string_view text, std::size_t byte, const std::string& file) {
+    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+    const auto line = std::ranges::count(before, '\n');
+    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
+    return {file, static_cast<int>(line) + 1, static_cast<int>(before.size() - lineStart) + 1};
+}
+
+/// nlohmann's text without its "[json.exception.NAME.NUMBER] ".
+std::string plainText(const Json::exception& problem) {
+    const std::string text = problem.what();
+    const std::size_t end = text.find("] ");
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+}  // namespace
+
+std::string jsonReport(const Report& report) {
+    const Json json = {{"format", kFormat},
+                       {"glibra", report.glibra},
+                       {"date", report.date},
+                       {"quick", report.quick},
+                       {"machine", written(report.machine)},
+                       {"subjects", writtenList(report.subjects)}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Report> readJsonReport(std::string_view text, const std::string& file) {
+    try {
+        const Json json = Json::parse(text);
+        if (!json.is_object() || json.value("format", "") != kFormat)
+            return error("bench-E02", "this is no run of glibra bench; --against takes its bench.json",
+                         {file, 1, 1});
+        return reportOf(json);
+    } catch (const Json::parse_error& problem) {
+        return error("bench-E02", "no JSON: " + plainText(problem), placeOfByte(text, problem.byte, file));
+    } catch (const Json::exception& problem) {
+        return error("bench-E02", "this is no run of glibra bench: " + plainText(problem), {file, 1, 1});
+    }
+}
+
+}  // namespace glibra::bench

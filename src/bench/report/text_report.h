@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "bench/report/report.h"
+
+namespace glibra::bench {
+
+/// A subject for a terminal: its figures, a line a curve with the ends of its sweep, and the findings. Ends
+/// with a line feed.
+std::string textReport(const SubjectRun& subject);
+
+/// "processor, N cores, system; driver" in one line without line feed.
+std::string machineLine(const Machine& machine);
+
+}  // namespace glibra::bench

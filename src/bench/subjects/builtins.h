@@ -1,0 +1,13 @@
+#pragma once
+// Subject 14: the functions of GLSL on this driver against long double.
+
+#include <vector>
+
+#include "bench/core/bench.h"
+#include "bench/core/measurement.h"
+
+namespace glibra::bench {
+
+Result<std::vector<Figure>> measureBuiltins(Bench& bench);
+
+}  // namespace glibra::bench

@@ -1,0 +1,13 @@
+#pragma once
+// Subject 13: image filters, direct and separable, through bytes and floats.
+
+#include <vector>
+
+#include "bench/core/bench.h"
+#include "bench/core/measurement.h"
+
+namespace glibra::bench {
+
+Result<std::vector<Figure>> measureFilters(Bench& bench);
+
+}  // namespace glibra::bench

@@ -1,0 +1,13 @@
+#pragma once
+// Subject 8: lighting by vertex and by fragment against the analytic surface.
+
+#include <vector>
+
+#include "bench/core/bench.h"
+#include "bench/core/measurement.h"
+
+namespace glibra::bench {
+
+Result<std::vector<Figure>> measureLighting(Bench& bench);
+
+}  // namespace glibra::bench

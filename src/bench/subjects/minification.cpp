@@ -1,0 +1,366 @@
+#include "bench/subjects/minification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "bench/core/fit.h"
+#include "bench/draw/byte_filter.h"
+#include "bench/draw/offscreen.h"
+#include "bench/draw/pixel_filter.h"
+#include "bench/reference/test_card.h"
+
+namespace glibra::bench {
+namespace {
+
+constexpr int kReferenceFactor = 16;
+constexpr double kByte = 255;
+constexpr const char* kReference =
+    "16 x 16 bilinear samples a pixel of the texture itself, in double on the CPU";
+
+/// Where a picture's pixels lie on the texture: a plane in perspective, or one seen from the front.
+struct View {
+    bool isPlane = true;
+    double texels = 1;  ///< plane: texels a unit of its width and depth; front: texels across the picture
+    glm::dvec2 start{.3, .7};  ///< texels
+};
+
+/// Texels at a place of the picture, 0..1, from the lower left. The shader below says the same in float.
+glm::dvec2 texelsAt(const View& view, const glm::dvec2& place) {
+    if (!view.isPlane) return view.start + view.texels * place;
+    const double depth = 1 / (1.1 - place.y);
+    return view.start + view.texels * glm::dvec2((place.x - .5) * depth, depth);
+}
+
+constexpr std::string_view kFragment =
+    "in vec2 vPlace;\n"
+    "uniform sampler2D uCard;\n"
+    "uniform vec4 uView;\n"  // start, texels, is a plane
+    "out vec4 fColor;\n"
+    "void main() {\n"
+    "    float depth = 1. / (1.1 - vPlace.y);\n"
+    "    vec2 place = uView.w > 0. ? vec2((vPlace.x - .5) * depth, depth) : vPlace;\n"
+    "    fColor = texture(uCard, (uView.xy + uView.z * place) / 512.);\n"
+    "}\n";
+
+/// A way of reading a texture, and how many texels a pixel of it reads at most.
+struct Filter {
+    std::string_view curve;
+    std::string label;
+    GLenum minify = GL_LINEAR, magnify = GL_LINEAR;
+    float anisotropy = 1;
+    int factor = 1;  ///< supersampling: factor x factor samples a pixel
+    double reads = 4;
+};
+
+std::vector<Filter> filters(const gpu::Capabilities& capabilities) {
+    std::vector<Filter> all{
+        {"nearest", "nearest", GL_NEAREST, GL_NEAREST, 1, 1, 1},
+        {"linear", "linear", GL_LINEAR, GL_LINEAR, 1, 1, 4},
+        {"mipmaps, nearest", "nearest", GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, 1, 1, 1},
+        {"mipmaps, bilinear", "bilinear", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1, 1, 4},
+        {"mipmaps, trilinear", "trilinear", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 1, 1, 8},
+    };
+    for (int most = 2; most <= capabilities.maxAnisotropy; most *= 2)
+        all.push_back({"anisotropic", fmt::format("at most {}:1", most), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR,
+                       static_cast<float>(most), 1, 8. * most});
+    for (const int factor : {2, 4, 8}) {
+        all.push_back({"supersampling, linear", fmt::format("{0} x {0}", factor), GL_LINEAR, GL_LINEAR, 1,
+                       factor, 4. * factor * factor});
+        all.push_back({"supersampling, trilinear", fmt::format("{0} x {0}", factor), GL_LINEAR_MIPMAP_LINEAR,
+                       GL_LINEAR, 1, factor, 8. * factor * factor});
+    }
+    return all;
+}
+
+/// Draws views of the card.
+class CardPicture {
+  public:
+    static Result<CardPicture> create(const gpu::Capabilities& capabilities, int side) {
+        Result<gpu::Program> built = program(capabilities, kWholeTarget, kFragment);
+        if (!built) return std::move(built.diagnostics);
+        Result<CardTexture> texture = CardTexture::create();
+        if (!texture) return std::move(texture.diagnostics);
+        return CardPicture(capabilities, std::move(*built), std::move(*texture), side);
+    }
+
+    [[nodiscard]] int side() const { return side_; }
+    [[nodiscard]] const CardTexture& texture() const { return texture_; }
+
+    /// A target for that many samples a pixel.
+    Result<gpu::Target> target(int factor) const {
+        return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, gpu::TexelFormat::r32f);
+    }
+    /// One grey value a pixel, 0..1, rows from the top.
+    Result<std::vector<double>> draw(const gpu::Target& target, const View& view,
+                                     const Filter& filter) const {
+        const gpu::Sampler sampler(gpu::Sampling{
+            .minify = filter.minify, .magnify = filter.magnify, .anisotropy = filter.anisotropy});
+        texture_.bind(0);
+        sampler.bind(0);
+        setInt(program_, "uCard", 0);
+        setFloats(program_, "uView",
+                  {static_cast<float>(view.start.x), static_cast<float>(view.start.y),
+                   static_cast<float>(view.texels), view.isPlane ? 1.F : 0.F});
+        target.bind();
+        drawWhole(program_);
+        Result<std::vector<float>> samples = readFloats(*capabilities_, target, 1);
+        glBindSampler(0, 0);
+        if (!samples) return std::move(samples.diagnostics);
+        return reduce(*samples, side_, side_, filter.factor, PixelFilter::box);
+    }
+
+  private:
+    CardPicture(const gpu::Capabilities& capabilities, gpu::Program program, CardTexture texture, int side)
+        : capabilities_(&capabilities),
+          program_(std::move(program)),
+          texture_(std::move(texture)),
+          side_(side) {}
+
+    const gpu::Capabilities* capabilities_;
+    gpu::Program program_;
+    CardTexture texture_;
+    int side_;
+};
+
+/// What a view should look like: means of factor x factor samples a pixel.
+std::vector<double> reference(const View& view, int side, int factor) {
+    const std::vector<std::uint8_t> card = testCard();
+    std::vector<double> pixels;
+    for (int row = side - 1; row >= 0; --row)
+        for (int column = 0; column < side; ++column) {
+            double sum = 0;
+            for (int y = 0; y < factor; ++y)
+                for (int x = 0; x < factor; ++x) {
+                    const glm::dvec2 sample((x + .5) / factor, (y + .5) / factor);
+                    const glm::dvec2 place = (glm::dvec2(column, row) + sample) / static_cast<double>(side);
+                    sum += bilinear(card, kCardSide, texelsAt(view, place));
+                }
+            pixels.push_back(sum / (factor * factor));
+        }
+    return pixels;
+}
+
+double rootMeanSquare(const std::vector<double>& picture, const std::vector<double>& wanted) {
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.size(); ++i) sum += std::pow(picture[i] - wanted[i], 2);
+    return kByte * std::sqrt(sum / static_cast<double>(picture.size()));
+}
+
+/// Of the texels that the filter may read, smaller levels among them, and of the pixels.
+double bytesOf(const Filter& filter, const gpu::Target& target) {
+    const bool hasLevels = filter.minify != GL_NEAREST && filter.minify != GL_LINEAR;
+    const double texels = 4. * kCardSide * kCardSide * (hasLevels ? 4. / 3 : 1);
+    return texels + static_cast<double>(target.width()) * target.height() * sizeof(float);
+}
+
+Result<Point> measure(const Bench& bench, const CardPicture& picture, const View& view, const Filter& filter,
+                      const std::vector<double>& wanted) {
+    Result<gpu::Target> target = picture.target(filter.factor);
+    if (!target) return std::move(target.diagnostics);
+    Result<std::vector<double>> drawn;
+    const Timing timing = bench.time([&] { drawn = picture.draw(*target, view, filter); });
+    if (!drawn) return std::move(drawn.diagnostics);
+    Point point{.setting = filter.reads, .label = filter.label, .error = rootMeanSquare(*drawn, wanted)};
+    point.time = timing;
+    point.memory = bytesOf(filter, *target);
+    return point;
+}
+
+void addTo(Figure& figure, std::string_view curve, Point point) {
+    for (Curve& each : figure.curves)
+        if (each.name == curve) return each.points.push_back(std::move(point));
+    figure.curves.push_back({.name = std::string(curve), .points = {std::move(point)}});
+}
+
+const Point& lastOf(const Figure& figure, std::string_view curve) {
+    const auto found = std::ranges::find(figure.curves, curve, &Curve::name);
+    return found->points.back();
+}
+
+int sideOf(const Bench& bench) {
+    return bench.isQuick() ? 64 : 128;
+}
+
+/// One from .26 texels a pixel at the bottom to 32 at the top.
+View planeView(int side) {
+    return {.texels = .32 * side};
+}
+
+/// Linear and trilinear on the plane.
+Result<std::vector<Point>> planeInBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
+    Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
+    if (!picture) return std::move(picture.diagnostics);
+    const View view = planeView(picture->side());
+    const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+    std::vector<Point> points;
+    for (const Filter& filter : filters(capabilities)) {
+        if (filter.curve != "linear" && filter.curve != "mipmaps, trilinear") continue;
+        Result<Point> point = measure(bench, *picture, view, filter, wanted);
+        if (!point) return std::move(point.diagnostics);
+        points.push_back(std::move(*point));
+    }
+    return points;
+}
+
+Result<Figure> plane(Bench& bench, const gpu::Context& context) {
+    const gpu::Capabilities& capabilities = context.capabilities();
+    Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
+    if (!picture) return std::move(picture.diagnostics);
+    Figure figure{.name = "plane",
+                  .title = fmt::format("A plane in perspective, .3 to 32 texels a pixel, {0} x {0} pixels",
+                                       picture->side()),
+                  .settingName = "texels read a pixel, at most",
+                  .errorName = "root mean square error",
+                  .errorUnit = "1/255",
+                  .reference = kReference};
+    const View view = planeView(picture->side());
+    const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+    for (const Filter& filter : filters(capabilities)) {
+        Result<Point> point = measure(bench, *picture, view, filter, wanted);
+        if (!point) return std::move(point.diagnostics);
+        addTo(figure, filter.curve, std::move(*point));
+    }
+    if (std::optional<std::vector<Point>> bytes = withByteFilter<planeInBytes>(bench, context))
+        figure.curves.push_back({.name = "filtered in bytes", .points = std::move(*bytes)});
+
+    const Point& nearest = lastOf(figure, "nearest");
+    for (const char* name : {"linear", "mipmaps, bilinear", "mipmaps, trilinear", "anisotropic"}) {
+        if (std::ranges::find(figure.curves, name, &Curve::name) == figure.curves.end()) continue;
+        const Point& point = lastOf(figure, name);
+        figure.findings.push_back(fmt::format(
+            "{}: {:.0f} % of the error of nearest, {:.2f} times its time",
+            name == std::string_view("anisotropic") ? fmt::format("{} ({})", name, point.label) : name,
+            100 * point.error / nearest.error, point.time->median / nearest.time->median));
+    }
+    if (capabilities.maxAnisotropy < 2) {
+        figure.findings.emplace_back("this driver has no anisotropic filter");
+    } else {
+        const Curve& limits = *std::ranges::find(figure.curves, "anisotropic", &Curve::name);
+        figure.findings.push_back(
+            fmt::format("anisotropy of {}: {}/255, {}: {}/255", limits.points.front().label,
+                        numberText(limits.points.front().error), limits.points.back().label,
+                        numberText(limits.points.back().error)));
+    }
+    figure.findings.push_back(
+        fmt::format("16 x 16 and 24 x 24 samples of the reference differ by {}/255",
+                    numberText(rootMeanSquare(reference(view, picture->side(), 24), wanted))));
+    figure.findings.push_back(
+        fmt::format("glGenerateMipmap's texels are within {}/255 of the means of four that are used here",
+                    numberText(picture->texture().differenceOfDriversLevels())));
+    return figure;
+}
+
+Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) {
+    Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
+    if (!picture) return std::move(picture.diagnostics);
+    Figure figure{.name = "front",
+                  .title = "A surface seen from the front, by its distance",
+                  .settingName = "texels a pixel",
+                  .errorName = "root mean square error",
+                  .errorUnit = "1/255",
+                  .reference = kReference,
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
+    const std::vector<double> ratios =
+        bench.isQuick() ? std::vector{1., 2., 4., 11.3}
+                        : std::vector{1., 1.19, 1.41, 1.68, 2., 2.38, 2.83, 4., 5.66, 8., 11.3, 16., 22.6};
+    for (const double ratio : ratios) {
+        const View view{.isPlane = false, .texels = ratio * picture->side()};
+        const std::vector<double> wanted = reference(view, picture->side(), kReferenceFactor);
+        for (const Filter& filter : filters(capabilities)) {
+            if (filter.factor > 1 || (filter.anisotropy > 1 && filter.anisotropy < 16)) continue;
+            Result<Point> point = measure(bench, *picture, view, filter, wanted);
+            if (!point) return std::move(point.diagnostics);
+            point->setting = ratio;
+            point->label = fmt::format("{:g} texels a pixel", ratio);
+            addTo(figure, filter.curve, std::move(*point));
+        }
+    }
+    for (const Curve& curve : figure.curves) {
+        const auto worst = std::ranges::max_element(curve.points, {}, &Point::error);
+        figure.findings.push_back(
+            fmt::format("{}: at worst {}/255, at {}", curve.name, numberText(worst->error), worst->label));
+    }
+    return figure;
+}
+
+/// Magnified texels by the driver's linear filter: the largest error a magnification.
+Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities& capabilities) {
+    constexpr int kSide = 256;
+    Result<CardPicture> picture = CardPicture::create(capabilities, kSide);
+    if (!picture) return std::move(picture.diagnostics);
+    Result<gpu::Target> target = picture->target(1);
+    if (!target) return std::move(target.diagnostics);
+    const Filter linear{.curve = "linear", .label = "linear"};
+    std::vector<Point> points;
+    for (int pixels = 1; pixels <= kSide; pixels *= bench.isQuick() ? 8 : 2) {
+        const View view{.isPlane = false, .texels = static_cast<double>(kSide) / pixels, .start = {5.3, 9.7}};
+        Result<std::vector<double>> drawn;
+        const Timing timing = bench.time([&] { drawn = picture->draw(*target, view, linear); });
+        if (!drawn) return std::move(drawn.diagnostics);
+        const std::vector<double> wanted = reference(view, kSide, 1);
+        double largest = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            largest = std::max(largest, std::abs((*drawn)[i] - wanted[i]));
+        Point point{.setting = static_cast<double>(pixels),
+                    .label = fmt::format("{} pixels a texel", pixels),
+                    .error = kByte * largest};
+        point.time = timing;
+        point.memory = bytesOf(linear, *target);
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
+    Figure figure{.name = "arithmetic",
+                  .title = "The driver's linear filter, magnifying bytes, 256 x 256 pixels",
+                  .settingName = "pixels a texel",
+                  .errorName = "largest error",
+                  .errorUnit = "1/255",
+                  .reference = "bilinear interpolation of the same texels at the same places, in double",
+                  .curves = {},
+                  .findings = {},
+                  .alternatives = Alternatives::setting};
+    Result<std::vector<Point>> floats = magnified(bench, context.capabilities());
+    if (!floats) return std::move(floats.diagnostics);
+    figure.curves.push_back({.name = "the driver as glibra sets it up", .points = std::move(*floats)});
+    if (std::optional<std::vector<Point>> bytes = withByteFilter<magnified>(bench, context))
+        figure.curves.push_back({.name = "filtered in bytes", .points = std::move(*bytes)});
+    for (const Curve& curve : figure.curves)
+        figure.findings.push_back(
+            fmt::format("{}: at most {}/255 wrong", curve.name,
+                        numberText(std::ranges::max_element(curve.points, {}, &Point::error)->error)));
+    if (figure.curves.size() > 1)
+        figure.findings.push_back(fmt::format(
+            "filtering in bytes takes {:.2f} times as long at {}",
+            figure.curves[1].points.back().time->median / figure.curves[0].points.back().time->median,
+            figure.curves[0].points.back().label));
+    else
+        figure.findings.emplace_back("no second way of filtering bytes was measured");
+    return figure;
+}
+
+}  // namespace
+
+Result<std::vector<Figure>> measureMinification(Bench& bench) {
+    Result<gpu::Context*> context = bench.context();
+    if (!context) return std::move(context.diagnostics);
+    std::vector<Figure> figures;
+    const auto add = [&](Result<Figure> figure) {
+        if (figure) figures.push_back(std::move(*figure));
+        return std::move(figure.diagnostics);
+    };
+    Diagnostics problems = add(plane(bench, **context));
+    append(problems, add(front(bench, (*context)->capabilities())));
+    append(problems, add(arithmetic(bench, **context)));
+    if (hasError(problems)) return problems;
+    return figures;
+}
+
+}  // namespace glibra::bench

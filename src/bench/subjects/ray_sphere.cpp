@@ -1,0 +1,282 @@
+#include "bench/subjects/ray_sphere.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "bench/core/exact.h"
+#include "bench/core/fit.h"
+#include "bench/draw/shader_values.h"
+
+namespace glibra::bench {
+namespace {
+
+constexpr int kRays = 2048;
+constexpr double kMissed = std::numeric_limits<double>::quiet_NaN();
+
+/// Origin and direction (of unit length but for rounding, which no formula here relies on), toward a sphere
+/// of radius 1 about the origin.
+struct Ray {
+    glm::vec3 origin{0}, direction{0};
+};
+
+/// The exact distance along the ray to the nearer intersection, absent for a miss.
+struct Truth {
+    bool hits = false;
+    Exact distance = 0;
+};
+
+/// Rays from `distance` away, all around, toward points of a disc of radius `largest` > 0 that lies across
+/// them in the sphere's centre: evenly spread from `smallest` on.
+std::vector<Ray> raysFrom(double distance, double smallest, double largest) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < kRays; ++i) {
+        const double place = (i + .5) / kRays, turn = 2 * std::numbers::pi * std::numbers::phi * i;
+        const double z = 1 - 2 * place, around = std::sqrt(1 - z * z);
+        const glm::dvec3 out(around * std::cos(turn), around * std::sin(turn), z);
+        const glm::dvec3 right = glm::normalize(glm::cross(out, glm::dvec3(.31, .52, -.8)));
+        const glm::dvec3 up = glm::cross(out, right);
+        const double mixed = std::fmod(i * .7548776662 + .5, 1.),
+                     angle = 2 * std::numbers::pi * .5698402910 * i;
+        const double radius = std::sqrt(std::lerp(smallest * smallest, largest * largest, mixed));
+        const glm::dvec3 target = radius * (std::cos(angle) * right + std::sin(angle) * up);
+        Ray ray;
+        ray.origin = glm::vec3(distance * out);
+        ray.direction = glm::vec3(glm::normalize(target - glm::dvec3(ray.origin)));
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+Truth truthOf(const Ray& ray) {
+    const ExactVector o = exact(glm::dvec3(ray.origin)), d = exact(glm::dvec3(ray.direction));
+    const Exact a = dot(d, d), b = dot(o, d), c = dot(o, o) - 1, discriminant = b * b - a * c;
+    if (discriminant < 0) return {};
+    return {true, (-b - sqrt(discriminant)) / a};
+}
+
+/// a t^2 + b t + c = 0 solved as it stands in textbooks.
+template <class Number>
+double textbook(const Ray& ray) {
+    const glm::vec<3, Number> o(ray.origin), d(ray.direction);
+    const Number a = glm::dot(d, d), b = 2 * glm::dot(o, d), c = glm::dot(o, o) - 1;
+    const Number discriminant = b * b - 4 * a * c;
+    if (discriminant < 0) return kMissed;
+    return static_cast<double>((-b - std::sqrt(discriminant)) / (2 * a));
+}
+
+/// The discriminant from the distance of the centre from the ray (Hearn and Baker, Computer Graphics with
+/// OpenGL), and the root without cancellation (Haines, Günther, Akenine-Möller, Precision Improvements for
+/// Ray/Sphere Intersection, Ray Tracing Gems, chapter 7, 2019).
+template <class Number>
+double stable(const Ray& ray) {
+    const glm::vec<3, Number> o(ray.origin), d(ray.direction);
+    const Number a = glm::dot(d, d), b = -glm::dot(o, d);
+    const glm::vec<3, Number> across = o + (b / a) * d;
+    const Number discriminant = 1 - glm::dot(across, across);
+    if (discriminant < 0) return kMissed;
+    const Number c = glm::dot(o, o) - 1, q = b + std::copysign(std::sqrt(a * discriminant), b);
+    return static_cast<double>(c / q);
+}
+
+/// The same discriminant, but the root as in textbooks.
+double stableDiscriminant(const Ray& ray) {
+    const float a = glm::dot(ray.direction, ray.direction), b = -glm::dot(ray.origin, ray.direction);
+    const glm::vec3 across = ray.origin + (b / a) * ray.direction;
+    const float discriminant = 1 - glm::dot(across, across);
+    return discriminant < 0 ? kMissed : static_cast<double>((b - std::sqrt(a * discriminant)) / a);
+}
+
+struct Method {
+    const char* name;
+    double (*hit)(const Ray&);
+};
+
+constexpr Method kMethods[] = {
+    {"CPU, float, textbook", textbook<float>}, {"CPU, float, discriminant by distance", stableDiscriminant},
+    {"CPU, float, stable", stable<float>},     {"CPU, double, textbook", textbook<double>},
+    {"CPU, double, stable", stable<double>},
+};
+
+struct ShaderMethod {
+    const char* name;
+    const char* glsl;
+};
+
+constexpr ShaderMethod kShaderMethods[] = {
+    {"shader, textbook", R"(vec4 value() {
+    vec3 o = given(0).xyz, d = given(1).xyz;
+    float a = dot(d, d), b = 2. * dot(o, d), c = dot(o, o) - 1., discriminant = b * b - 4. * a * c;
+    return discriminant < 0. ? vec4(0.) : vec4((-b - sqrt(discriminant)) / (2. * a), 1., 0., 0.);
+}
+)"},
+    {"shader, stable", R"(vec4 value() {
+    vec3 o = given(0).xyz, d = given(1).xyz;
+    float a = dot(d, d), b = -dot(o, d);
+    vec3 across = o + (b / a) * d;
+    float discriminant = 1. - dot(across, across);
+    if (discriminant < 0.) return vec4(0.);
+    float root = sqrt(a * discriminant), q = b < 0. ? b - root : b + root;
+    return vec4((dot(o, o) - 1.) / q, 1., 0., 0.);
+}
+)"},
+};
+
+/// What became of the rays of one setting.
+struct Outcome {
+    double distance = 0;  ///< largest error of the hit along the ray, over rays that rightly hit
+    double wrong = 0;     ///< share of rays that hit where they should miss, or the other way
+};
+
+Outcome judge(const std::vector<Truth>& truths, std::span<const double> hits) {
+    Outcome outcome;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const bool isHit = !std::isnan(hits[i]);
+        if (isHit != truths[i].hits)
+            ++wrong;
+        else if (isHit)
+            outcome.distance = std::max(outcome.distance,
+                                        std::abs(static_cast<double>(Exact(hits[i]) - truths[i].distance)));
+    }
+    outcome.wrong = static_cast<double>(wrong) / static_cast<double>(truths.size());
+    return outcome;
+}
+
+struct Setting {
+    double value = 0;
+    std::string label{};
+    std::vector<Ray> rays{};
+    std::vector<Truth> truths{};
+};
+
+Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
+    Setting setting{value, std::move(label), std::move(rays), {}};
+    for (const Ray& each : setting.rays) setting.truths.push_back(truthOf(each));
+    return setting;
+}
+
+using Choice = double Outcome::*;
+
+Point pointOf(const Setting& setting, double error, const Timing& time, double bytes) {
+    return {.setting = setting.value, .label = setting.label, .error = error, .time = time, .memory = bytes};
+}
+
+Curve cpuCurve(const Bench& bench, const Method& method, std::span<const Setting> settings, Choice choice) {
+    Curve curve{method.name, {}};
+    std::vector<double> hits(kRays);
+    for (const Setting& setting : settings) {
+        const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
+        compute();
+        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice, bench.time(compute),
+                                       kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
+    }
+    return curve;
+}
+
+Result<Curve> shaderCurve(Bench& bench, const ShaderMethod& method, std::span<const Setting> settings,
+                          Choice choice) {
+    Curve curve{method.name, {}};
+    for (const Setting& setting : settings) {
+        std::vector<Four> inputs;
+        for (const Ray& ray : setting.rays) {
+            inputs.push_back({ray.origin.x, ray.origin.y, ray.origin.z, 0});
+            inputs.push_back({ray.direction.x, ray.direction.y, ray.direction.z, 0});
+        }
+        const Result<ShaderValues> shader = ShaderValues::create(bench, method.glsl, inputs, 2);
+        if (!shader) return shader.diagnostics;
+        shader->compute();
+        const Result<std::vector<Four>> values = shader->values();
+        if (!values) return values.diagnostics;
+        std::vector<double> hits;
+        for (const Four& each : *values)
+            hits.push_back(each[1] > .5F ? static_cast<double>(each[0]) : kMissed);
+        curve.points.push_back(pointOf(setting, judge(setting.truths, hits).*choice,
+                                       bench.time([&] { shader->compute(); }), shader->bytes()));
+    }
+    return curve;
+}
+
+void addCurves(Figure& figure, Bench& bench, std::span<const Setting> settings, Choice choice,
+               Diagnostics& problems) {
+    for (const Method& method : kMethods) figure.curves.push_back(cpuCurve(bench, method, settings, choice));
+    for (const ShaderMethod& method : kShaderMethods) {
+        Result<Curve> curve = shaderCurve(bench, method, settings, choice);
+        if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
+        if (curve) figure.curves.push_back(std::move(*curve));
+    }
+}
+
+std::vector<Setting> byDistance(const Bench& bench, double smallest, double largest) {
+    std::vector<Setting> settings;
+    for (int decade = 0; decade <= 6; decade += bench.isQuick() ? 3 : 1) {
+        const double distance = decade == 0 ? 1.5 : std::pow(10., decade);
+        settings.push_back(settingOf(distance, fmt::format("distance {:.6g}", distance),
+                                     raysFrom(distance, smallest, largest)));
+    }
+    return settings;
+}
+
+Figure hitFigure(Bench& bench, Diagnostics& problems) {
+    Figure figure;
+    figure.name = "hit";
+    figure.title = "Where the ray meets the sphere, by distance";
+    figure.settingName = "distance of the ray's origin in radii";
+    figure.errorName = "largest error along the ray";
+    figure.errorUnit = "radii";
+    figure.reference =
+        "the exact root for the very same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
+        "the inner .9 of the sphere";
+    figure.alternatives = Alternatives::setting;
+    addCurves(figure, bench, byDistance(bench, 0, .9), &Outcome::distance, problems);
+    for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "distance", 10));
+    const Point &bad = figure.curves[0].points.back(), &good = figure.curves[2].points.back();
+    figure.findings.push_back(fmt::format("at {}: textbook {} radii, stable {} radii, both in float",
+                                          bad.label, numberText(bad.error), numberText(good.error)));
+    return figure;
+}
+
+Figure decisionFigure(Bench& bench, Diagnostics& problems) {
+    Figure figure;
+    figure.name = "decision";
+    figure.title = "Rays that hit or miss wrongly, near the outline";
+    figure.settingName = "distance of the ray's origin in radii";
+    figure.errorName = "share of wrong rays";
+    figure.reference =
+        "the sign of the exact discriminant with 100 digits; 2048 rays that pass the centre at .99 to 1.01 "
+        "radii";
+    figure.alternatives = Alternatives::setting;
+    addCurves(figure, bench, byDistance(bench, .99, 1.01), &Outcome::wrong, problems);
+    const Point &bad = figure.curves[0].points.back(), &good = figure.curves[2].points.back();
+    for (const Curve& curve : {figure.curves[0], figure.curves[2]}) {
+        const auto first =
+            std::ranges::find_if(curve.points, [](const Point& each) { return each.error > 0; });
+        figure.findings.push_back(
+            first == curve.points.end()
+                ? fmt::format("{}: no ray is wrong up to {}", curve.name, curve.points.back().label)
+                : fmt::format("{}: the first wrong rays at {}", curve.name, first->label));
+    }
+    figure.findings.push_back(
+        fmt::format("at {}: {:.1f} % of the rays are wrong by the textbook, {:.1f} % by the stable form",
+                    bad.label, 100 * bad.error, 100 * good.error));
+    return figure;
+}
+
+}  // namespace
+
+Result<std::vector<Figure>> measureRaySphere(Bench& bench) {
+    Diagnostics problems;
+    std::vector<Figure> figures;
+    figures.push_back(hitFigure(bench, problems));
+    figures.push_back(decisionFigure(bench, problems));
+    return {std::move(figures), std::move(problems)};
+}
+
+}  // namespace glibra::bench

@@ -1,0 +1,229 @@
+#include "bench/subjects/scenes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "bench/core/fit.h"
+#include "bench/draw/scene_picture.h"
+#include "bench/subjects/shipped_scenes.h"
+
+namespace glibra::bench {
+namespace {
+
+/// A way to draw a scene.
+struct Way {
+    std::string_view name;
+    int samples = 1;      ///< 0: as the bound needs
+    double maxError = 0;  ///< pixels; 0: the counts of the scene and of the language
+    bool overrideCounts = false;
+};
+constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
+                                    {"2 samples", 2},
+                                    {"4 samples", 4},
+                                    {"--max-error 0.25", 0, .25},
+                                    {"--max-error 0.25 --override-counts", 0, .25, true}}};
+constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
+
+/// How good the reference is. A quick run takes every sixth scene.
+struct Thoroughness {
+    std::size_t stride = 1;
+    int samplesASide = 8;
+    double slow = .25;  ///< seconds of a picture from which 4 samples a side are enough
+    int finest = 32;    ///< meshes within 1 / finest of a pixel of their surfaces
+};
+Thoroughness thoroughness(const Bench& bench) {
+    return bench.isQuick() ? Thoroughness{.stride = 6, .samplesASide = 4, .finest = 16} : Thoroughness{};
+}
+
+/// One scene in each of the ways.
+struct Measured {
+    const ShippedScene* scene = nullptr;
+    int width = 0, height = 0;
+    std::array<PictureError, kWays.size()> errors{};
+    std::array<Timing, kWays.size()> times{};
+    std::array<double, kWays.size()> bytes{};
+    int referenceSamples = 0;
+};
+
+Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
+    RenderOptions options;
+    if (bench.isQuick()) options.width = options.height = 64;
+    Measured measured{.scene = &scene};
+    std::array<image::Image, kWays.size()> pictures;
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        RenderOptions way = options;
+        way.samples = kWays[i].samples;
+        way.maxError = kWays[i].maxError;
+        way.overrideCounts = kWays[i].overrideCounts;
+        Result<image::Image> picture = scenePicture(context, scene.path, way);
+        if (!picture) return std::move(picture.diagnostics);
+        pictures[i] = std::move(*picture);
+        measured.bytes[i] = scenePictureBytes(context, scene.path, way);
+        constexpr double kEnough = .15;  // for each of many
+        measured.times[i] = bench.time([&] { (void)scenePicture(context, scene.path, way); }, kEnough);
+    }
+    measured.width = pictures.front().width;
+    measured.height = pictures.front().height;
+
+    const Thoroughness thorough = thoroughness(bench);
+    const int side = measured.times[kPlain].median < thorough.slow ? thorough.samplesASide : 4;
+    RenderOptions best = options;
+    best.set = scene.finest;
+    best.maxError = 1. / thorough.finest;
+    best.overrideCounts = true;
+    const Result<image::Image> reference = sampledPicture(context, scene.path, best, side);
+    if (!reference) return reference.diagnostics;
+    measured.referenceSamples = side * side;
+    for (std::size_t i = 0; i < kWays.size(); ++i) measured.errors[i] = pictureError(*reference, pictures[i]);
+    return measured;
+}
+
+std::string sizeText(const Measured& each) {
+    return fmt::format("{} x {}", each.width, each.height);
+}
+
+/// Scenes by one measure of their error, largest first; a curve for each way.
+Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const PictureError&)) {
+    std::ranges::sort(all, std::ranges::greater(),
+                      [&](const Measured& each) { return errorOf(each.errors.front()); });
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        Curve curve{.name = std::string(kWays[i].name), .points = {}};
+        for (std::size_t rank = 0; rank < all.size(); ++rank)
+            curve.points.push_back({.setting = static_cast<double>(rank + 1),
+                                    .label = all[rank].scene->name,
+                                    .error = errorOf(all[rank].errors[i]),
+                                    .time = all[rank].times[i],
+                                    .memory = all[rank].bytes[i]});
+        figure.curves.push_back(std::move(curve));
+    }
+    constexpr std::size_t kTold = 10;
+    for (std::size_t rank = 0; rank < std::min(kTold, all.size()); ++rank) {
+        const Measured& each = all[rank];
+        figure.findings.push_back(fmt::format(
+            "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
+            numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
+            secondsText(each.times[kPlain].median), secondsText(each.times[kFourSamples].median)));
+    }
+    return figure;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
+}
+
+/// What a way brings and costs against one sample and the scene's own counts.
+std::string comparison(const std::vector<Measured>& all, std::size_t way) {
+    std::vector<double> better, longer;
+    std::size_t faster = 0;
+    for (const Measured& each : all) {
+        const double ratio = each.times[way].median / each.times[kPlain].median;
+        if (each.errors[kPlain].rootMeanSquare > 0)
+            better.push_back(each.errors[way].rootMeanSquare / each.errors[kPlain].rootMeanSquare);
+        longer.push_back(ratio);
+        if (ratio < 1) ++faster;
+    }
+    return fmt::format(
+        "{}: {:.2f} of the error in {:.2f} of the time of one sample (medians over the scenes); {} of {} "
+        "scenes are faster",
+        kWays[way].name, median(better), median(longer), faster, all.size());
+}
+
+/// How long scenes take, and what the ways bring.
+std::vector<std::string> overall(const std::vector<Measured>& all) {
+    std::vector<double> times;
+    times.reserve(all.size());
+    for (const Measured& each : all) times.push_back(each.times[kPlain].median);
+    const auto slowest =
+        std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
+    return {
+        fmt::format(
+            "{} scenes; of half of them the picture takes less than {} (parse, plan, upload, draw, read), "
+            "the longest takes {}: {}",
+            all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
+            slowest->scene->name),
+        comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
+}
+
+/// Those whose reference has fewer samples than that of the others, or nothing.
+std::string slowOnes(const std::vector<Measured>& all) {
+    const int most = std::ranges::max_element(all, {}, &Measured::referenceSamples)->referenceSamples;
+    std::vector<std::string> names;
+    int fewest = most;
+    for (const Measured& each : all)
+        if (each.referenceSamples < most) {
+            names.push_back(each.scene->name);
+            fewest = each.referenceSamples;
+        }
+    if (names.empty()) return {};
+    return fmt::format("the reference has {} samples a pixel instead of {} for {}", fewest, most,
+                       fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Result<std::vector<Figure>> measureScenes(Bench& bench) {
+    const Result<gpu::Context*> context = bench.context();
+    if (!context) return context.diagnostics;
+    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
+    if (!scenes) return scenes.diagnostics;
+    std::vector<Measured> all;
+    std::vector<std::string> failures;
+    Diagnostics reasons;
+    const Thoroughness thorough = thoroughness(bench);
+    for (std::size_t i = 0; i < scenes->size(); i += thorough.stride) {
+        const ShippedScene& scene = (*scenes)[i];
+        Result<Measured> measured = measure(bench, **context, scene);
+        if (measured) {
+            all.push_back(*measured);
+            continue;
+        }
+        failures.push_back(
+            fmt::format("{} cannot be drawn: {}", scene.name, toString(measured.diagnostics.front())));
+        append(reasons, std::move(measured.diagnostics));
+    }
+    if (all.empty()) return reasons;
+    const std::string reference = fmt::format(
+        "the mean of {} pictures shifted by parts of a pixel, passes into textures by parts of a texel, with "
+        "the finest tessellation of the scene's sliders and meshes within 1/{} of a pixel of their surfaces",
+        thorough.samplesASide * thorough.samplesASide, thorough.finest);
+    const auto figure = [&](std::string name, std::string title, std::string error) {
+        return Figure{.name = std::move(name),
+                      .title = std::move(title),
+                      .settingName = "rank of the scene",
+                      .errorName = std::move(error),
+                      .errorUnit = "",
+                      .reference = reference,
+                      .curves = {},
+                      .findings = {},
+                      .alternatives = Alternatives::setting};
+    };
+    std::vector<Figure> figures{
+        ranked(all,
+               figure("root-mean-square", "Shipped scenes: error of the picture, largest first",
+                      "root mean square"),
+               [](const PictureError& each) { return each.rootMeanSquare; }),
+        ranked(all,
+               figure("pixels", "Shipped scenes: pixels that are visibly off, largest share first",
+                      "share of pixels off by more than 8/255"),
+               [](const PictureError& each) { return each.differing; }),
+        ranked(all,
+               figure("flip", "Shipped scenes: difference that a person sees, largest first", "mean FLIP"),
+               [](const PictureError& each) { return each.flip; })};
+    std::vector<std::string>& first = figures.front().findings;
+    const std::vector<std::string> summary = overall(all);
+    first.insert(first.begin(), summary.begin(), summary.end());
+    const std::string slow = slowOnes(all);
+    if (!slow.empty()) first.push_back(slow);
+    first.insert(first.end(), failures.begin(), failures.end());
+    return figures;
+}
+
+}  // namespace glibra::bench

@@ -1,0 +1,13 @@
+#pragma once
+// Subject 15: the scenes that ship with glibra, their time and their error.
+
+#include <vector>
+
+#include "bench/core/bench.h"
+#include "bench/core/measurement.h"
+
+namespace glibra::bench {
+
+Result<std::vector<Figure>> measureScenes(Bench& bench);
+
+}  // namespace glibra::bench

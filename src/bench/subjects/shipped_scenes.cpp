@@ -1,0 +1,81 @@
+#include "bench/subjects/shipped_scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+namespace glibra::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Finest {
+    std::string_view scene;
+    std::vector<std::string> set;
+};
+
+const std::vector<Finest>& finestLevels() {
+    static const std::vector<Finest> table{
+        {"tessellation/adaptive_spheres", {"uDetail=60"}},
+        {"tessellation/bezier_curve", {"uOuter1=50"}},
+        {"tessellation/bezier_surface", {"uOuter02=50", "uOuter13=50", "uInner0=50", "uInner1=50"}},
+        {"tessellation/octant", {"uOuter0=50", "uOuter1=50", "uOuter2=50", "uInner=50"}},
+        {"tessellation/pn_triangles", {"uOuter=20", "uInner=20"}},
+        {"tessellation/spheres", {"uDetail=200"}}};
+    return table;
+}
+
+bool isLibrary(const fs::path& folder) {
+    std::error_code failure;
+    return fs::is_directory(folder / "glib", failure) && fs::is_directory(folder / "shaders", failure);
+}
+
+std::optional<fs::path> libraryAbove(fs::path folder) {
+    for (;; folder = folder.parent_path()) {
+        if (isLibrary(folder)) return folder;
+        if (folder == folder.parent_path()) return std::nullopt;
+    }
+}
+
+std::optional<fs::path> library() {
+    if (const char* variable = std::getenv("GLIBRA_PATH")) {
+        std::istringstream folders(variable);
+        for (std::string each; std::getline(folders, each, ':');)
+            if (!each.empty() && isLibrary(each)) return each;
+    }
+    std::error_code failure;
+    if (auto found = libraryAbove(fs::current_path(failure))) return found;
+    return libraryAbove(fs::read_symlink("/proc/self/exe", failure).parent_path());
+}
+
+}  // namespace
+
+Result<std::vector<ShippedScene>> shippedScenes() {
+    const std::optional<fs::path> root = library();
+    std::vector<ShippedScene> scenes;
+    std::error_code failure;
+    if (root)
+        for (fs::recursive_directory_iterator at(*root / "glib", failure), end; at != end;
+             at.increment(failure)) {
+            if (failure) break;
+            const fs::path& path = at->path();
+            if (path.extension() != ".glib") continue;
+            ShippedScene scene{path.parent_path().filename().string() + "/" + path.stem().string(), path, {}};
+            for (const Finest& each : finestLevels())
+                if (each.scene == scene.name) scene.finest = each.set;
+            scenes.push_back(std::move(scene));
+        }
+    if (scenes.empty())
+        return error(
+            "file-E01",
+            "cannot find the scenes of the library: no folder with 'glib' and 'shaders' in GLIBRA_PATH, "
+            "above the current folder or above the program");
+    std::ranges::sort(scenes, {}, &ShippedScene::name);
+    return scenes;
+}
+
+}  // namespace glibra::bench

@@ -1,0 +1,275 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/obj/file_remarks.h"
+#include "geometry/obj/obj_model.h"
+#include "geometry/obj/obj_plain.h"
+#include "geometry/obj/text_scanner.h"
+
+namespace glibra::geometry {
+namespace {
+
+using Triple = std::array<float, 3>;
+
+/// A model cannot use more of a kind than its triangles have corners.
+constexpr std::uint64_t kMostElements = 3 * kMostTriangles;
+
+constexpr std::array<std::string_view, 5> kMeaningless{"o", "g", "s", "usemtl", "mtllib"};
+
+/// A face with an index that may be defined further down, to be looked at again when all is read.
+struct ForwardFace {
+    std::size_t face = 0;
+    int line = 1, column = 1;
+};
+
+/// What an index of the file refers to.
+struct Kind {
+    std::string_view name;
+    std::size_t count = 0;  ///< defined so far
+};
+
+class ObjReader {
+  public:
+    ObjReader(std::string_view text, std::string path) : scanner_(text), remarks_(std::move(path)) {}
+
+    Result<ObjModel> read();
+
+  private:
+    bool readStatement(std::string_view word, int line, int column);
+    bool readNumber(float& value);
+    bool readTriple(std::vector<Triple>& triples, std::string_view word, int least, int line, int column);
+    bool readFace(int line, int column);
+    bool readCorner(ObjCorner& corner, bool& isForward, std::string& fault);
+    bool readIndex(const Kind& kind, std::uint32_t& index, bool& isForward, std::string& fault);
+    [[nodiscard]] std::string outOfRange(const ObjCorner& corner) const;
+    void dropForwardFaces();
+    Result<ObjModel> failed(std::string_view id, std::string text) &&;
+
+    TextScanner scanner_;
+    FileRemarks remarks_;
+    ObjModel model_;
+    std::vector<ForwardFace> forward_;
+    std::string_view tooMany_;
+};
+
+Result<ObjModel> ObjReader::read() {
+    model_.faceStarts.push_back(0);
+    while (!scanner_.atEnd()) {
+        scanner_.skipBlanks();
+        if (!scanner_.statementEnds()) {
+            const int line = scanner_.line(), column = scanner_.column();
+            if (!readStatement(scanner_.token(), line, column))
+                return std::move(*this).failed(
+                    "file-E09", fmt::format("has too many {}; the limit is {} triangles", tooMany_,
+                                            grouped(kMostTriangles)));
+        }
+        scanner_.nextLine();
+    }
+    dropForwardFaces();
+    if (model_.faceCount() == 0) return std::move(*this).failed("file-E07", "has no faces");
+    return {std::move(model_), std::move(remarks_).finish()};
+}
+
+/// False if a limit is passed.
+bool ObjReader::readStatement(std::string_view word, int line, int column) {
+    if (word == "v") return readTriple(model_.positions, word, 3, line, column);
+    if (word == "vt") return readTriple(model_.texCoords, word, 1, line, column);
+    if (word == "vn") return readTriple(model_.normals, word, 3, line, column);
+    if (word == "f") return readFace(line, column);
+    if (std::find(kMeaningless.begin(), kMeaningless.end(), word) == kMeaningless.end())
+        remarks_.ignored(word, line, column);
+    return true;
+}
+
+/// The next number of the statement, 0 for one that is none. False where the statement ends.
+bool ObjReader::readNumber(float& value) {
+    scanner_.skipBlanks();
+    if (scanner_.statementEnds()) return false;
+    const TextScanner start = scanner_;
+    value = 0;
+    const bool isNumber = scanner_.number(value);
+    if (isNumber && scanner_.tokenEnds()) return true;
+    const std::string_view rest = scanner_.token();
+    const std::string_view token = TextScanner(start).token();
+    const std::string_view prefix = token.substr(0, token.size() - rest.size());
+    remarks_.warn("file-W06", fmt::format("'{}' read as {}", shown(token), isNumber ? shown(prefix) : "0"),
+                  start.line(), start.column());
+    return true;
+}
+
+bool ObjReader::readTriple(std::vector<Triple>& triples, std::string_view word, int least, int line,
+                           int column) {
+    if (triples.size() >= kMostElements) {
+        tooMany_ = "'v', 'vt' or 'vn' lines";
+        return false;
+    }
+    Triple triple{0, 0, 0};
+    int numbers = 0;
+    while (numbers < 3 && readNumber(triple[static_cast<std::size_t>(numbers)])) ++numbers;
+    if (numbers < least)
+        remarks_.warn("file-W06",
+                      fmt::format("'{}' with {} {}, missing ones are 0", word, numbers,
+                                  numbers == 1 ? "number" : "numbers"),
+                      line, column);
+    triples.push_back(triple);
+    return true;
+}
+
+bool ObjReader::readFace(int line, int column) {
+    const std::size_t first = model_.corners.size();
+    bool isForward = false;
+    std::string fault;
+    for (scanner_.skipBlanks(); fault.empty() && !scanner_.statementEnds(); scanner_.skipBlanks()) {
+        ObjCorner corner;
+        if (!readCorner(corner, isForward, fault)) break;
+        model_.corners.push_back(corner);
+        if (model_.corners.size() - 2 * model_.faceCount() > kMostTriangles + 2) {
+            tooMany_ = "faces";
+            return false;
+        }
+    }
+    const std::size_t count = model_.corners.size() - first;
+    if (fault.empty() && count < 3)
+        fault = fmt::format("only {} {}", count, count == 1 ? "corner" : "corners");
+    if (!fault.empty()) {
+        model_.corners.resize(first);
+        remarks_.warn("file-W05", "face dropped: " + fault, line, column);
+        return true;
+    }
+    if (isForward) forward_.push_back({model_.faceCount(), line, column});
+    model_.faceStarts.push_back(static_cast<std::uint32_t>(model_.corners.size()));
+    return true;
+}
+
+/// v, v/t, v//n or v/t/n; an empty t or n is none. False with `fault` set if it cannot be used.
+bool ObjReader::readCorner(ObjCorner& corner, bool& isForward, std::string& fault) {
+    const TextScanner start = scanner_;
+    if (!readIndex({"vertex", model_.positions.size()}, corner.position, isForward, fault)) return false;
+    if (scanner_.current() == '/') {
+        scanner_.advance();
+        if (scanner_.current() != '/' && !scanner_.tokenEnds() &&
+            !readIndex({"texture coordinate", model_.texCoords.size()}, corner.texCoord, isForward, fault))
+            return false;
+    }
+    if (scanner_.current() == '/') {
+        scanner_.advance();
+        if (!scanner_.tokenEnds() &&
+            !readIndex({"normal", model_.normals.size()}, corner.normal, isForward, fault))
+            return false;
+    }
+    if (scanner_.tokenEnds()) return true;
+    const std::string_view rest = scanner_.token();
+    const std::string_view token = TextScanner(start).token();
+    remarks_.warn(
+        "file-W06",
+        fmt::format("'{}' read as {}", shown(token), shown(token.substr(0, token.size() - rest.size()))),
+        start.line(), start.column());
+    return true;
+}
+
+bool ObjReader::readIndex(const Kind& kind, std::uint32_t& index, bool& isForward, std::string& fault) {
+    long long written = 0;
+    if (!scanner_.integer(written)) {
+        fault = fmt::format("'{}' is no index", shown(scanner_.token()));
+        return false;
+    }
+    const auto count = static_cast<long long>(kind.count);
+    const long long found = written > 0 ? written - 1 : count + written;
+    if (written == 0 || found < 0 || found >= static_cast<long long>(kMostElements)) {
+        fault = fmt::format("{} {} does not exist", kind.name, written);
+        return false;
+    }
+    if (found >= count) isForward = true;
+    index = static_cast<std::uint32_t>(found);
+    return true;
+}
+
+/// Which index of the corner does not exist, or nothing.
+std::string ObjReader::outOfRange(const ObjCorner& corner) const {
+    const auto missing = [](std::string_view name, std::uint32_t index, std::size_t count) {
+        return index == kNoIndex || index < count
+                   ? std::string()
+                   : fmt::format("{} {} does not exist", name, std::uint64_t{index} + 1);
+    };
+    std::string fault = missing("vertex", corner.position, model_.positions.size());
+    if (fault.empty()) fault = missing("texture coordinate", corner.texCoord, model_.texCoords.size());
+    if (fault.empty()) fault = missing("normal", corner.normal, model_.normals.size());
+    return fault;
+}
+
+/// Drops those faces whose indices were not defined further down either.
+void ObjReader::dropForwardFaces() {
+    std::vector<bool> dropped;
+    for (const ForwardFace& each : forward_) {
+        const auto begin = model_.corners.begin() + model_.faceStarts[each.face];
+        const auto end = model_.corners.begin() + model_.faceStarts[each.face + 1];
+        for (auto corner = begin; corner != end; ++corner)
+            if (const std::string fault = outOfRange(*corner); !fault.empty()) {
+                remarks_.warn("file-W05", "face dropped: " + fault, each.line, each.column);
+                dropped.resize(model_.faceCount());
+                dropped[each.face] = true;
+                break;
+            }
+    }
+    if (dropped.empty()) return;
+    std::vector<ObjCorner> corners;
+    std::vector<std::uint32_t> starts{0};
+    for (std::size_t face = 0; face < dropped.size(); ++face) {
+        if (dropped[face]) continue;
+        corners.insert(corners.end(), model_.corners.begin() + model_.faceStarts[face],
+                       model_.corners.begin() + model_.faceStarts[face + 1]);
+        starts.push_back(static_cast<std::uint32_t>(corners.size()));
+    }
+    model_.corners = std::move(corners);
+    model_.faceStarts = std::move(starts);
+}
+
+Result<ObjModel> ObjReader::failed(std::string_view id, std::string text) && {
+    Diagnostic fault =
+        error(std::string(id), fmt::format("'{}' {}", fileName(remarks_.path()), text), remarks_.place(1, 1));
+    Diagnostics all = std::move(remarks_).finish();
+    all.push_back(std::move(fault));
+    return all;
+}
+
+/// The first bytes of what compilers and linkers write: COFF for usual machines, anonymous COFF objects, ELF,
+/// Mach-O, and Intel's OMF. A text does not hold the zero bytes that all of them do.
+bool isCompilerOutput(std::string_view text) {
+    using namespace std::string_view_literals;
+    constexpr std::array<std::string_view, 12> kMagic{"\x4c\x01"sv,
+                                                      "\x64\x86"sv,
+                                                      "\xc4\x01"sv,
+                                                      "\xc0\x01"sv,
+                                                      "\x64\xaa"sv,
+                                                      "\0\0\xff\xff"sv,
+                                                      "\x7f"
+                                                      "ELF"sv,
+                                                      "\xfe\xed\xfa\xce"sv,
+                                                      "\xfe\xed\xfa\xcf"sv,
+                                                      "\xce\xfa\xed\xfe"sv,
+                                                      "\xcf\xfa\xed\xfe"sv,
+                                                      "\x80"sv};
+    if (text.substr(0, 512).find('\0') == std::string_view::npos) return false;
+    return std::any_of(kMagic.begin(), kMagic.end(),
+                       [&](std::string_view magic) { return text.starts_with(magic); });
+}
+
+}  // namespace
+
+Result<ObjModel> parseObj(std::string_view text, std::string path) {
+    const auto failure = [&](std::string_view id, std::string_view what) {
+        return error(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
+    };
+    if (text.size() > kLargestModelFile)
+        return failure("file-E09", fmt::format("has {:.1f} GiB, the limit is 1 GiB",
+                                               static_cast<double>(text.size()) /
+                                                   static_cast<double>(kLargestModelFile)));
+    if (isCompilerOutput(text)) return failure("file-E08", "is a compiler's object file, not a model");
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    if (auto plain = readPlainObj(text)) return *std::move(plain);
+    return ObjReader(text, std::move(path)).read();
+}
+
+}  // namespace glibra::geometry

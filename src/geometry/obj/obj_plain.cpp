@@ -1,0 +1,267 @@
+#include "geometry/obj/obj_plain.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <new>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "geometry/obj/decimal.h"
+
+namespace glibra::geometry {
+namespace {
+
+using Triple = std::array<float, 3>;
+
+/// A piece of whole lines, and what it holds.
+struct Piece {
+    std::string_view text;
+    std::vector<Triple> positions, texCoords, normals;
+    std::vector<ObjCorner> corners;
+    std::vector<std::uint32_t> faceEnds;  ///< in `corners`
+    std::uint32_t positionsNeeded = 0, texCoordsNeeded = 0, normalsNeeded = 0;
+    bool isPlain = false;
+};
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+const char* skipBlanks(const char* at) {
+    while (isBlank(*at)) ++at;
+    return at;
+}
+
+/// Reads lines that end with LF. All functions return the place behind what they read, or null where the line
+/// is not a plain one. No pointer passes the last LF of the text, and behind that stand enough bytes for
+/// everything that reads ahead.
+class PieceReader {
+  public:
+    explicit PieceReader(Piece& piece) : piece_(piece) {}
+
+    void read() {
+        const char* at = piece_.text.data();
+        const char* const end = at + piece_.text.size();
+        // About what such a file holds, so that vectors are seldom moved.
+        piece_.positions.reserve(piece_.text.size() / 128);
+        piece_.corners.reserve(piece_.text.size() / 32);
+        while (at != nullptr && at < end) at = readLine(skipBlanks(at));
+        piece_.isPlain = at != nullptr;
+    }
+
+  private:
+    const char* readLine(const char* at) {
+        if (*at == 'v') {
+            if (isBlank(at[1])) return readTriple(at + 1, 3, piece_.positions);
+            if (at[1] == 't' && isBlank(at[2])) return readTriple(at + 2, 1, piece_.texCoords);
+            if (at[1] == 'n' && isBlank(at[2])) return readTriple(at + 2, 3, piece_.normals);
+            return nullptr;
+        }
+        if (*at == 'f' && isBlank(at[1])) return readFace(at + 1);
+        if (*at == '#') return endOfComment(at);
+        if (*at == '\n' || *at == '\r' || isMeaningless(at)) return endOfLine(at);
+        return nullptr;
+    }
+
+    static bool isMeaningless(const char* at) {
+        const char* end = at;
+        while (*end >= 'a' && *end <= 'z') ++end;
+        if (!isBlank(*end) && *end != '\n' && *end != '\r') return false;
+        const std::string_view word(at, static_cast<std::size_t>(end - at));
+        return word == "o" || word == "g" || word == "s" || word == "usemtl" || word == "mtllib";
+    }
+
+    /// Over whatever else the line has.
+    static const char* endOfLine(const char* at) {
+        for (; *at != '\n'; ++at) {
+            if (*at == '#') return endOfComment(at);
+            if (*at == '\\' || (*at == '\r' && at[1] != '\n')) return nullptr;
+        }
+        return at + 1;
+    }
+    static const char* endOfComment(const char* at) {
+        for (; *at != '\n'; ++at)
+            if (*at == '\r' && at[1] != '\n') return nullptr;
+        return at + 1;
+    }
+
+    static bool endsNumber(char c) { return isBlank(c) || c == '\n' || c == '\r'; }
+
+    /// A number with an exponent or many digits.
+    static const char* readLongNumber(const char* at, float& value) {
+        if (*at == '+') ++at;
+        const char* end = at;
+        while ((*end >= '0' && *end <= '9') || *end == '.' || *end == 'e' || *end == 'E' || *end == '-' ||
+               *end == '+')
+            ++end;
+        const auto [rest, failure] = std::from_chars(at, end, value);
+        return failure == std::errc{} && rest == end ? end : nullptr;
+    }
+
+    const char* readTriple(const char* at, int least, std::vector<Triple>& triples) {
+        Triple triple{0, 0, 0};
+        int numbers = 0;
+        for (at = skipBlanks(at); numbers < 3; at = skipBlanks(at), ++numbers) {
+            if (*at == '\n' || *at == '\r' || *at == '#') break;
+            float& value = triple[static_cast<std::size_t>(numbers)];
+            const char* rest = readDecimal(at, value);
+            if (rest == nullptr) rest = readLongNumber(at, value);
+            if (rest == nullptr || !endsNumber(*rest)) return nullptr;
+            at = rest;
+        }
+        if (numbers < least) return nullptr;
+        triples.push_back(triple);
+        return endOfLine(at);
+    }
+
+    /// A positive index; `index` counts from 0.
+    static const char* readIndex(const char* at, std::uint32_t& index) {
+        const Digits digits = digitsAt(at);
+        if (digits.count == 0 || digits.count == 8 || digits.value == 0) return nullptr;
+        index = static_cast<std::uint32_t>(digits.value) - 1;
+        return at + digits.count;
+    }
+
+    const char* readCorner(const char* at, ObjCorner& corner) {
+        at = readIndex(at, corner.position);
+        if (at == nullptr) return nullptr;
+        piece_.positionsNeeded = std::max(piece_.positionsNeeded, corner.position + 1);
+        if (*at == '/' && at[1] != '/') {
+            at = readIndex(at + 1, corner.texCoord);
+            if (at == nullptr) return nullptr;
+            piece_.texCoordsNeeded = std::max(piece_.texCoordsNeeded, corner.texCoord + 1);
+        } else if (*at == '/') {
+            ++at;
+        }
+        if (*at == '/') {
+            at = readIndex(at + 1, corner.normal);
+            if (at == nullptr) return nullptr;
+            piece_.normalsNeeded = std::max(piece_.normalsNeeded, corner.normal + 1);
+        }
+        return endsNumber(*at) ? at : nullptr;
+    }
+
+    const char* readFace(const char* at) {
+        const std::size_t first = piece_.corners.size();
+        for (at = skipBlanks(at); *at != '\n' && *at != '\r' && *at != '#'; at = skipBlanks(at)) {
+            ObjCorner corner;
+            at = readCorner(at, corner);
+            if (at == nullptr) return nullptr;
+            piece_.corners.push_back(corner);
+        }
+        if (piece_.corners.size() < first + 3) return nullptr;
+        piece_.faceEnds.push_back(static_cast<std::uint32_t>(piece_.corners.size()));
+        return endOfLine(at);
+    }
+
+    Piece& piece_;
+};
+
+/// Pieces of whole lines, up to where everything that reads ahead still finds bytes; and the rest.
+std::vector<Piece> cut(std::string_view text, std::size_t pieceBytes, std::string_view& rest) {
+    std::vector<Piece> pieces;
+    const std::size_t last =
+        text.size() < kDecimalReach ? std::string_view::npos : text.rfind('\n', text.size() - kDecimalReach);
+    const std::size_t end = last == std::string_view::npos ? 0 : last + 1;
+    for (std::size_t at = 0; at < end;) {
+        const std::size_t next =
+            end - at <= pieceBytes ? end : std::min(end, text.find('\n', at + pieceBytes) + 1);
+        pieces.push_back({});
+        pieces.back().text = text.substr(at, next - at);
+        at = next;
+    }
+    rest = text.substr(end);
+    return pieces;
+}
+
+/// Calls work(i) for every i below `count`, on as many threads as the machine has.
+template <class Work>
+void forEachIndex(std::size_t count, const Work& work) {
+    std::atomic<std::size_t> next{0};
+    const auto drain = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    std::vector<std::jthread> others;
+    try {
+        const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+        for (std::size_t i = 1; i < std::min(threads, count); ++i) others.emplace_back(drain);
+    } catch (const std::system_error&) {
+        // The machine gives no more threads; those that run do all the work.
+    }
+    drain();
+}
+
+/// All pieces' values of one kind, piece after piece.
+template <class Value>
+std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::*member) {
+    std::size_t count = 0;
+    for (const Piece& piece : pieces) count += (piece.*member).size();
+    std::vector<Value> all;
+    all.reserve(count);
+    for (Piece& piece : pieces) {
+        all.insert(all.end(), (piece.*member).begin(), (piece.*member).end());
+        std::vector<Value>().swap(piece.*member);
+    }
+    return all;
+}
+
+bool withinLimits(const ObjModel& model) {
+    constexpr std::size_t kMostElements = 3 * kMostTriangles;
+    return model.faceCount() > 0 && model.positions.size() <= kMostElements &&
+           model.texCoords.size() <= kMostElements && model.normals.size() <= kMostElements &&
+           model.triangleCount() <= kMostTriangles;
+}
+
+}  // namespace
+
+std::optional<ObjModel> readPlainObj(std::string_view text, std::size_t pieceBytes) {
+    std::string_view rest;
+    std::vector<Piece> pieces = cut(text, pieceBytes, rest);
+    std::string padded(rest);
+    if (!padded.empty() && padded.back() != '\n') padded += '\n';
+    const std::size_t restBytes = padded.size();
+    padded.append(kDecimalReach, '\n');
+    pieces.push_back({});
+    pieces.back().text = std::string_view(padded).substr(0, restBytes);
+
+    std::atomic<bool> isPlain{true};
+    forEachIndex(pieces.size(), [&](std::size_t i) {
+        try {
+            if (isPlain) PieceReader(pieces[i]).read();
+        } catch (const std::bad_alloc&) {
+            // The line-by-line reader needs less, and throws where the caller expects it.
+        }
+        if (!pieces[i].isPlain) isPlain = false;
+    });
+    if (!isPlain) return {};
+
+    ObjModel model;
+    std::uint32_t positions = 0, texCoords = 0, normals = 0;
+    std::size_t faces = 0, corners = 0;
+    for (const Piece& piece : pieces) {
+        positions = std::max(positions, piece.positionsNeeded);
+        texCoords = std::max(texCoords, piece.texCoordsNeeded);
+        normals = std::max(normals, piece.normalsNeeded);
+        faces += piece.faceEnds.size();
+    }
+    model.faceStarts.reserve(faces + 1);
+    model.faceStarts.push_back(0);
+    for (const Piece& piece : pieces) {
+        for (const std::uint32_t end : piece.faceEnds)
+            model.faceStarts.push_back(static_cast<std::uint32_t>(corners + end));
+        corners += piece.corners.size();
+    }
+    model.positions = joined(pieces, &Piece::positions);
+    model.texCoords = joined(pieces, &Piece::texCoords);
+    model.normals = joined(pieces, &Piece::normals);
+    model.corners = joined(pieces, &Piece::corners);
+    const bool allExist = positions <= model.positions.size() && texCoords <= model.texCoords.size() &&
+                          normals <= model.normals.size();
+    if (!allExist || !withinLimits(model)) return {};
+    return model;
+}
+
+}  // namespace glibra::geometry

@@ -1,0 +1,199 @@
+#include "geometry/obj/obj_vertices.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "geometry/frame.h"
+#include "geometry/obj/hash_index.h"
+
+namespace glibra::geometry {
+namespace {
+
+glm::dvec3 precise(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+void put(std::vector<float>& values, const glm::dvec3& v) {
+    values.push_back(static_cast<float>(v.x));
+    values.push_back(static_cast<float>(v.y));
+    values.push_back(static_cast<float>(v.z));
+}
+
+bool hasOwnNormal(const ObjModel& model, const ObjCorner& corner) {
+    return corner.normal != kNoIndex && model.normals[corner.normal] != std::array<float, 3>{0, 0, 0};
+}
+
+/// The sum of the area vectors of the faces around each position, of unit length; zero where there is none.
+std::vector<glm::dvec3> smoothNormals(const ObjModel& model) {
+    std::vector<glm::dvec3> normals(model.positions.size(), glm::dvec3(0));
+    std::vector<glm::dvec3> someFace(model.positions.size(), glm::dvec3(0));
+    for (std::size_t face = 0; face + 1 < model.faceStarts.size(); ++face) {
+        const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
+        const auto place = [&](std::uint32_t corner) {
+            return precise(model.positions[model.corners[corner].position]);
+        };
+        const glm::dvec3 origin = place(begin);
+        glm::dvec3 area(0);
+        for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
+            area += glm::cross(place(i) - origin, place(i + 1) - origin);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const std::uint32_t position = model.corners[i].position;
+            normals[position] += area;
+            if (someFace[position] == glm::dvec3(0)) someFace[position] = area;
+        }
+    }
+    // Where faces cancel each other, as the two sides of a sheet do, the first of them decides.
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        normals[i] = unitOr(normals[i], unitOr(someFace[i], {0, 0, 1}));
+    return normals;
+}
+
+std::vector<glm::dvec3> unitNormals(const ObjModel& model, const std::vector<ObjCorner>& corners) {
+    std::vector<glm::dvec3> smooth;
+    if (!std::all_of(corners.begin(), corners.end(),
+                     [&](const ObjCorner& c) { return hasOwnNormal(model, c); }))
+        smooth = smoothNormals(model);
+    std::vector<glm::dvec3> normals;
+    normals.reserve(corners.size());
+    for (const ObjCorner& corner : corners)
+        normals.push_back(hasOwnNormal(model, corner)
+                              ? unitOr(precise(model.normals[corner.normal]), {0, 0, 1})
+                              : smooth[corner.position]);
+    return normals;
+}
+
+glm::dvec3 texCoordOf(const ObjModel& model, const ObjCorner& corner) {
+    return corner.texCoord == kNoIndex ? glm::dvec3(0) : precise(model.texCoords[corner.texCoord]);
+}
+
+/// dP/dt of a triangle whose texture coordinates are linear: |dP/dt| area-weighted to the triangle's area;
+/// zero where the texture coordinates are a line or missing.
+glm::dvec3 growingT(const ObjModel& model, const ObjCorner& a, const ObjCorner& b, const ObjCorner& c) {
+    if (a.texCoord == kNoIndex || b.texCoord == kNoIndex || c.texCoord == kNoIndex) return glm::dvec3(0);
+    const glm::dvec3 p = precise(model.positions[a.position]);
+    const glm::dvec3 e1 = precise(model.positions[b.position]) - p,
+                     e2 = precise(model.positions[c.position]) - p;
+    const glm::dvec3 st = texCoordOf(model, a);
+    const glm::dvec3 d1 = texCoordOf(model, b) - st, d2 = texCoordOf(model, c) - st;
+    const double determinant = d1.x * d2.y - d2.x * d1.y;
+    if (determinant == 0) return glm::dvec3(0);
+    const glm::dvec3 direction = (d1.x * e2 - d2.x * e1) * (determinant > 0 ? 1. : -1.);
+    return unitOr(direction, glm::dvec3(0)) * glm::length(glm::cross(e1, e2));
+}
+
+std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& vertices,
+                                 const std::vector<glm::dvec3>& normals,
+                                 const std::vector<std::uint32_t>& triangles) {
+    std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0));
+    if (!model.texCoords.empty())
+        for (std::size_t i = 0; i < triangles.size(); i += 3) {
+            const std::uint32_t a = triangles[i], b = triangles[i + 1], c = triangles[i + 2];
+            const glm::dvec3 t =
+                growingT(model, vertices.corners[a], vertices.corners[b], vertices.corners[c]);
+            for (const std::uint32_t vertex : {a, b, c}) sums[vertex] += t;
+        }
+    std::vector<float> values;
+    values.reserve(3 * normals.size());
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const glm::dvec3 sum = unitOr(sums[i], glm::dvec3(0));
+        const glm::dvec3 level = sum - glm::dot(sum, normals[i]) * normals[i];
+        // A direction along the normal leaves rounding errors only.
+        put(values, glm::length(level) < 1e-9 ? fallbackTangent(normals[i]) : glm::normalize(level));
+    }
+    return values;
+}
+
+}  // namespace
+
+ObjVertices objVertices(const ObjModel& model) {
+    ObjVertices vertices;
+    vertices.ofCorner.reserve(model.corners.size());
+    // Most positions have one vertex, found without a hash and near the last one in memory.
+    std::vector<std::uint32_t> firstAt(model.positions.size(), kNoIndex);
+    std::optional<HashIndex> others;
+    for (const ObjCorner& corner : model.corners) {
+        const auto next = static_cast<std::uint32_t>(vertices.corners.size());
+        const auto isCorner = [&](std::uint32_t v) { return vertices.corners[v] == corner; };
+        std::uint32_t vertex = firstAt[corner.position];
+        if (vertex == kNoIndex) {
+            vertex = firstAt[corner.position] = next;
+        } else if (!isCorner(vertex)) {
+            if (!others) others.emplace(model.corners.size());
+            const std::uint64_t hash =
+                spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
+            vertex = others->findOrEnter(hash, next, isCorner);
+        }
+        if (vertex == next) vertices.corners.push_back(corner);
+        vertices.ofCorner.push_back(vertex);
+    }
+    return vertices;
+}
+
+std::vector<std::uint32_t> fanIndices(const ObjModel& model, const ObjVertices& vertices) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(static_cast<std::size_t>(3 * model.triangleCount()));
+    for (std::size_t face = 0; face + 1 < model.faceStarts.size(); ++face) {
+        const std::uint32_t begin = model.faceStarts[face], end = model.faceStarts[face + 1];
+        for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
+            for (const std::uint32_t corner : {begin, i, i + 1}) indices.push_back(vertices.ofCorner[corner]);
+    }
+    return indices;
+}
+
+std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& vertices,
+                                     const std::vector<std::uint32_t>& triangles, bool withTangents) {
+    const std::size_t count = vertices.corners.size();
+    std::vector<Attribute> attributes;
+    Attribute position{std::string(kPosition), 3, {}};
+    position.values.reserve(3 * count);
+    for (const ObjCorner& corner : vertices.corners) {
+        const std::array<float, 3>& place = model.positions[corner.position];
+        position.values.insert(position.values.end(), place.begin(), place.end());
+    }
+    attributes.push_back(std::move(position));
+
+    const std::vector<glm::dvec3> normals = unitNormals(model, vertices.corners);
+    Attribute normal{std::string(kNormal), 3, {}};
+    normal.values.reserve(3 * count);
+    for (const glm::dvec3& each : normals) put(normal.values, each);
+    attributes.push_back(std::move(normal));
+
+    if (withTangents)
+        attributes.push_back({std::string(kTangent), 3, tangentValues(model, vertices, normals, triangles)});
+
+    if (!model.texCoords.empty()) {
+        const bool hasP = std::any_of(model.texCoords.begin(), model.texCoords.end(),
+                                      [](const std::array<float, 3>& each) { return each[2] != 0; });
+        Attribute texCoord{std::string(kTexCoord), hasP ? 3 : 2, {}};
+        texCoord.values.reserve(count * static_cast<std::size_t>(texCoord.components));
+        for (const ObjCorner& corner : vertices.corners)
+            for (int c = 0; c < texCoord.components; ++c)
+                texCoord.values.push_back(
+                    corner.texCoord == kNoIndex
+                        ? 0
+                        : model.texCoords[corner.texCoord][static_cast<std::size_t>(c)]);
+        attributes.push_back(std::move(texCoord));
+    }
+    return attributes;
+}
+
+std::vector<std::uint32_t> weldPositions(const std::vector<std::array<float, 3>>& positions) {
+    std::vector<std::uint32_t> first;
+    first.reserve(positions.size());
+    HashIndex known(positions.size());
+    for (const std::array<float, 3>& position : positions) {
+        std::uint64_t hash = 0;
+        for (const float coordinate : position)
+            hash = spread(hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.F));
+        const auto next = static_cast<std::uint32_t>(first.size());
+        first.push_back(
+            known.findOrEnter(hash, next, [&](std::uint32_t p) { return positions[p] == position; }));
+    }
+    return first;
+}
+
+}  // namespace glibra::geometry

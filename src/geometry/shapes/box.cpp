@@ -1,0 +1,55 @@
+#include "geometry/shapes/box.h"
+
+#include <array>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/frame.h"
+#include "geometry/shapes/surface.h"
+
+namespace glibra::geometry {
+
+Mesh box(double dx, double dy, double dz) {
+    assert(dx >= 0 && dy >= 0 && dz >= 0);
+    struct Face {
+        glm::dvec3 s, t;
+    };
+    const glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+    const std::array<Face, 6> faces{{{-z, y}, {z, y}, {x, -z}, {x, z}, {x, y}, {-x, y}}};
+    const glm::dvec3 half = glm::dvec3{dx, dy, dz} / 2.0;
+    Surface surface(Topology::triangles, 2, boxCounts());
+    for (const Face& face : faces) {
+        const std::uint32_t base = surface.size();
+        const glm::dvec3 normal = glm::cross(face.s, face.t);
+        for (const double t : {0., 1.})
+            for (const double s : {0., 1.})
+                surface.add({.position = half * (normal + (2 * s - 1) * face.s + (2 * t - 1) * face.t),
+                             .normal = normal,
+                             .tangent = face.t,
+                             .texCoord = {s, t, 0}});
+        surface.gridCells(base, 1, 1);
+    }
+    return std::move(surface).finish();
+}
+
+Mesh wireBox(double dx, double dy, double dz) {
+    assert(dx >= 0 && dy >= 0 && dz >= 0);
+    const glm::dvec3 half = glm::dvec3{dx, dy, dz} / 2.0;
+    Surface surface(Topology::lines, 3, wireBoxCounts());
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 place{corner & 1, corner >> 1 & 1, corner >> 2};
+        const glm::dvec3 sign = 2.0 * place - 1.0;
+        const glm::dvec3 normal = unitOr(half * sign, glm::normalize(sign));
+        surface.add({.position = half * sign,
+                     .normal = normal,
+                     .tangent = fallbackTangent(normal),
+                     .texCoord = place});
+    }
+    for (std::uint32_t bit = 1; bit < 8; bit *= 2)
+        for (std::uint32_t corner = 0; corner < 8; ++corner)
+            if ((corner & bit) == 0) surface.segment(corner, corner | bit);
+    return std::move(surface).finish();
+}
+
+}  // namespace glibra::geometry

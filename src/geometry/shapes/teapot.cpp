@@ -1,0 +1,119 @@
+#include "geometry/shapes/teapot.h"
+
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/frame.h"
+#include "geometry/shapes/surface.h"
+#include "geometry/shapes/teapot_patches.h"
+
+namespace glibra::geometry {
+namespace {
+
+using Weights = std::array<double, 4>;
+
+/// Cubic Bernstein polynomials. At 0 and 1 the sum of weighted points is an end point, bit for bit.
+Weights bernstein(double u) {
+    const double w = 1 - u;
+    return {w * w * w, 3 * u * w * w, 3 * u * u * w, u * u * u};
+}
+
+Weights bernsteinDerivative(double u) {
+    const double w = 1 - u;
+    return {-3 * w * w, 3 * w * w - 6 * u * w, 6 * u * w - 3 * u * u, 3 * u * u};
+}
+
+glm::dvec3 weighted(const Weights& weights, const std::array<glm::dvec3, 4>& points) {
+    return weights[0] * points[0] + weights[1] * points[1] + weights[2] * points[2] + weights[3] * points[3];
+}
+
+bool isOnePoint(const std::array<glm::dvec3, 4>& row) {
+    return row[0] == row[1] && row[1] == row[2] && row[2] == row[3];
+}
+
+/// Rows are reduced first, so that patches that share a row or a column of control points share the curve,
+/// too.
+SurfacePoint evaluate(const Patch& patch, double s, double t) {
+    std::array<glm::dvec3, 4> points, slopes;
+    for (std::size_t row = 0; row < 4; ++row) {
+        points[row] = isOnePoint(patch[row]) ? patch[row][0] : weighted(bernstein(s), patch[row]);
+        slopes[row] = isOnePoint(patch[row]) ? glm::dvec3(0) : weighted(bernsteinDerivative(s), patch[row]);
+    }
+    const glm::dvec3 alongS = weighted(bernstein(t), slopes),
+                     alongT = weighted(bernsteinDerivative(t), points);
+    // Only at the two poles is dP/ds zero; the profile is level there.
+    const glm::dvec3 pole{0, t == 0 ? -1 : 1, 0};
+    return {.position = weighted(bernstein(t), points),
+            .normal = unitOr(glm::cross(alongS, alongT), pole),
+            .tangent = unitOr(alongT, pole),
+            .texCoord = {s, t, 0}};
+}
+
+bool beginsInPoint(const Patch& patch) {
+    return isOnePoint(patch.front());
+}
+bool endsInPoint(const Patch& patch) {
+    return isOnePoint(patch.back());
+}
+
+std::array<Patch, 32> uprightPatches() {
+    std::array<Patch, 32> patches = teapotPatches();
+    for (Patch& patch : patches)
+        for (auto& row : patch)
+            for (glm::dvec3& point : row) point = teapotPlace(point);
+    return patches;
+}
+
+void addPatchPoints(Surface& surface, const Patch& patch, int cells) {
+    for (int j = 0; j <= cells; ++j)
+        for (int i = 0; i <= cells; ++i)
+            surface.add(evaluate(patch, static_cast<double>(i) / cells, static_cast<double>(j) / cells));
+}
+
+}  // namespace
+
+glm::dvec3 teapotPlace(const glm::dvec3& original) {
+    return {.5 * original.x, .5 * (original.z - 1.5), -.5 * original.y};
+}
+
+Mesh teapot(int cells) {
+    assert(cells >= 2);
+    const auto columns = static_cast<std::uint32_t>(cells), stride = columns + 1;
+    Surface surface(Topology::triangles, 2, teapotCounts(cells));
+    for (const Patch& patch : uprightPatches()) {
+        std::uint32_t row = surface.size();
+        addPatchPoints(surface, patch, cells);
+        std::uint32_t rows = columns;
+        if (beginsInPoint(patch)) {
+            for (std::uint32_t i = row; i < row + columns; ++i)
+                surface.triangle(i, i + stride + 1, i + stride);
+            row += stride;
+            --rows;
+        }
+        if (endsInPoint(patch)) --rows;
+        surface.gridCells(row, columns, rows);
+        row += rows * stride;
+        if (endsInPoint(patch))
+            for (std::uint32_t i = row; i < row + columns; ++i) surface.triangle(i, i + 1, i + stride);
+    }
+    return std::move(surface).finish();
+}
+
+Mesh wireTeapot() {
+    constexpr std::uint32_t kCells = 8;
+    Surface surface(Topology::lines, 2, wireTeapotCounts());
+    for (const Patch& patch : uprightPatches()) {
+        const std::uint32_t base = surface.size();
+        addPatchPoints(surface, patch, kCells);
+        addGridEdges(surface, base,
+                     {.columns = kCells,
+                      .rows = kCells,
+                      .firstRow = beginsInPoint(patch) ? 1U : 0U,
+                      .endRow = endsInPoint(patch) ? kCells : kCells + 1,
+                      .endColumn = kCells + 1});
+    }
+    return std::move(surface).finish();
+}
+
+}  // namespace glibra::geometry

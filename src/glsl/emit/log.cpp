@@ -1,0 +1,176 @@
+// Language 7.12: what drivers say about translated sources, in the user's terms.
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "glsl/emit/emit.h"
+#include "glsl/emit/log_line.h"
+#include "glsl/translate.h"
+
+namespace glibra::glsl {
+namespace {
+
+bool isWordPart(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+std::string userName(const TranslatedProgram& program, const std::string& emitted) {
+    if (const auto found = program.userNames.find(emitted); found != program.userNames.end())
+        return found->second;
+    if (emitted == "glibra_main") return "main";
+    return "gl_" + emitted.substr(7);
+}
+
+/// Every glibra_ name as the user wrote it.
+std::string inUserNames(const TranslatedProgram& program, std::string_view text) {
+    std::string result;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t found = text.find("glibra_", at);
+        result += text.substr(at, found - at);
+        if (found == std::string_view::npos) break;
+        std::size_t end = found;
+        while (end < text.size() && isWordPart(text[end])) ++end;
+        const bool whole = found == 0 || !isWordPart(text[found - 1]);
+        const std::string name(text.substr(found, end - found));
+        result += whole ? userName(program, name) : name;
+        at = end;
+    }
+    return result;
+}
+
+/// The file that a log line names: by text, by number, or the stage's own.
+const std::string& fileOf(const TranslatedStage& stage, const std::string& source) {
+    const std::vector<std::string>& files = stage.lineMap.files;
+    const auto named = std::find_if(files.begin(), files.end(), [&](std::string path) {
+        for (char& c : path)
+            if (c == '"' || c == '\n' || c == '\\') c = c == '\\' ? '/' : '_';
+        return path == source;
+    });
+    if (named != files.end()) return *named;
+    std::size_t number = 0;
+    const auto [end, failure] = std::from_chars(source.data(), source.data() + source.size(), number);
+    const bool whole = failure == std::errc{} && end == source.data() + source.size();
+    return whole && number < files.size() ? files[number] : stage.path;
+}
+
+int lineOf(const TranslatedStage& stage, const std::string& file, int line) {
+    // Past the end of the text drivers report "unexpected end of file" one line late.
+    int last = 0;
+    for (const LineOrigin& each : stage.lineMap.lines)
+        if (each.file >= 0 && stage.lineMap.files[static_cast<std::size_t>(each.file)] == file)
+            last = std::max(last, each.line);
+    return last > 0 ? std::min(line, last) : line;
+}
+
+std::vector<std::string_view> linesOf(std::string_view log) {
+    std::vector<std::string_view> lines;
+    while (!log.empty()) {
+        const std::size_t end = std::min(log.find('\n'), log.size());
+        std::string_view line = log.substr(0, end);
+        log.remove_prefix(std::min(end + 1, log.size()));
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\0'))
+            line.remove_suffix(1);
+        if (!line.empty()) lines.push_back(line);
+    }
+    return lines;
+}
+
+/// Mesa lists every overload of a function that was called wrongly, each as an error of its own.
+constexpr std::string_view kCandidates = "; candidates are:";
+
+bool isCandidate(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    const std::size_t open = text.find('(');
+    if (first == std::string_view::npos || open == std::string_view::npos || !text.ends_with(')'))
+        return false;
+    // "vec4 texture(sampler2D, vec2)": two words before the bracket, nothing else.
+    const std::string_view head = text.substr(first, open - first);
+    return std::count(head.begin(), head.end(), ' ') == 1;
+}
+
+Diagnostic programNote(const TranslatedProgram& program, std::string id) {
+    return note(std::move(id), "in Program '" + program.name + "'", program.place);
+}
+
+}  // namespace
+
+Diagnostics explainCompileLog(const TranslatedProgram& program, const TranslatedStage& stage,
+                              std::string_view log) {
+    Diagnostics result;
+    std::string rest;
+    bool failed = false;
+    bool candidates = false;
+    for (const std::string_view each : linesOf(log)) {
+        const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
+        if (line && candidates && isCandidate(line->text)) continue;
+        candidates = line && line->text.ends_with(kCandidates);
+        if (!line) {
+            if (!isLogSummary(each)) rest += (rest.empty() ? "" : " ") + inUserNames(program, each);
+            continue;
+        }
+        if (line->line >= kOwnLines) continue;
+        const std::string& file = fileOf(stage, line->source);
+        const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
+        std::string text = inUserNames(program, line->text);
+        if (candidates) text.resize(text.size() - kCandidates.size());
+        result.push_back(line->isWarning ? warning("", text, place) : error("glsl-E01", text, place));
+        failed = failed || !line->isWarning;
+    }
+    if (!rest.empty() && result.empty()) {
+        result.push_back(error("glsl-E01", rest, {stage.path, 1, 1}));
+        failed = true;
+    }
+    if (failed) result.push_back(programNote(program, "glsl-E01"));
+    return result;
+}
+
+Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view log,
+                           const Place& programPlace) {
+    Diagnostics result;
+    const TranslatedStage* stage = nullptr;
+    const auto places = [&](std::string_view text) {
+        std::string words;
+        for (const auto& [name, declared] : program.interfaceNames) {
+            std::size_t at = text.find(name);
+            for (; at != std::string_view::npos; at = text.find(name, at + 1)) {
+                const auto quote = [&](std::size_t i) {
+                    return i < text.size() && (text[i] == '\'' || text[i] == '`' || text[i] == '"');
+                };
+                if (at > 0 && quote(at - 1) && quote(at + name.size())) break;
+            }
+            if (at == std::string_view::npos) continue;
+            for (const Place& each : declared)
+                words += (words.empty() ? " (" : ", ") + each.file + ":" + std::to_string(each.line);
+        }
+        return words.empty() ? words : words + ")";
+    };
+    for (const std::string_view each : linesOf(log)) {
+        if (const TranslatedStage* named = stageOfHeading(program, each)) {
+            stage = named;
+            continue;
+        }
+        if (isLogSummary(each)) continue;
+        const std::optional<LogLine> line = stage ? parseLogLine(each, stage->lineMap.files) : std::nullopt;
+        if (line && line->line < kOwnLines) {
+            const std::string& file = fileOf(*stage, line->source);
+            const Place place{file, std::max(1, lineOf(*stage, file, line->line)), 1};
+            const std::string text = inUserNames(program, line->text);
+            result.push_back(line->isWarning ? warning("", text, place) : error("glsl-E02", text, place));
+            continue;
+        }
+        std::string_view text = line ? std::string_view(line->text) : each;
+        const bool isWarning = stripSeverity(text);
+        const std::string told = inUserNames(program, text);
+        const std::string whole = told + places(told);
+        result.push_back(isWarning ? warning("", whole, programPlace)
+                                   : error("glsl-E02", whole, programPlace));
+    }
+    if (result.empty())
+        result.push_back(
+            error("glsl-E02", "the driver could not link the program and gives no reason", programPlace));
+    return result;
+}
+
+}  // namespace glibra::glsl

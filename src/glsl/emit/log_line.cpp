@@ -1,0 +1,282 @@
+#include "glsl/emit/log_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <limits>
+
+namespace glibra::glsl {
+namespace {
+
+bool startsWithNoCase(std::string_view text, std::string_view prefix) {
+    if (text.size() < prefix.size()) return false;
+    return std::equal(prefix.begin(), prefix.end(), text.begin(), [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    });
+}
+
+bool take(std::string_view& text, std::string_view prefix) {
+    if (!startsWithNoCase(text, prefix)) return false;
+    text.remove_prefix(prefix.size());
+    return true;
+}
+
+void skipBlanks(std::string_view& text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+}
+
+bool takeNumber(std::string_view& text, int& value) {
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end == text.data() || value < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+/// A source at the front: a quoted or known file name, a number, or whatever stands before `stop` and a
+/// number.
+bool takeSource(std::string_view& text, std::span<const std::string> files, char stop, std::string& source) {
+    if (text.starts_with("\"")) {
+        const std::size_t end = text.find('"', 1);
+        if (end == std::string_view::npos) return false;
+        source = text.substr(1, end - 1);
+        text.remove_prefix(end + 1);
+        return text.starts_with(stop);
+    }
+    for (const std::string& each : files)
+        if (!each.empty() && text.size() > each.size() && text.starts_with(each) &&
+            text[each.size()] == stop) {
+            source = each;
+            text.remove_prefix(each.size());
+            return true;
+        }
+    for (std::size_t at = text.find(stop); at != std::string_view::npos; at = text.find(stop, at + 1)) {
+        if (at + 1 >= text.size() || text[at + 1] < '0' || text[at + 1] > '9' || at == 0) continue;
+        // Messages hold such places too: a source is a word, it has no blanks unless it is a known file.
+        if (text.substr(0, at).find(' ') != std::string_view::npos) return false;
+        source = text.substr(0, at);
+        text.remove_prefix(at);
+        return true;
+    }
+    return false;
+}
+
+/// "error: ", "preprocessor error: ", "warning: " ... in front; false if there is none.
+bool takeSeverity(std::string_view& text, bool& isWarning) {
+    take(text, "preprocessor ");
+    take(text, "fatal ");
+    isWarning = startsWithNoCase(text, "warning");
+    return take(text, "error") || take(text, "warning");
+}
+
+/// " C1008: " or "(#143) " behind the severity.
+void dropCode(std::string_view& text) {
+    skipBlanks(text);
+    std::size_t end = 0;
+    if (text.starts_with("(#")) {
+        end = text.find(')');
+        if (end != std::string_view::npos) text.remove_prefix(end + 1);
+    } else if (!text.empty() && text.front() == 'C') {
+        end = 1;
+        while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+        if (end > 3 && end < text.size() && text[end] == ':') text.remove_prefix(end);
+    }
+    if (text.starts_with(":")) text.remove_prefix(1);
+    skipBlanks(text);
+}
+
+/// ERROR: 0:12: text
+std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std::string> files) {
+    LogLine line;
+    line.isWarning = startsWithNoCase(text, "warning:");
+    if (!take(text, "error:") && !take(text, "warning:")) return std::nullopt;
+    skipBlanks(text);
+    if (!takeSource(text, files, ':', line.source)) return std::nullopt;
+    text.remove_prefix(1);
+    if (!takeNumber(text, line.line)) return std::nullopt;
+    if (text.starts_with("(")) {
+        text.remove_prefix(1);
+        if (!takeNumber(text, line.column) || !text.starts_with(")")) return std::nullopt;
+        text.remove_prefix(1);
+    }
+    if (!text.starts_with(":")) return std::nullopt;
+    text.remove_prefix(1);
+    skipBlanks(text);
+    bool again = false;
+    std::string_view rest = text;
+    if (startsWithNoCase(rest, "error(#") || startsWithNoCase(rest, "warning(#")) {
+        takeSeverity(rest, again);
+        dropCode(rest);
+        text = rest;
+    }
+    line.text = text;
+    return line;
+}
+
+/// 0:12(5): error: text
+std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::string> files) {
+    LogLine line;
+    line.collapsed = true;
+    if (!takeSource(text, files, ':', line.source)) return std::nullopt;
+    text.remove_prefix(1);
+    if (!takeNumber(text, line.line) || !text.starts_with("(")) return std::nullopt;
+    text.remove_prefix(1);
+    if (!takeNumber(text, line.column) || !take(text, "):")) return std::nullopt;
+    skipBlanks(text);
+    if (!takeSeverity(text, line.isWarning)) return std::nullopt;
+    dropCode(text);
+    line.text = text;
+    return line;
+}
+
+/// 0(12) : error C1008: text
+std::optional<LogLine> parseNvidia(std::string_view text, std::span<const std::string> files) {
+    LogLine line;
+    if (!takeSource(text, files, '(', line.source)) return std::nullopt;
+    text.remove_prefix(1);
+    if (!takeNumber(text, line.line) || !take(text, ")")) return std::nullopt;
+    skipBlanks(text);
+    if (!take(text, ":")) return std::nullopt;
+    skipBlanks(text);
+    if (!takeSeverity(text, line.isWarning)) return std::nullopt;
+    dropCode(text);
+    line.text = text;
+    return line;
+}
+
+bool isWordPart(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Column in `text` that a preprocessor calls `column` which turned each run of blanks and comments into one
+/// blank.
+int expandColumn(std::string_view text, int column) {
+    int counted = 0;
+    std::size_t i = 0;
+    while (i < text.size()) {
+        std::size_t end = i;
+        while (end < text.size()) {
+            if (text[end] == ' ' || text[end] == '\t') {
+                ++end;
+            } else if (text.substr(end, 2) == "/*") {
+                const std::size_t close = text.find("*/", end + 2);
+                end = close == std::string_view::npos ? text.size() : close + 2;
+            } else {
+                break;
+            }
+        }
+        if (end == i) ++end;
+        if (++counted >= column) break;
+        i = end;
+    }
+    return static_cast<int>(std::min(i, text.size())) + 1;
+}
+
+/// The first word in quotes of a message: `foo', 'foo', "foo".
+std::string_view quotedWord(std::string_view text) {
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        if (text[i] != '`' && text[i] != '\'' && text[i] != '"') continue;
+        std::size_t end = i + 1;
+        while (end < text.size() && isWordPart(text[end])) ++end;
+        if (end > i + 1 && end < text.size() && (text[end] == '\'' || text[end] == '"'))
+            return text.substr(i + 1, end - i - 1);
+        i = end;
+    }
+    return {};
+}
+
+/// Where `word` stands nearest to `column`, or `column`.
+int nearestWord(std::string_view text, std::string_view word, int column) {
+    int best = column;
+    int distance = std::numeric_limits<int>::max();
+    if (word.empty()) return column;
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const bool whole = (at == 0 || !isWordPart(text[at - 1])) &&
+                           (at + word.size() >= text.size() || !isWordPart(text[at + word.size()]));
+        const int here = static_cast<int>(at) + 1;
+        if (whole && std::abs(here - column) < distance) {
+            distance = std::abs(here - column);
+            best = here;
+        }
+    }
+    return best;
+}
+
+std::string_view lineOfText(std::string_view text, std::size_t number) {
+    for (; number > 0; --number) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    return text.substr(0, std::min(text.find('\n'), text.size()));
+}
+
+}  // namespace
+
+std::optional<LogLine> parseLogLine(std::string_view line, std::span<const std::string> files) {
+    if (line.size() > 20'000) return std::nullopt;
+    if (auto found = parsePrefixed(line, files)) return found;
+    if (auto found = parseMesa(line, files)) return found;
+    return parseNvidia(line, files);
+}
+
+bool isLogSummary(std::string_view line) {
+    if (line.find_first_not_of("-= ") == std::string_view::npos) return true;
+    static constexpr std::array<std::string_view, 5> kPhrases = {
+        "compilation errors.", "No code generated", "compilation terminated",
+        "failed to compile with the following", "was successfully compiled"};
+    return std::any_of(kPhrases.begin(), kPhrases.end(),
+                       [&](std::string_view each) { return line.find(each) != std::string_view::npos; });
+}
+
+const TranslatedStage* stageOfHeading(const TranslatedProgram& program, std::string_view line) {
+    static constexpr std::array<std::string_view, 5> kHeadings = {"Vertex info", "Tessellation control info",
+                                                                  "Tessellation evaluation info",
+                                                                  "Geometry info", "Fragment info"};
+    for (std::size_t i = 0; i < kHeadings.size(); ++i) {
+        if (!line.starts_with(kHeadings[i])) continue;
+        for (const TranslatedStage& each : program.stages)
+            if (each.stage == static_cast<Stage>(i)) return &each;
+    }
+    return nullptr;
+}
+
+bool stripSeverity(std::string_view& text) {
+    std::string_view rest = text;
+    bool isWarning = false;
+    if (takeSeverity(rest, isWarning) &&
+        (rest.starts_with(":") || rest.starts_with(" C") || rest.starts_with("(#"))) {
+        dropCode(rest);
+        text = rest;
+        return isWarning;
+    }
+    return false;
+}
+
+int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file) {
+    if (line.column <= 0) return 1;
+    const LineMap& map = stage.lineMap;
+    std::size_t index = map.lines.size();
+    for (std::size_t i = 0; i < map.lines.size() && index == map.lines.size(); ++i)
+        if (map.lines[i].file >= 0 && map.lines[i].line == line.line &&
+            map.files[static_cast<std::size_t>(map.lines[i].file)] == file)
+            index = i;
+    if (index >= map.lines.size()) return line.column;
+    const std::string_view text = lineOfText(stage.source, index);
+    int column = line.collapsed ? expandColumn(text, line.column) : line.column;
+    column = nearestWord(text, quotedWord(line.text), column);
+    ColumnShift shift;
+    int next = std::numeric_limits<int>::max();
+    if (index < map.columns.size())
+        for (const ColumnShift& each : map.columns[index]) {
+            if (each.emitted > column) {
+                next = each.user;
+                break;
+            }
+            shift = each;
+        }
+    // Inside a longer spelling of the translator the place is the word's.
+    return std::max(1, std::min(shift.user + column - shift.emitted, std::max(shift.user, next - 1)));
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,230 @@
+// Whether a vertex stage does nothing to its vertices but the model-view-projection, so that who knows the
+// mesh and the matrices knows where on the picture it can appear. It gives up rather than guess.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "glsl/parse/straight_line.h"
+#include "glsl/parse/usage.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// What an expression is, among the few that matter. `point`, `eyePoint`, `clipPoint`: of vec4(vertex.xyz,
+/// 1).
+enum class Meaning {
+    other,
+    vertex,
+    eye,
+    clip,
+    point,
+    eyePoint,
+    clipPoint,
+    modelView,
+    projection,
+    modelViewProjection
+};
+
+Meaning product(Meaning left, Meaning right) {
+    using enum Meaning;
+    struct Row {
+        Meaning left, right, result;
+    };
+    static constexpr std::array kProducts = std::to_array<Row>({{modelView, vertex, eye},
+                                                                {modelView, point, eyePoint},
+                                                                {projection, eye, clip},
+                                                                {projection, eyePoint, clipPoint},
+                                                                {projection, modelView, modelViewProjection},
+                                                                {modelViewProjection, vertex, clip},
+                                                                {modelViewProjection, point, clipPoint}});
+    for (const Row& each : kProducts)
+        if (each.left == left && each.right == right) return each.result;
+    return other;
+}
+
+class PlacementSearch {
+  public:
+    explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
+
+    Placement find() {
+        const std::optional<Range> value = positionInMain();
+        if (!value) return Placement::unknown;
+        switch (meaning(*value)) {
+            case Meaning::clip:
+                return Placement::vertex;
+            case Meaning::clipPoint:
+                return Placement::point;
+            default:
+                return Placement::unknown;
+        }
+    }
+
+  private:
+    /// The right side of the only assignment to gl_Position, if main executes it whatever happens.
+    std::optional<Range> positionInMain() {
+        const auto writes = unit_.writes.find("gl_Position");
+        if (writes == unit_.writes.end() || writes->second.size() != 1) return std::nullopt;
+        const std::uint32_t at = writes->second.front();
+        const std::optional<Range> main = bodyOfMain(unit_);
+        if (!main || !isAlwaysExecuted(unit_, *main, at)) return std::nullopt;
+        body_ = *main;
+        const std::uint32_t end = endOfStatement(at);
+        if (unit_.text(at + 1) != "=" || end == kNone) return std::nullopt;
+        return Range{at + 2, end};
+    }
+
+    [[nodiscard]] std::uint32_t endOfStatement(std::uint32_t at) const {
+        for (std::uint32_t i = at; i < body_.end; ++i)
+            if (unit_.text(i) == ";") return i;
+        return kNone;
+    }
+
+    /// Factors joined by '*'; everything else is `other`.
+    Meaning meaning(Range range) {
+        constexpr int kDeepest = 16;
+        if (range.empty() || depth_ >= kDeepest) return Meaning::other;
+        ++depth_;
+        Meaning all = Meaning::other;
+        std::uint32_t at = range.first;
+        for (bool isFirst = true; at < range.end; isFirst = false) {
+            if (!isFirst && unit_.text(at++) != "*") {
+                all = Meaning::other;
+                break;
+            }
+            const Meaning one = factor(at, range.end);
+            all = isFirst ? one : product(all, one);
+            if (all == Meaning::other) break;
+        }
+        --depth_;
+        return all;
+    }
+
+    /// One factor; `at` moves behind it.
+    Meaning factor(std::uint32_t& at, std::uint32_t end) {
+        const std::string_view text = unit_.text(at);
+        const bool opens = text == "(";
+        const std::uint32_t open = opens ? at : at + 1;
+        if (!opens && unit_.text(open) != "(") return name(at++);
+        const std::uint32_t close = unit_.bodies.matches[open];
+        if (close >= end) return Meaning::other;
+        const Range inside{open + 1, close};
+        const std::uint32_t word = at;
+        at = close + 1;
+        if (opens) return meaning(inside);
+        if (unit_.isUserName(text)) return Meaning::other;
+        if (text == "ftransform" && inside.empty() && unit_.bodies.roles[word] == WordRole::global)
+            return Meaning::clip;
+        return text == "vec4" ? constructed(inside) : Meaning::other;
+    }
+
+    /// vec4(vertex), vec4(vertex.xyz, 1.).
+    Meaning constructed(Range inside) {
+        const bool isPoint = inside.end - inside.first == 5 && unit_.text(inside.first + 1) == "." &&
+                             unit_.text(inside.first + 2) == "xyz" && unit_.text(inside.first + 3) == "," &&
+                             isLiteralOne(unit_.text(inside.first + 4));
+        if (isPoint) {
+            const Meaning whole = name(inside.first);
+            return whole == Meaning::vertex || whole == Meaning::point ? Meaning::point : Meaning::other;
+        }
+        const Meaning whole = meaning(inside);
+        return isVector(whole) ? whole : Meaning::other;
+    }
+
+    static bool isVector(Meaning meaning) {
+        return meaning != Meaning::modelView && meaning != Meaning::projection &&
+               meaning != Meaning::modelViewProjection;
+    }
+
+    Meaning name(std::uint32_t at) {
+        if (unit_.bodies.roles[at] == WordRole::local) return local(at);
+        if (unit_.bodies.roles[at] != WordRole::global) return Meaning::other;
+        struct Row {
+            std::string_view name;
+            Meaning meaning;
+        };
+        static constexpr std::array kNames =
+            std::to_array<Row>({{"aVertex", Meaning::vertex},
+                                {"gl_Vertex", Meaning::vertex},
+                                {"uModelViewMatrix", Meaning::modelView},
+                                {"gl_ModelViewMatrix", Meaning::modelView},
+                                {"uProjectionMatrix", Meaning::projection},
+                                {"gl_ProjectionMatrix", Meaning::projection},
+                                {"uModelViewProjectionMatrix", Meaning::modelViewProjection},
+                                {"gl_ModelViewProjectionMatrix", Meaning::modelViewProjection}});
+        for (const Row& each : kNames)
+            if (each.name == unit_.text(at))
+                return isSupplied(each.name, each.meaning == Meaning::vertex) ? each.meaning : Meaning::other;
+        return Meaning::other;
+    }
+
+    /// Not something else that the user gave that name.
+    [[nodiscard]] bool isSupplied(std::string_view name, bool isInput) const {
+        if (unit_.isWritten(name) || unit_.macros.find(name) != unit_.macros.end()) return false;
+        if (!unit_.isDeclared(name)) return true;
+        const auto found = std::find_if(unit_.variables.begin(), unit_.variables.end(),
+                                        [&](const Variable& each) { return each.name == name; });
+        return !name.starts_with("gl_") && found != unit_.variables.end() && !found->isArray() &&
+               found->storage == (isInput ? Storage::input : Storage::uniform) &&
+               found->type == (isInput ? "vec4" : "mat4");
+    }
+
+    /// A variable of main that keeps what it is initialised with.
+    Meaning local(std::uint32_t at) {
+        const std::string_view text = unit_.text(at);
+        const LocalVariable* declared = nullptr;
+        for (const LocalVariable& each : unit_.bodies.locals) {
+            if (unit_.text(each.name) != text) continue;
+            if (declared != nullptr) return Meaning::other;
+            declared = &each;
+        }
+        if (declared == nullptr || declared->isParameter || declared->initializer.empty() ||
+            !body_.contains(declared->name) || declared->name > at || hasOutputs())
+            return Meaning::other;
+        for (std::uint32_t i = body_.first; i < body_.end; ++i)
+            if (unit_.text(i) == text && unit_.bodies.roles[i] == WordRole::local && isWrittenAt(unit_, i))
+                return Meaning::other;
+        const Meaning initial = meaning(declared->initializer);
+        const std::string_view wanted = isVector(initial) ? "vec4" : "mat4";
+        return declared->typeWord == wanted && declared->type.arrayDepth == 0 ? initial : Meaning::other;
+    }
+
+    /// Some function writes to its arguments: locals may change without an assignment.
+    [[nodiscard]] bool hasOutputs() const {
+        const auto writes = [](const Parameter& each) {
+            return each.qualifiers.storage == Storage::output ||
+                   each.qualifiers.storage == Storage::inputOutput;
+        };
+        return unit_.isUsed("modf") || unit_.isUsed("frexp") ||
+               std::any_of(unit_.syntax.declarations.begin(), unit_.syntax.declarations.end(),
+                           [&](const Declaration& each) {
+                               return std::any_of(each.parameters.begin(), each.parameters.end(), writes);
+                           });
+    }
+
+    const Unit& unit_;
+    Range body_;
+    int depth_ = 0;
+};
+
+/// Something besides the picture may change where this stage runs, or the picture's layer.
+bool hasOtherEffects(const Unit& unit) {
+    return unit.isUsed("gl_Layer") || unit.isUsed("gl_ViewportIndex") ||
+           std::any_of(unit.variables.begin(), unit.variables.end(), [](const Variable& each) {
+               return each.storage == Storage::buffer || each.type == "atomic_uint" ||
+                      each.type.find("image") != std::string::npos;
+           });
+}
+
+}  // namespace
+
+Placement findPlacement(const ProgramUnits& program) {
+    const auto& units = program.units;
+    if (units.size() != 2 || units[0].stage != Stage::vertex || units[1].stage != Stage::fragment ||
+        std::any_of(units.begin(), units.end(), hasOtherEffects))
+        return Placement::unknown;
+    return PlacementSearch(units[0]).find();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,46 @@
+#pragma once
+// Types of expressions, found by a small parser that gives up (unknown) rather than guess.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "glsl/parse/bodies.h"
+#include "glsl/parse/scope.h"
+
+namespace glibra::glsl {
+
+class Expressions {
+  public:
+    Expressions(std::span<const ViewToken> view, const std::vector<std::uint32_t>& matches, Names& names,
+                Bodies& bodies)
+        : view_(view), matches_(matches), names_(names), bodies_(bodies) {}
+
+    /// The type of the expression in `range`. Its calls are recorded, its words get their roles.
+    Type typeOf(Range range);
+    /// Gives the words in `range` their roles.
+    void markUses(Range range);
+
+  private:
+    [[nodiscard]] std::string_view peek(std::uint32_t ahead = 0) const;
+    bool accept(std::string_view text);
+    Type parse(Range range);
+    static Type fail();
+    Type assignment();
+    Type binary(int lowest);
+    Type unary();
+    Type postfix();
+    Type primary();
+    Type call(std::uint32_t name);
+    Type index(const Type& array);
+
+    std::span<const ViewToken> view_;
+    const std::vector<std::uint32_t>& matches_;
+    Names& names_;
+    Bodies& bodies_;
+    std::uint32_t at_ = 0;
+    std::uint32_t end_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace glibra::glsl

@@ -1,0 +1,150 @@
+#include "glsl/parse/scope.h"
+
+#include <algorithm>
+
+namespace glibra::glsl {
+
+void Names::push(std::uint32_t closesAt, bool statement) {
+    scopes_.push_back({closesAt, statement, {}});
+}
+
+void Names::pop() {
+    for (const std::string_view each : scopes_.back().names) {
+        std::vector<Type>& stack = locals_[each];
+        if (!stack.empty()) stack.pop_back();
+    }
+    scopes_.pop_back();
+}
+
+void Names::popTo(std::uint32_t closesAt) {
+    const auto found = std::find_if(scopes_.rbegin(), scopes_.rend(),
+                                    [&](const Scope& each) { return each.closesAt == closesAt; });
+    if (found == scopes_.rend()) return;
+    const auto keep = static_cast<std::size_t>(scopes_.rend() - found) - 1;
+    while (scopes_.size() > keep) pop();
+    popStatement();
+}
+
+void Names::popStatement() {
+    while (!scopes_.empty() && scopes_.back().statement) pop();
+}
+
+void Names::popAll() {
+    while (!scopes_.empty()) pop();
+}
+
+void Names::declareLocal(std::uint32_t name, const Type& type) {
+    const std::string_view text = view_[name].text;
+    bodies_.roles[name] = WordRole::localDeclaration;
+    bodies_.localNames.emplace(text, name);
+    if (scopes_.empty()) return;
+    locals_[text].push_back(type);
+    scopes_.back().names.push_back(text);
+}
+
+void Names::declareGlobal(std::string_view name, const Declaration& declaration, Type type,
+                          std::size_t dimensions) {
+    if (declaration.kind == DeclarationKind::block) type = typeOfStructure(view_[declaration.name].text);
+    type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + dimensions);
+    globals_[name] = type;
+}
+
+void Names::declareBlockMembers(const Declaration& block) {
+    if (!block.declarators.empty()) return;
+    for (const Declaration& member : block.members) {
+        const Type type = typeOf(member.type);
+        for (const Declarator& each : member.declarators)
+            declareGlobal(view_[each.name].text, member, type, each.dimensions.size());
+    }
+}
+
+void Names::addStructure(const Declaration& declaration) {
+    std::unordered_map<std::string_view, Type> members;
+    for (const Declaration& member : declaration.members) {
+        const Type type = typeOf(member.type);
+        for (const Declarator& each : member.declarators) {
+            Type own = type;
+            own.arrayDepth = static_cast<std::uint16_t>(own.arrayDepth + each.dimensions.size());
+            members[view_[each.name].text] = own;
+        }
+    }
+    if (declaration.name == kNone) return;
+    structureIndex_[view_[declaration.name].text] = static_cast<std::int32_t>(structures_.size());
+    structures_.push_back(std::move(members));
+}
+
+void Names::addFunction(const Declaration& declaration) {
+    if (declaration.name == kNone) return;
+    Overload overload;
+    overload.result = typeOf(declaration.type);
+    for (const Parameter& each : declaration.parameters) {
+        Type type = typeOf(each.type);
+        type.arrayDepth = static_cast<std::uint16_t>(type.arrayDepth + each.dimensions.size());
+        overload.parameters.push_back(type);
+    }
+    functions_[view_[declaration.name].text].push_back(std::move(overload));
+}
+
+bool Names::isLocal(std::string_view name) const {
+    const auto found = locals_.find(name);
+    return found != locals_.end() && !found->second.empty();
+}
+
+bool Names::isKnown(std::string_view name) const {
+    return isLocal(name) || globals_.contains(name);
+}
+
+Type Names::typeOfStructure(std::string_view name) const {
+    const auto found = structureIndex_.find(name);
+    if (found == structureIndex_.end()) return {};
+    Type type = scalarType(BaseType::structure);
+    type.structure = found->second;
+    return type;
+}
+
+Type Names::typeOf(const TypeUse& use) const {
+    Type type = typeOfWord(use.name);
+    if (!type.known()) type = typeOfStructure(use.name);
+    if (type.known()) type.arrayDepth = static_cast<std::uint16_t>(use.dimensions.size());
+    return type;
+}
+
+Type Names::typeOfName(std::string_view name) const {
+    if (const auto found = locals_.find(name); found != locals_.end() && !found->second.empty())
+        return found->second.back();
+    if (const auto found = globals_.find(name); found != globals_.end()) return found->second;
+    return typeOfSuppliedName(name);
+}
+
+Type Names::memberType(const Type& owner, std::string_view member) const {
+    if (owner.arrayDepth > 0) return {};
+    if (owner.base == BaseType::structure) {
+        const auto& members = structures_[static_cast<std::size_t>(owner.structure)];
+        const auto found = members.find(member);
+        return found == members.end() ? Type{} : found->second;
+    }
+    if (!owner.numeric() || owner.matrix()) {
+        // gl_in[i].gl_Position
+        return member.starts_with("gl_") ? typeOfSuppliedName(member) : Type{};
+    }
+    const bool swizzle = !member.empty() && member.size() <= 4 &&
+                         member.find_first_not_of("xyzwrgbastpq") == std::string_view::npos;
+    if (!swizzle) return {};
+    return vectorType(owner.base, static_cast<int>(member.size()));
+}
+
+Type Names::returnType(std::string_view function, std::span<const Type> arguments) const {
+    const auto found = functions_.find(function);
+    if (found == functions_.end()) return {};
+    const std::vector<Overload>& overloads = found->second;
+    const bool same = std::all_of(overloads.begin(), overloads.end(), [&](const Overload& each) {
+        return each.result == overloads.front().result;
+    });
+    if (same) return overloads.front().result;
+    for (const Overload& each : overloads)
+        if (std::equal(each.parameters.begin(), each.parameters.end(), arguments.begin(), arguments.end()))
+            return each.result;
+    return {};
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,111 @@
+#pragma once
+// The declarations at file scope of a stage, found in its tokens after macro expansion. It is a light parser:
+// it finds what every declaration is called, its type, qualifiers, sizes and initialiser, and skips what it
+// does not know.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/read/macros.h"
+
+namespace glibra::glsl {
+
+/// View tokens first ... end - 1.
+struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+    [[nodiscard]] bool empty() const { return end <= first; }
+    [[nodiscard]] bool contains(std::uint32_t at) const { return at >= first && at < end; }
+};
+
+enum class Storage { none, constant, input, output, inputOutput, uniform, buffer, shared };
+
+/// One entry of layout(...).
+struct LayoutItem {
+    std::string name;
+    Range value;   ///< after '='; empty: none
+    Range tokens;  ///< name and value
+};
+
+struct Qualifiers {
+    Range tokens;
+    Storage storage = Storage::none;
+    bool attributeWord = false, varyingWord = false;
+    bool patch = false, invariant = false, precise = false, centroid = false, sample = false,
+         subroutine = false;
+    std::string interpolation;        ///< "flat", "smooth", "noperspective" or empty
+    std::vector<std::string> memory;  ///< "readonly", "coherent", ...
+    std::string precision;            ///< "highp", ... or empty
+    std::vector<LayoutItem> layout;
+    std::vector<Range> layoutTokens;  ///< each layout ( ... ) whole
+    Range subroutineTypes;            ///< between the parentheses of subroutine( )
+    std::uint32_t storageToken = kNone;
+
+    [[nodiscard]] const LayoutItem* item(std::string_view name) const;
+};
+
+struct TypeUse {
+    Range tokens;  ///< name and the brackets after it, or a whole struct specifier
+    std::string_view name;
+    std::vector<Range> dimensions;  ///< what stands in each pair of brackets after the name
+    bool isStruct = false;          ///< struct { ... } stands here
+};
+
+struct Declarator {
+    std::uint32_t name = 0;
+    std::vector<Range> dimensions;
+    Range dimensionTokens;  ///< the brackets themselves
+    Range initializer;      ///< after '='
+    std::uint32_t end = 0;  ///< the ',' or ';' (or ')') behind it
+};
+
+struct Parameter {
+    Qualifiers qualifiers;
+    TypeUse type;
+    std::uint32_t name = kNone;
+    std::vector<Range> dimensions;
+};
+
+enum class DeclarationKind {
+    variable,  ///< qualifiers type declarators ; (declarators may be empty: struct S {...};)
+    block,     ///< qualifiers Name { members } instance ;
+    function,  ///< definition
+    prototype,
+    layoutOnly,  ///< layout(triangles) in;
+    requalify,   ///< invariant gl_Position;
+    precision,
+    stray,  ///< a lone ;
+    unknown
+};
+
+struct Declaration {
+    DeclarationKind kind = DeclarationKind::unknown;
+    Range tokens;  ///< with the final ; or }
+    Qualifiers qualifiers;
+    TypeUse type;                         ///< of a variable; what a function returns
+    std::vector<Declarator> declarators;  ///< of a variable; the instance of a block; names of `requalify`
+    std::uint32_t name = kNone;           ///< of a block, function, or struct specifier
+    std::vector<Declaration> members;     ///< of a block or struct specifier
+    std::vector<Parameter> parameters;
+    Range parameterTokens;
+    Range body;  ///< of a function, with its braces; of a block or struct, with its braces
+};
+
+struct Syntax {
+    std::vector<Declaration> declarations;
+};
+
+/// Parses all of `view`.
+Syntax parseSyntax(std::span<const ViewToken> view);
+
+/// Parses one variable declaration that begins at `at` (qualifiers, type, declarators) up to and with its ';'
+/// or up to `end`. Used for members, parameters and local variables.
+Declaration parseVariable(std::span<const ViewToken> view, std::uint32_t at, std::uint32_t end);
+
+/// Index of the bracket that closes the one at `open`, or `end`.
+std::uint32_t closing(std::span<const ViewToken> view, std::uint32_t open, std::uint32_t end);
+
+}  // namespace glibra::glsl

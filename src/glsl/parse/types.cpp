@@ -1,0 +1,249 @@
+#include "glsl/parse/types.h"
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/read/words.h"
+
+namespace glibra::glsl {
+namespace {
+
+using enum BaseType;
+
+bool listed(std::string_view list, std::string_view word) {
+    const std::string key = " " + std::string(word) + " ";
+    return list.find(key) != std::string_view::npos;
+}
+
+int digit(char c) {
+    return c >= '2' && c <= '4' ? c - '0' : 0;
+}
+
+BaseType promoted(BaseType a, BaseType b) {
+    for (const BaseType each : {doublePrecision, floating, unsignedInteger, integer, boolean})
+        if (a == each || b == each) return each;
+    return unknown;
+}
+
+/// Functions whose result has the shape of their widest argument.
+constexpr std::string_view kGeneric =
+    " radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
+    "inversesqrt abs sign floor trunc truncate round roundEven ceil fract mod min max clamp mix step "
+    "smoothstep "
+    "normalize faceforward reflect refract dFdx dFdy fwidth dFdxFine dFdyFine fwidthFine dFdxCoarse "
+    "dFdyCoarse "
+    "fwidthCoarse fma modf ldexp ";
+/// Of these, those that exist for integers too.
+constexpr std::string_view kIntegerToo = " abs sign min max clamp ";
+constexpr std::string_view kToScalar = " length distance dot determinant noise1 ";
+constexpr std::string_view kRelational =
+    " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual not ";
+
+Type textureType(std::string_view function, std::span<const Type> arguments) {
+    if (function.starts_with("textureSize") || function.starts_with("textureQuery")) return {};
+    if (arguments.empty() || arguments[0].base != opaque) {
+        // texture2D and its kin name floating samplers, or integer ones (EXT_gpu_shader4): only the argument
+        // tells.
+        return {};
+    }
+    const std::string_view sampler = arguments[0].word;
+    if (sampler.ends_with("Shadow") && !function.starts_with("textureGather")) return scalarType(floating);
+    if (sampler.starts_with("i")) return vectorType(integer, 4);
+    if (sampler.starts_with("u")) return vectorType(unsignedInteger, 4);
+    return vectorType(floating, 4);
+}
+
+struct Supplied {
+    std::string_view name;
+    std::string_view type;
+    int arrayDepth = 0;
+};
+constexpr std::array kSupplied = std::to_array<Supplied>({
+    {"gl_Position", "vec4"},
+    {"gl_PointSize", "float"},
+    {"gl_ClipDistance", "float", 1},
+    {"gl_ClipVertex", "vec4"},
+    {"gl_FragCoord", "vec4"},
+    {"gl_FragColor", "vec4"},
+    {"gl_FragData", "vec4", 1},
+    {"gl_FragDepth", "float"},
+    {"gl_PointCoord", "vec2"},
+    {"gl_FrontFacing", "bool"},
+    {"gl_TessCoord", "vec3"},
+    {"gl_TessLevelOuter", "float", 1},
+    {"gl_TessLevelInner", "float", 1},
+    {"gl_VertexID", "int"},
+    {"gl_InstanceID", "int"},
+    {"gl_PrimitiveID", "int"},
+    {"gl_InvocationID", "int"},
+    {"gl_PrimitiveIDIn", "int"},
+    {"gl_Layer", "int"},
+    {"gl_Vertex", "vec4"},
+    {"gl_Normal", "vec3"},
+    {"gl_Color", "vec4"},
+    {"gl_SecondaryColor", "vec4"},
+    {"gl_FogCoord", "float"},
+    {"gl_FogFragCoord", "float"},
+    {"gl_TexCoord", "vec4", 1},
+    {"gl_FrontColor", "vec4"},
+    {"gl_BackColor", "vec4"},
+    {"gl_FrontSecondaryColor", "vec4"},
+    {"gl_BackSecondaryColor", "vec4"},
+    {"gl_PositionIn", "vec4", 1},
+    {"gl_FrontColorIn", "vec4", 1},
+    {"gl_BackColorIn", "vec4", 1},
+    {"gl_TexCoordIn", "vec4", 2},
+    {"gl_PointSizeIn", "float", 1},
+    {"gl_NormalMatrix", "mat3"},
+    {"gl_TextureMatrix", "mat4", 1},
+    {"uNormalMatrix", "mat3"},
+    {"aVertex", "vec4"},
+    {"aNormal", "vec3"},
+    {"aColor", "vec4"},
+    {"Tangent", "vec3"},
+    {"aTangent", "vec3"},
+    {"Timer", "float"},
+    {"Noise2", "sampler2D"},
+    {"Noise3", "sampler3D"},
+});
+
+}  // namespace
+
+Type typeOfWord(std::string_view word) {
+    if (!isTypeWord(word)) return {};
+    if (word == "void") return scalarType(voidType);
+    if (word == "float") return scalarType(floating);
+    if (word == "double") return scalarType(doublePrecision);
+    if (word == "int") return scalarType(integer);
+    if (word == "uint") return scalarType(unsignedInteger);
+    if (word == "bool") return scalarType(boolean);
+    if (isOpaqueTypeWord(word)) {
+        Type type = scalarType(opaque);
+        type.word = word;
+        return type;
+    }
+    BaseType base = floating;
+    std::string_view rest = word;
+    const auto prefixed = [&](char letter, BaseType value) {
+        if (rest.starts_with(letter) && rest.size() > 3 &&
+            (rest.substr(1).starts_with("vec") || rest.substr(1).starts_with("mat"))) {
+            base = value;
+            rest.remove_prefix(1);
+        }
+    };
+    prefixed('d', doublePrecision);
+    prefixed('i', integer);
+    prefixed('u', unsignedInteger);
+    prefixed('b', boolean);
+    if (rest.starts_with("vec") && rest.size() == 4 && digit(rest[3]))
+        return vectorType(base, digit(rest[3]));
+    if (rest.starts_with("mat") && rest.size() >= 4 && digit(rest[3])) {
+        const int columns = digit(rest[3]);
+        const int rows = rest.size() == 6 ? digit(rest[5]) : columns;
+        if (!rows) return {};
+        return {base, static_cast<std::uint8_t>(columns), static_cast<std::uint8_t>(rows), 0, -1, {}};
+    }
+    return {};
+}
+
+std::string wordOf(const Type& type) {
+    static constexpr std::array<std::string_view, 5> kScalars = {"float", "double", "int", "uint", "bool"};
+    static constexpr std::array<std::string_view, 5> kPrefixes = {"", "d", "i", "u", "b"};
+    if (type.base == opaque) return std::string(type.word);
+    if (type.base < floating || type.base > boolean) return type.base == voidType ? "void" : "?";
+    const auto index = static_cast<std::size_t>(type.base) - static_cast<std::size_t>(floating);
+    if (type.columns == 1 && type.rows == 1) return std::string(kScalars[index]);
+    std::string word(kPrefixes[index]);
+    if (type.columns == 1) return word + "vec" + std::to_string(type.rows);
+    word += "mat" + std::to_string(type.columns);
+    if (type.columns != type.rows) word += "x" + std::to_string(type.rows);
+    return word;
+}
+
+Type typeOfSuppliedName(std::string_view name) {
+    const auto* const found = std::find_if(kSupplied.begin(), kSupplied.end(),
+                                           [&](const Supplied& each) { return each.name == name; });
+    if (found != kSupplied.end()) {
+        Type type = typeOfWord(found->type);
+        type.arrayDepth = static_cast<std::uint16_t>(found->arrayDepth);
+        return type;
+    }
+    if (name.starts_with("gl_MultiTexCoord") || name.starts_with("aTexCoord")) return vectorType(floating, 4);
+    const bool matrix =
+        (name.starts_with("gl_") || name.starts_with("u")) && name.find("Matrix") != std::string_view::npos;
+    if (matrix && (name.find("ModelView") != std::string_view::npos ||
+                   name.find("Projection") != std::string_view::npos))
+        return typeOfWord("mat4");
+    return {};
+}
+
+Type binaryType(std::string_view op, const Type& left, const Type& right) {
+    if (listed(" < > <= >= == != && || ^^ ", op)) return scalarType(boolean);
+    if (!left.numeric() || !right.numeric()) return {};
+    const BaseType base = promoted(left.base, right.base);
+    const auto shaped = [&](const Type& shape) {
+        Type type = shape;
+        type.base = base;
+        return type;
+    };
+    if (op == "<<" || op == ">>") return left;
+    if (op == "*") {
+        if (left.matrix() && right.vector())
+            return left.columns == right.rows ? vectorType(base, left.rows) : Type{};
+        if (left.vector() && right.matrix())
+            return left.rows == right.rows ? vectorType(base, right.columns) : Type{};
+        if (left.matrix() && right.matrix()) {
+            if (left.columns != right.rows) return {};
+            return {base, right.columns, left.rows, 0, -1, {}};
+        }
+    }
+    if (left.scalar()) return shaped(right);
+    if (right.scalar()) return shaped(left);
+    return left.columns == right.columns && left.rows == right.rows ? shaped(left) : Type{};
+}
+
+Type callType(std::string_view function, std::span<const Type> arguments) {
+    if (isTypeWord(function)) return typeOfWord(function);
+    if (function == "ftransform") return vectorType(floating, 4);
+    if (function == "cross") return vectorType(floating, 3);
+    if (function.size() == 6 && function.starts_with("noise") && digit(function[5]))
+        return vectorType(floating, digit(function[5]));
+    if (listed(" any all ", function)) return scalarType(boolean);
+    if (function.starts_with("shadow1D") || function.starts_with("shadow2D")) return vectorType(floating, 4);
+    if (function.starts_with("texture") || function.starts_with("texelFetch"))
+        return textureType(function, arguments);
+    if (arguments.empty() ||
+        std::any_of(arguments.begin(), arguments.end(), [](const Type& t) { return !t.numeric(); }))
+        return {};
+    const Type& first = arguments.front();
+    BaseType base = first.base;
+    Type widest = first;
+    for (const Type& each : arguments) {
+        base = promoted(base, each.base);
+        if (each.components() > widest.components()) widest = each;
+    }
+    const BaseType real = base == doublePrecision ? doublePrecision : floating;
+    if (listed(kToScalar, function)) return scalarType(real);
+    if (listed(kRelational, function)) return vectorType(boolean, first.rows);
+    if (function == "inverse" || function == "matrixCompMult") return first;
+    if (function == "transpose") return {first.base, first.rows, first.columns, 0, -1, {}};
+    if (function == "outerProduct" && arguments.size() == 2)
+        return {real, arguments[1].rows, first.rows, 0, -1, {}};
+    if (!listed(kGeneric, function)) return {};
+    const bool keepsIntegers = listed(kIntegerToo, function) && (base == integer || base == unsignedInteger);
+    widest.base = keepsIntegers ? base : real;
+    return widest;
+}
+
+std::string zeroOf(std::string_view typeWord) {
+    const Type type = typeOfWord(typeWord);
+    if (!type.numeric()) return {};
+    std::string_view zero = "0.";
+    if (type.base == integer) zero = "0";
+    if (type.base == unsignedInteger) zero = "0u";
+    if (type.base == boolean) zero = "false";
+    if (type.scalar()) return type.base == doublePrecision ? "double(0.)" : std::string(zero);
+    return std::string(typeWord) + "(" + std::string(zero) + ")";
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,138 @@
+#include "glsl/parse/usage.h"
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/read/words.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// Built-in functions that write to arguments, as bits.
+struct Output {
+    std::string_view function;
+    unsigned arguments;
+};
+constexpr std::array kOutputs = std::to_array<Output>({{"modf", 2},
+                                                       {"frexp", 2},
+                                                       {"uaddCarry", 4},
+                                                       {"usubBorrow", 4},
+                                                       {"umulExtended", 12},
+                                                       {"imulExtended", 12}});
+
+bool isAssignment(std::string_view text) {
+    static constexpr std::array<std::string_view, 11> kOperators = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+    return std::find(kOperators.begin(), kOperators.end(), text) != kOperators.end();
+}
+
+void addDeclared(Unit& unit, const Declaration& declaration) {
+    const auto add = [&](std::uint32_t at) {
+        if (at != kNone) unit.declared.emplace(unit.text(at), at);
+    };
+    add(declaration.name);
+    if (declaration.kind == DeclarationKind::requalify) return;
+    for (const Declarator& each : declaration.declarators) add(each.name);
+    if (declaration.kind == DeclarationKind::block && declaration.declarators.empty())
+        for (const Declaration& member : declaration.members)
+            for (const Declarator& each : member.declarators) add(each.name);
+}
+
+/// By function name: the arguments that it writes, over all its overloads.
+std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
+    std::map<std::string_view, unsigned> result;
+    for (const Declaration& each : unit.syntax.declarations) {
+        if (each.kind != DeclarationKind::function && each.kind != DeclarationKind::prototype) continue;
+        unsigned bits = 0;
+        for (std::size_t i = 0; i < each.parameters.size() && i < 31; ++i) {
+            const Storage storage = each.parameters[i].qualifiers.storage;
+            if (storage == Storage::output || storage == Storage::inputOutput) bits |= 1U << i;
+        }
+        result[unit.text(each.name)] |= bits;
+    }
+    for (const Output& each : kOutputs) result.emplace(each.function, each.arguments);
+    return result;
+}
+
+}  // namespace
+
+std::uint32_t behindSuffixes(const Unit& unit, std::uint32_t at) {
+    const auto end = static_cast<std::uint32_t>(unit.view.size());
+    ++at;
+    while (at < end) {
+        if (unit.text(at) == "[")
+            at = std::min(unit.bodies.matches[at], end - 1) + 1;
+        else if (unit.text(at) == "." && at + 1 < end && unit.view[at + 1].kind == TokenKind::word)
+            at += 2;
+        else
+            break;
+    }
+    return at;
+}
+
+bool integerValue(const Unit& unit, Range range, long long& value) {
+    if (range.empty() || range.end > unit.view.size()) return false;
+    const std::span<const ViewToken> tokens(unit.view.data() + range.first, range.end - range.first);
+    const bool plain = std::all_of(tokens.begin(), tokens.end(), [](const ViewToken& token) {
+        return token.kind == TokenKind::punctuator ||
+               (token.kind == TokenKind::number && token.text.find('.') == std::string_view::npos);
+    });
+    return plain && evaluateCondition(tokens, value);
+}
+
+int constantIndex(const Unit& unit, std::uint32_t openBracket) {
+    if (unit.text(openBracket) != "[") return -1;
+    long long value = 0;
+    const std::uint32_t close = unit.bodies.matches[openBracket];
+    if (!integerValue(unit, {openBracket + 1, close}, value) || value < 0 || value > 1000) return -1;
+    return static_cast<int>(value);
+}
+
+bool isWrittenAt(const Unit& unit, std::uint32_t at) {
+    const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
+    std::uint32_t first = at;
+    std::uint32_t behind = behindSuffixes(unit, at);
+    while (true) {
+        const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
+        if (isStep(before)) return true;
+        if (isAssignment(unit.text(behind)) || isStep(unit.text(behind))) return true;
+        // (name).xy = ..., but not if (name) ++other
+        const bool wrapped = before == "(" && unit.text(behind) == ")" && first > 1 &&
+                             unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
+        if (!wrapped) return false;
+        --first;
+        behind = behindSuffixes(unit, behind);
+    }
+}
+
+void findUsage(Unit& unit) {
+    for (const Declaration& each : unit.syntax.declarations) addDeclared(unit, each);
+    const std::map<std::string_view, unsigned> outputs = outputArguments(unit);
+    for (std::uint32_t i = 0; i < unit.view.size(); ++i) {
+        if (unit.bodies.roles[i] != WordRole::global) continue;
+        const std::string name(unit.text(i));
+        unit.uses[name].push_back(i);
+        if (isWrittenAt(unit, i)) unit.writes[name].push_back(i);
+        const auto output = outputs.find(unit.text(i));
+        if (output == outputs.end() || output->second == 0 || unit.text(i + 1) != "(") continue;
+        const std::uint32_t close =
+            std::min<std::uint32_t>(unit.bodies.matches[i + 1], static_cast<std::uint32_t>(unit.view.size()));
+        unsigned argument = 0;
+        bool start = true;
+        for (std::uint32_t k = i + 2; k < close; ++k) {
+            const std::string_view text = unit.text(k);
+            if (start && unit.bodies.roles[k] == WordRole::global && argument < 31 &&
+                (output->second >> argument & 1U) != 0)
+                unit.writes[std::string(text)].push_back(k);
+            start = start && text == "(";
+            if (text == ",") {
+                ++argument;
+                start = true;
+            } else if ((text == "(" || text == "[") && unit.bodies.matches[k] < close && !start) {
+                k = unit.bodies.matches[k];
+            }
+        }
+    }
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,61 @@
+#pragma once
+// The preprocessor's macros: what the grammar sees of a source is its tokens after macro expansion, each of
+// which remembers where it was written, so that edits go to the user's own text.
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/read/token.h"
+
+namespace glibra::glsl {
+
+/// A token as the grammar sees it.
+struct ViewToken {
+    std::string_view text;
+    std::uint32_t raw = 0;  ///< index of the token where it is spelled
+    std::uint32_t site =
+        0;  ///< index of the outermost macro's name that brought it here; else equal to `raw`
+    TokenKind kind = TokenKind::word;
+    bool body = false;        ///< spelled in a macro's body
+    bool objectSite = false;  ///< `site` is the name of a macro without parameters
+};
+
+struct Macro {
+    bool takesArguments = false;
+    std::vector<std::string_view> parameters;
+    std::vector<ViewToken> body;
+};
+
+/// Macros defined at one place of a source.
+class MacroTable {
+  public:
+    void define(std::string_view name, Macro macro) {
+        macros_.insert_or_assign(std::string(name), std::move(macro));
+    }
+    void undefine(std::string_view name);
+    [[nodiscard]] bool isDefined(std::string_view name) const { return macros_.find(name) != macros_.end(); }
+
+    /// Appends the expansion of `tokens` to `out`. Bounded: past some million steps names are left as they
+    /// are.
+    void expand(std::span<const ViewToken> tokens, std::vector<ViewToken>& out);
+
+  private:
+    void expandInto(std::span<const ViewToken> tokens, std::vector<ViewToken>& out, int depth);
+    [[nodiscard]] std::vector<ViewToken> substitute(const Macro& macro,
+                                                    const std::vector<std::span<const ViewToken>>& arguments,
+                                                    const ViewToken& call, int depth);
+
+    std::map<std::string, Macro, std::less<>> macros_;
+    std::set<std::string, std::less<>> disabled_;
+    std::size_t steps_ = 0;
+};
+
+/// The value of an #if or #elif expression whose macros, and `defined`, are already replaced. Words count as
+/// 0. Nothing if it is not an expression.
+bool evaluateCondition(std::span<const ViewToken> tokens, long long& value);
+
+}  // namespace glibra::glsl

@@ -1,0 +1,260 @@
+// Language 7.9: the user's own variables between two stages.
+
+#include <algorithm>
+#include <optional>
+
+#include "glsl/parse/types.h"
+#include "glsl/parse/usage.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+constexpr int kMostVertices = 32;
+
+/// Inputs and outputs that hold one element a vertex.
+bool isPerVertex(Stage stage, Storage storage, bool patch) {
+    if (patch) return false;
+    if (stage == Stage::tessControl) return true;
+    return storage == Storage::input && (stage == Stage::tessEvaluation || stage == Stage::geometry);
+}
+
+/// `T(0.)`, also for structs and arrays; nothing for what has no such value.
+class Zero {
+  public:
+    explicit Zero(const Unit& unit) : unit_(unit) {}
+
+    [[nodiscard]] std::optional<std::string> of(const std::string& type, std::span<const std::string> sizes,
+                                                int depth = 0) const {
+        if (depth > 6) return std::nullopt;
+        if (sizes.empty()) return scalar(type, depth);
+        const auto element = of(type, sizes.subspan(1), depth + 1);
+        const int count = std::atoi(sizes.front().c_str());
+        if (!element || count < 1 || count > 64) return std::nullopt;
+        std::string text = type;
+        for (const std::string& each : sizes) text += "[" + each + "]";
+        text += "(";
+        for (int i = 0; i < count; ++i) text += (i ? ", " : "") + *element;
+        return text + ")";
+    }
+
+  private:
+    [[nodiscard]] std::optional<std::string> scalar(const std::string& type, int depth) const {
+        if (std::string zero = zeroOf(type); !zero.empty()) return zero;
+        for (const Declaration& each : unit_.syntax.declarations) {
+            if (!each.type.isStruct || each.type.name != type) continue;
+            std::string text = type + "(";
+            for (const Declaration& member : each.members)
+                for (const Declarator& name : member.declarators) {
+                    const auto value = of(std::string(member.type.name), sizesOf(member, name), depth + 1);
+                    if (!value) return std::nullopt;
+                    text += (text.back() == '(' ? "" : ", ") + *value;
+                }
+            return text + ")";
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] std::vector<std::string> sizesOf(const Declaration& member, const Declarator& name) const {
+        std::vector<std::string> sizes;
+        for (const Range& each : name.dimensions) sizes.push_back(textOf(unit_, each));
+        for (const Range& each : member.type.dimensions) sizes.push_back(textOf(unit_, each));
+        return sizes;
+    }
+
+    const Unit& unit_;
+};
+
+class Interface {
+  public:
+    Interface(ProgramUnits& program, Unit& writer, Unit& reader)
+        : program_(program), writer_(writer), reader_(reader) {}
+
+    void run() {
+        for (Variable& each : reader_.variables)
+            if (each.storage == Storage::input && !each.removed && !each.name.starts_with("gl_"))
+                variable(each);
+        for (const Declaration& each : reader_.syntax.declarations)
+            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::input) block(each);
+    }
+
+  private:
+    [[nodiscard]] Variable* output(const std::string& name) {
+        for (Variable& each : writer_.variables)
+            if (each.storage == Storage::output && each.name == name && !each.removed) return &each;
+        return nullptr;
+    }
+    [[nodiscard]] Variable* outputAt(const std::string& location) {
+        for (Variable& each : writer_.variables) {
+            const std::string* own =
+                each.storage == Storage::output && !each.removed ? each.layoutValue("location") : nullptr;
+            if (own && *own == location) return &each;
+        }
+        return nullptr;
+    }
+
+    void variable(Variable& input) {
+        Variable* source = output(input.name);
+        const std::string* location = input.layoutValue("location");
+        if (location) {
+            // By location if both sides have one; otherwise the names connect, and a location of one side is
+            // in the way.
+            if (Variable* there = outputAt(*location)) {
+                if (!isWritten(*there)) unwritten(input);
+                return;
+            }
+            if (source && !source->layoutValue("location")) input.removeLayout("location");
+        } else if (source && source->layoutValue("location")) {
+            source->removeLayout("location");
+        }
+        if (!source) return unwritten(input);
+        if (!sameType(*source, input)) return mismatch(*source, input);
+        if (!isWritten(*source)) return unwritten(input);
+        if (program_.request->target.version < 440 && source->interpolation != input.interpolation) {
+            source->interpolation = input.interpolation;  // has to be equal before 4.40
+            source->changed = true;
+        }
+    }
+
+    [[nodiscard]] bool isWritten(const Variable& output) const { return writer_.isWritten(output.name); }
+
+    /// Sizes without the one that counts vertices.
+    [[nodiscard]] static std::vector<std::string> sizes(const Variable& variable, Stage stage) {
+        std::vector<std::string> all = variable.sizes();
+        if (isPerVertex(stage, variable.storage, variable.patch) && !all.empty()) all.erase(all.begin());
+        return all;
+    }
+    [[nodiscard]] bool sameType(const Variable& output, const Variable& input) const {
+        if (output.type != input.type || output.patch != input.patch) return false;
+        const std::vector<std::string> a = sizes(output, writer_.stage), b = sizes(input, reader_.stage);
+        if (a.size() != b.size()) return false;
+        // Sizes that are not plain numbers are left to the linker.
+        const auto number = [](const std::string& text) {
+            return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        };
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (number(a[i]) && number(b[i]) && std::atoi(a[i].c_str()) != std::atoi(b[i].c_str()))
+                return false;
+        return true;
+    }
+    [[nodiscard]] static std::string described(const Variable& variable, Stage stage) {
+        std::string text = variable.type.empty() ? "a struct" : variable.type;
+        for (const std::string& each : sizes(variable, stage)) text += "[" + each + "]";
+        return (variable.patch ? "patch " : "") + text;
+    }
+    void mismatch(const Variable& output, const Variable& input) {
+        const Place here = reader_.place(input.nameToken);
+        program_.report.error("glsl-E02",
+                              "'" + input.name + "' is " + described(output, writer_.stage) + " in " +
+                                  shortPlace(writer_.place(output.nameToken)) + " and " +
+                                  described(input, reader_.stage) + " in " + shortPlace(here),
+                              here);
+    }
+
+    [[nodiscard]] int vertices() const {
+        return reader_.stage == Stage::geometry ? verticesOfPrimitive(program_.result->geometryInput)
+                                                : kMostVertices;
+    }
+
+    /// The input becomes a variable of its own that holds zero.
+    void unwritten(Variable& input) {
+        if (reader_.isUsed(input.name))
+            program_.report.warning("glsl-W11",
+                                    "'" + input.name + "' is written by no earlier stage, it reads 0",
+                                    reader_.place(input.nameToken));
+        if (input.type.empty()) return;
+        if (isPerVertex(reader_.stage, Storage::input, input.patch) && input.isArray()) {
+            std::string& first = input.nameSizes.empty() ? input.typeSizes.front() : input.nameSizes.front();
+            first = std::to_string(vertices());
+            (input.nameSizes.empty() ? input.changed : input.sizesChanged) = true;
+        }
+        const std::vector<std::string> all = input.sizes();
+        input.storage = Storage::none;
+        input.interpolation.clear();
+        input.layout.clear();
+        input.centroid = input.sample = input.patch = false;
+        input.changed = true;
+        const Zero zero(reader_);
+        if (const auto value = zero.of(input.type, all)) input.initializer = " = " + *value;
+    }
+
+    void block(const Declaration& input) {
+        const std::string_view name = reader_.text(input.name);
+        if (name.starts_with("gl_")) return;
+        for (const Declaration& each : writer_.syntax.declarations)
+            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output &&
+                writer_.text(each.name) == name)
+                return;
+        if (const LayoutItem* location = input.qualifiers.item("location"); location) return;
+        program_.report.warning("glsl-W11",
+                                "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
+                                reader_.place(input.name));
+        std::vector<std::uint32_t> head;
+        if (!editableTokens(reader_, {input.tokens.first, input.body.first}, head)) return;
+        for (const std::uint32_t each : head) reader_.edits.remove(each);
+        input.declarators.empty() ? openBlock(input) : structBlock(input, head.front());
+    }
+
+    /// Without an instance name the members are names of their own.
+    void openBlock(const Declaration& input) {
+        reader_.edits.remove(reader_.view[input.body.first].site);
+        for (std::uint32_t i = input.body.end - 1; i < input.tokens.end; ++i)
+            reader_.edits.remove(reader_.view[i].site);
+        members(input, true);
+    }
+
+    void structBlock(const Declaration& input, std::uint32_t first) {
+        const std::string type = "glibra_Zero" + std::string(reader_.text(input.name));
+        reader_.edits.replace(first, "struct " + type + " ");
+        members(input, false);
+        const Declarator& instance = input.declarators.front();
+        std::string element = type + "(" + memberValues(input) + ")";
+        if (!instance.dimensions.empty()) {
+            const int count = vertices();
+            std::vector<std::uint32_t> brackets;
+            if (editableTokens(reader_, instance.dimensionTokens, brackets))
+                for (const std::uint32_t each : brackets) reader_.edits.remove(each);
+            std::string all;
+            for (int i = 0; i < count; ++i) all += (i ? ", " : "") + element;
+            element = type + "[" + std::to_string(count) + "](" + all + ")";
+            reader_.edits.after(reader_.view[instance.name].site, "[" + std::to_string(count) + "]");
+        }
+        reader_.edits.after(reader_.view[instance.name].site, " = " + element);
+    }
+
+    void members(const Declaration& input, bool initialise) {
+        for (const Declaration& member : input.members) {
+            for (std::uint32_t i = member.qualifiers.tokens.first; i < member.qualifiers.tokens.end; ++i)
+                reader_.edits.remove(reader_.view[i].site);
+            for (const Declarator& name : member.declarators)
+                if (const auto value = memberValue(member, name); value && initialise)
+                    reader_.edits.after(reader_.view[name.dimensionTokens.end - 1].site, " = " + *value);
+        }
+    }
+    [[nodiscard]] std::optional<std::string> memberValue(const Declaration& member,
+                                                         const Declarator& name) const {
+        std::vector<std::string> sizes;
+        for (const Range& each : name.dimensions) sizes.push_back(textOf(reader_, each));
+        for (const Range& each : member.type.dimensions) sizes.push_back(textOf(reader_, each));
+        return Zero(reader_).of(std::string(member.type.name), sizes);
+    }
+    [[nodiscard]] std::string memberValues(const Declaration& input) const {
+        std::string text;
+        for (const Declaration& member : input.members)
+            for (const Declarator& name : member.declarators)
+                text += (text.empty() ? "" : ", ") + memberValue(member, name).value_or("0");
+        return text;
+    }
+
+    ProgramUnits& program_;
+    Unit& writer_;
+    Unit& reader_;
+};
+
+}  // namespace
+
+void connectStages(ProgramUnits& program) {
+    for (std::size_t i = 1; i < program.units.size(); ++i)
+        Interface(program, program.units[i - 1], program.units[i]).run();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,180 @@
+// Language 7.5: functions of older versions.
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+constexpr std::array<std::string_view, 9> kDimensions = {
+    "2DRect", "1DArray", "2DArray", "CubeArray", "Buffer", "Cube", "1D", "2D", "3D"};
+
+bool take(std::string_view& text, std::string_view part) {
+    if (!text.starts_with(part)) return false;
+    text.remove_prefix(part.size());
+    return true;
+}
+
+std::string_view takeDimension(std::string_view& text) {
+    for (const std::string_view each : kDimensions)
+        if (take(text, each)) return each;
+    return {};
+}
+
+/// What may follow the dimension of texture and shadow functions.
+bool takeVariant(std::string_view& text, std::string& core) {
+    for (const std::string_view part : {"Proj", "Lod", "Grad", "Offset"}) {
+        if (part == "Lod" || part == "Grad") {
+            if (core.ends_with("Lod")) continue;
+        }
+        if (take(text, part)) core += part;
+    }
+    const bool vendor = take(text, "ARB") || take(text, "EXT");
+    return vendor;
+}
+
+class FunctionRule {
+  public:
+    FunctionRule(Unit& unit, const TokenWalk& walk) : unit_(unit), walk_(walk) {}
+
+    void run() {
+        for (std::uint32_t i = 0; i < unit_.tokens.size(); ++i)
+            if (unit_.tokens[i].kind == TokenKind::word && !unit_.tokens[i].synthetic) word(i);
+        if (noise_ != 0)
+            for (std::string& line : noiseFunctions(noise_)) unit_.prologue.push_back(std::move(line));
+    }
+
+  private:
+    void word(std::uint32_t at) {
+        const std::string_view text = unit_.tokens[at].text;
+        const char first = text.front();
+        if (first != 't' && first != 's' && first != 'f' && first != 'n' && first != 'u') return;
+        if (walk_.text(walk_.previous(at)) == "." || unit_.isUserName(text)) return;
+        const std::uint32_t open = walk_.next(at);
+        const bool called = walk_.text(open) == "(";
+        if (first == 't' || first == 's') texture(at, text, called ? open : kNone);
+        if (text == "unsigned" && walk_.text(open) == "int") {
+            unit_.edits.remove(at);
+            unit_.edits.replace(open, "uint");
+        }
+        if (!called) return;
+        if (text == "truncate") unit_.edits.replace(at, "trunc");
+        if (text == "texelSize") unit_.edits.replace(at, "textureSize");
+        if (text == "ftransform") ftransform(at, open);
+        if (text.size() == 6 && text.starts_with("noise") && text[5] >= '1' && text[5] <= '4') {
+            if (unit_.isUsed(text)) noise_ |= 1U << (text[5] - '1');
+            unit_.edits.replace(at, "glibra_" + std::string(text));
+        }
+    }
+
+    void texture(std::uint32_t at, std::string_view text, std::uint32_t open) {
+        const TextureFunction function = textureFunction(text);
+        if (function.core.empty()) return;
+        const std::uint32_t close = open == kNone ? kNone : walk_.match(open);
+        if (!function.shadow) {
+            unit_.edits.replace(at, function.core);
+        } else if (close != kNone) {
+            unit_.edits.replace(at, "vec4(" + function.core);
+            unit_.edits.after(close, ")");
+        }
+        if (function.dropsLod && close != kNone) dropSecondArgument(open, close);
+    }
+
+    void dropSecondArgument(std::uint32_t open, std::uint32_t close) {
+        std::uint32_t comma = kNone;
+        for (std::uint32_t i = walk_.next(open); i != kNone && i != close; i = walk_.next(i)) {
+            const std::string_view text = walk_.text(i);
+            if (comma == kNone && (text == "(" || text == "[") && walk_.match(i) != kNone)
+                i = walk_.match(i);
+            else if (comma == kNone && text == ",")
+                comma = i;
+            if (comma != kNone) unit_.edits.remove(i);
+        }
+    }
+
+    void ftransform(std::uint32_t at, std::uint32_t open) {
+        const std::uint32_t close = walk_.match(open);
+        if (close == kNone || walk_.next(open) != close) return;
+        unit_.edits.replace(at, "(glibra_ModelViewProjectionMatrix * glibra_Vertex)");
+        unit_.edits.remove(open);
+        unit_.edits.remove(close);
+        if (!unit_.isUsed("ftransform") || unit_.stage != Stage::vertex) return;
+        // Its two names are supplied as if they stood here.
+        const std::uint32_t use = unit_.uses["ftransform"].front();
+        unit_.uses["gl_ModelViewProjectionMatrix"].push_back(use);
+        unit_.uses["gl_Vertex"].push_back(use);
+        unit_.declare("invariant gl_Position;");
+    }
+
+    Unit& unit_;
+    const TokenWalk& walk_;
+    unsigned noise_ = 0;
+};
+
+}  // namespace
+
+TextureFunction textureFunction(std::string_view name) {
+    TextureFunction result;
+    std::string_view rest = name;
+    if (name == "textureQueryLOD") {
+        result.core = "textureQueryLod";
+        return result;
+    }
+    if (take(rest, "texelFetch")) {
+        const std::string_view dimension = takeDimension(rest);
+        std::string core = "texelFetch";
+        if (take(rest, "Offset")) core += "Offset";
+        if (dimension.empty() || !(rest.empty() || rest == "ARB" || rest == "EXT")) return {};
+        return {core, "sampler" + std::string(dimension), false, false};
+    }
+    if (take(rest, "textureSize")) {
+        const std::string_view dimension = takeDimension(rest);
+        if (dimension.empty() || !rest.empty()) return {};
+        const bool noLod = dimension == "2DRect" || dimension == "Buffer";
+        return {"textureSize", "sampler" + std::string(dimension), false, noLod};
+    }
+    result.shadow = rest.starts_with("shadow");
+    if (!take(rest, "texture") && !take(rest, "shadow")) return {};
+    const std::string_view dimension = takeDimension(rest);
+    result.core = "texture";
+    const bool vendor = takeVariant(rest, result.core);
+    if (!rest.empty() || (dimension.empty() && (!vendor || result.shadow))) return {};
+    if (!dimension.empty())
+        result.sampler = "sampler" + std::string(dimension) + (result.shadow ? "Shadow" : "");
+    return result;
+}
+
+bool isTextureFunction(std::string_view name) {
+    if (!textureFunction(name).core.empty()) return true;
+    static constexpr std::array<std::string_view, 22> kCore = {"texture",
+                                                               "textureProj",
+                                                               "textureLod",
+                                                               "textureProjLod",
+                                                               "textureGrad",
+                                                               "textureProjGrad",
+                                                               "textureOffset",
+                                                               "textureProjOffset",
+                                                               "textureLodOffset",
+                                                               "textureProjLodOffset",
+                                                               "textureGradOffset",
+                                                               "textureProjGradOffset",
+                                                               "texelFetch",
+                                                               "texelFetchOffset",
+                                                               "textureSize",
+                                                               "textureGather",
+                                                               "textureGatherOffset",
+                                                               "textureGatherOffsets",
+                                                               "textureQueryLod",
+                                                               "textureQueryLevels",
+                                                               "textureSamples",
+                                                               "texelSize"};
+    return std::find(kCore.begin(), kCore.end(), name) != kCore.end();
+}
+
+void modernizeFunctions(Unit& unit, const TokenWalk& walk) {
+    FunctionRule(unit, walk).run();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,255 @@
+// Language 7.7: geometry shaders of EXT_geometry_shader4, and their layouts.
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/parse/types.h"
+#include "glsl/parse/usage.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+class OldNames {
+  public:
+    OldNames(Unit& unit, const TokenWalk& walk, Report& report) : unit_(unit), walk_(walk), report_(report) {}
+
+    void run() {
+        for (std::uint32_t i = 0; i < unit_.tokens.size(); ++i) {
+            if (unit_.tokens[i].kind != TokenKind::word) continue;
+            const std::string_view text = unit_.tokens[i].text;
+            if (!text.starts_with("gl_")) continue;
+            if (text == "gl_PositionIn") arrayIn(i, "gl_Position", true);
+            if (text == "gl_PointSizeIn") arrayIn(i, "gl_PointSize", false);
+            if (text == "gl_ClipDistanceIn") arrayIn(i, "gl_ClipDistance", false);
+            if (text == "gl_VerticesIn") unit_.edits.replace(i, "gl_in.length()");
+            if (text == "gl_PrimitiveIDIn") primitive(i);
+        }
+    }
+
+  private:
+    void arrayIn(std::uint32_t at, const std::string& member, bool length) {
+        const std::uint32_t next = walk_.next(at);
+        const std::string name(walk_.text(at));
+        if (walk_.text(next) == "[" && walk_.match(next) != kNone) {
+            unit_.edits.replace(at, "gl_in");
+            unit_.edits.after(walk_.match(next), "." + member);
+        } else if (length && walk_.text(next) == "." && walk_.text(walk_.next(next)) == "length") {
+            unit_.edits.replace(at, "gl_in");
+        } else if (!subscriptedByMacro(at, name, member) && unit_.tokens[at].active) {
+            report_.error("glsl-E03", name + " without a subscript cannot be emulated; write " + name + "[i]",
+                          unit_.placeOfToken(at));
+        }
+    }
+
+    /// `#define P gl_PositionIn` and `P[0]`: true if all uses of the macro have a subscript.
+    bool subscriptedByMacro(std::uint32_t at, const std::string& name, const std::string& member) {
+        if (!unit_.tokens[at].directive) return false;
+        std::vector<std::uint32_t> brackets;
+        for (const std::uint32_t use : unit_.uses[name]) {
+            if (unit_.view[use].raw != at) continue;
+            const std::uint32_t close = unit_.text(use + 1) == "[" ? unit_.bodies.matches[use + 1] : kNone;
+            if (close >= unit_.view.size() || unit_.view[close].body) return false;
+            brackets.push_back(unit_.view[close].raw);
+        }
+        for (const std::uint32_t each : brackets) unit_.edits.after(each, "." + member);
+        unit_.edits.replace(at, "gl_in");
+        return true;
+    }
+
+    void primitive(std::uint32_t at) {
+        const std::uint32_t open = walk_.next(at);
+        if (walk_.text(open) != "[" || walk_.match(open) == kNone) return;
+        const std::uint32_t close = walk_.match(open);
+        for (std::uint32_t i = open; i != kNone; i = walk_.next(i)) {
+            unit_.edits.remove(i);
+            if (i == close) break;
+        }
+    }
+
+    Unit& unit_;
+    const TokenWalk& walk_;
+    Report& report_;
+};
+
+constexpr std::array<std::string_view, 5> kInputs = {"points", "lines", "lines_adjacency", "triangles",
+                                                     "triangles_adjacency"};
+constexpr std::array<std::string_view, 3> kOutputs = {"points", "line_strip", "triangle_strip"};
+
+/// What the layout statements of the stage say.
+struct Layout {
+    std::string input, output;
+    const LayoutItem* vertices = nullptr;
+    std::uint32_t inputAt = kNone, outputAt = kNone;
+};
+
+Layout layoutOf(const Unit& unit) {
+    Layout layout;
+    const auto has = [](const auto& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    for (const Declaration& each : unit.syntax.declarations) {
+        if (each.kind != DeclarationKind::layoutOnly) continue;
+        for (const LayoutItem& item : each.qualifiers.layout) {
+            if (each.qualifiers.storage == Storage::input && has(kInputs, item.name) &&
+                layout.input.empty()) {
+                layout.input = item.name;
+                layout.inputAt = item.tokens.first;
+            }
+            if (each.qualifiers.storage != Storage::output) continue;
+            if (has(kOutputs, item.name) && layout.output.empty()) {
+                layout.output = item.name;
+                layout.outputAt = item.tokens.first;
+            }
+            if (item.name == "max_vertices") layout.vertices = &item;
+        }
+    }
+    return layout;
+}
+
+class Completion {
+  public:
+    Completion(ProgramUnits& program, Unit& unit) : program_(program), unit_(unit), layout_(layoutOf(unit)) {}
+
+    void run() {
+        const ProgramRequest& request = *program_.request;
+        const int components = componentsPerVertex();
+        const int most = mostVertices(components);
+        conflict("GeometryInput", request.geometryInput, layout_.input, layout_.inputAt);
+        conflict("GeometryOutput", request.geometryOutput, layout_.output, layout_.outputAt);
+        std::string synthesised;
+        if (layout_.input.empty()) {
+            layout_.input = request.geometryInput.empty() ? "triangles" : request.geometryInput;
+            synthesised = "layout(" + layout_.input + ") in;";
+            unit_.prologue.insert(unit_.prologue.begin(), synthesised);
+        }
+        std::string output;
+        if (layout_.output.empty()) {
+            layout_.output = request.geometryOutput.empty() ? "triangle_strip" : request.geometryOutput;
+            output = layout_.output;
+        }
+        vertices(most, components, output);
+        if (!output.empty()) unit_.prologue.insert(unit_.prologue.begin(), "layout(" + output + ") out;");
+        program_.result->geometryInput = layout_.input;
+        program_.result->geometryOutput = layout_.output;
+    }
+
+  private:
+    void conflict(const std::string& command, const std::string& wanted, const std::string& written,
+                  std::uint32_t at) {
+        if (wanted.empty() || written.empty() || wanted == written) return;
+        program_.report.warning("glsl-W16",
+                                command + " " + wanted + " ignored, the shader's layout says " + written,
+                                unit_.place(at));
+    }
+
+    [[nodiscard]] int mostVertices(int components) const {
+        const Target& target = program_.request->target;
+        return std::max(1, std::min(target.maxGeometryOutputVertices,
+                                    target.maxGeometryTotalOutputComponents / std::max(1, components)));
+    }
+
+    void lowered(long long value, int most, int components, const Place& place) {
+        program_.report.warning("glsl-W07",
+                                "max_vertices " + std::to_string(value) + " lowered to " +
+                                    std::to_string(most) + " (" + std::to_string(components) +
+                                    " components per vertex)",
+                                place);
+    }
+
+    void vertices(int most, int components, std::string& output) {
+        const int wanted = program_.request->geometryVerticesOut;
+        if (!layout_.vertices) {
+            if (wanted > most) lowered(wanted, most, components, program_.request->place);
+            output += (output.empty() ? "max_vertices = " : ", max_vertices = ") +
+                      std::to_string(wanted > 0 ? std::min(wanted, most) : most);
+            return;
+        }
+        const Range range = layout_.vertices->value;
+        long long value = 0;
+        if (!integerValue(unit_, range, value)) return;
+        if (wanted > 0)
+            conflict("GeometryVerticesOut", std::to_string(wanted), std::to_string(value),
+                     layout_.vertices->tokens.first);
+        if (value <= most) return;
+        std::vector<std::uint32_t> tokens;
+        if (!editableTokens(unit_, range, tokens)) return;
+        for (const std::uint32_t each : tokens) unit_.edits.remove(each);
+        unit_.edits.replace(tokens.front(), std::to_string(most));
+        lowered(value, most, components, unit_.place(range.first));
+    }
+
+    [[nodiscard]] int arraySize(const std::vector<Range>& dimensions) const {
+        long long count = 1;
+        for (const Range& each : dimensions) {
+            long long size = 1;
+            if (integerValue(unit_, each, size))
+                count = std::clamp(count * std::clamp(size, 1LL, 4096LL), 1LL, 4096LL);
+        }
+        return static_cast<int>(count);
+    }
+
+    /// Numbers that one emitted vertex carries: what the stage writes.
+    [[nodiscard]] int componentsPerVertex() const {
+        int count = 0;
+        if (unit_.isWritten("gl_Position")) count += 4;
+        for (const std::string_view each : {"gl_PointSize", "gl_Layer", "gl_ViewportIndex", "gl_PrimitiveID"})
+            if (unit_.isWritten(each)) ++count;
+        count += program_.result->clipDistances;
+        for (const Variable& each : unit_.variables) {
+            if (each.storage != Storage::output || each.removed || each.name.starts_with("gl_") ||
+                !unit_.isWritten(each.name))
+                continue;
+            const Declaration& declaration = unit_.syntax.declarations[each.declaration];
+            count += typeOfWord(each.type).components() * arraySize(declaration.type.dimensions) *
+                     arraySize(declaration.declarators[each.declarator].dimensions);
+        }
+        for (const Declaration& each : unit_.syntax.declarations)
+            if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::output &&
+                unit_.text(each.name) != "gl_PerVertex")
+                for (const Declaration& member : each.members)
+                    for (const Declarator& name : member.declarators)
+                        count += typeOfWord(member.type.name).components() *
+                                 arraySize(member.type.dimensions) * arraySize(name.dimensions);
+        return std::max(1, count + unit_.varyingComponents);
+    }
+
+    ProgramUnits& program_;
+    Unit& unit_;
+    Layout layout_;
+};
+
+}  // namespace
+
+int verticesOfPrimitive(std::string_view primitive) {
+    if (primitive == "points") return 1;
+    if (primitive == "lines") return 2;
+    if (primitive == "lines_adjacency") return 4;
+    return primitive == "triangles_adjacency" ? 6 : 3;
+}
+
+void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report) {
+    if (unit.stage == Stage::geometry) OldNames(unit, walk, report).run();
+}
+
+void readFactsAsIs(ProgramUnits& program) {
+    if (const Unit* unit = program.find(Stage::geometry)) {
+        Layout layout = layoutOf(*unit);
+        program.result->geometryInput = std::move(layout.input);
+        program.result->geometryOutput = std::move(layout.output);
+    }
+    const Unit* fragment = program.find(Stage::fragment);
+    if (!fragment) return;
+    const bool old = fragment->isUsed("gl_FragColor") || fragment->isUsed("gl_FragData");
+    if (old)
+        program.result->fragmentOutputs =
+            fragment->isUsed("gl_FragColor") ? program.request->colorTargets : 8;
+    else
+        placeFragmentOutputs(program);
+}
+
+void completeGeometryLayout(ProgramUnits& program) {
+    if (Unit* unit = program.find(Stage::geometry)) Completion(program, *unit).run();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,143 @@
+// Language 7.4: storage words of older versions, and names that are taken now.
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/read/words.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+bool isVertexCount(const std::string& size) {
+    return size == "gl_VerticesIn" || size.empty();
+}
+
+/// `varying` in a stage that has both inputs and outputs.
+Storage storageOfVarying(Stage stage, const Variable& variable) {
+    if (stage == Stage::vertex) return Storage::output;
+    if (stage == Stage::fragment) return Storage::input;
+    if (variable.storage == Storage::input || variable.storage == Storage::output) return variable.storage;
+    const std::vector<std::string> sizes = variable.sizes();
+    return !sizes.empty() && isVertexCount(sizes.front()) ? Storage::input : Storage::output;
+}
+
+void modernize(Unit& unit, Variable& variable) {
+    const Qualifiers& q = unit.syntax.declarations[variable.declaration].qualifiers;
+    if (q.attributeWord && unit.stage == Stage::vertex) {
+        variable.storage = Storage::input;
+        variable.changed = true;
+    }
+    if (q.varyingWord) {
+        variable.storage = storageOfVarying(unit.stage, variable);
+        variable.changed = true;
+    }
+    // Inputs are as invariant as what the earlier stage wrote; 4.50 has the word for outputs only.
+    if (variable.invariant && variable.storage == Storage::input) {
+        variable.invariant = false;
+        variable.changed = true;
+    }
+    if (unit.stage != Stage::geometry || variable.storage != Storage::input) return;
+    for (std::vector<std::string>* sizes : {&variable.nameSizes, &variable.typeSizes}) {
+        if (sizes->empty() || sizes->front() != "gl_VerticesIn") continue;
+        sizes->front().clear();
+        (sizes == &variable.nameSizes ? variable.sizesChanged : variable.changed) = true;
+    }
+}
+
+/// `invariant vColor;` of an input says nothing any more.
+void dropInvariantInputs(Unit& unit) {
+    for (const Declaration& each : unit.syntax.declarations) {
+        if (each.kind != DeclarationKind::requalify || unit.stage != Stage::fragment) continue;
+        const bool inputs =
+            std::all_of(each.declarators.begin(), each.declarators.end(), [&](const Declarator& name) {
+                const Variable* variable = unit.variable(unit.text(name.name));
+                return variable && variable->storage == Storage::input;
+            });
+        std::vector<std::uint32_t> tokens;
+        if (!inputs || !editableTokens(unit, each.tokens, tokens)) continue;
+        for (const std::uint32_t token : tokens) unit.edits.remove(token);
+    }
+}
+
+constexpr std::array<std::string_view, 14> kEmitted = {
+    "texture",       "textureProj",       "textureLod",       "textureProjLod",       "textureGrad",
+    "textureOffset", "textureProjOffset", "textureLodOffset", "textureProjLodOffset", "textureGradOffset",
+    "texelFetch",    "texelFetchOffset",  "textureSize",      "textureProjGrad"};
+
+/// Where the word is declared in this unit, or kNone.
+std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool members) {
+    if (const auto found = unit.declared.find(word); found != unit.declared.end()) return found->second;
+    const Bodies& bodies = unit.bodies;
+    if (const auto found = bodies.localNames.find(word); found != bodies.localNames.end())
+        return found->second;
+    if (!members) return kNone;
+    const auto found = bodies.memberNames.find(word);
+    return found == bodies.memberNames.end() ? kNone : found->second;
+}
+
+bool isTaken(const Unit& unit, std::string_view word) {
+    const int since = keywordSince(word);
+    // Samplers and such a word as a name can only be a mistake of this parser.
+    return since > unit.dialect.version && unit.macros.find(word) == unit.macros.end();
+}
+
+std::set<std::string> takenWords(const Unit& unit) {
+    std::set<std::string> words;
+    const auto collect = [&](const auto& names) {
+        for (const auto& [word, at] : names)
+            if (isTaken(unit, word)) words.insert(word);
+    };
+    collect(unit.declared);
+    collect(unit.bodies.localNames);
+    collect(unit.bodies.memberNames);
+    return words;
+}
+
+/// A variable `texture` does not change the calls of the function.
+void keepCalls(Unit& unit, std::string_view word, std::uint32_t declaration) {
+    if (unit.text(declaration + 1) == "(") return;
+    for (std::uint32_t i = 0; i < unit.view.size(); ++i)
+        if (unit.text(i) == word && unit.text(i + 1) == "(") unit.keptSpelling.insert(unit.view[i].raw);
+}
+
+}  // namespace
+
+void modernizeQualifiers(ProgramUnits& program) {
+    for (Unit& unit : program.units) {
+        for (Variable& variable : unit.variables) modernize(unit, variable);
+        dropInvariantInputs(unit);
+        // What is left of the old words stands in macros, whose bodies are translated like ordinary text.
+        unit.wordRenames.try_emplace("attribute", "in");
+        unit.wordRenames.try_emplace("varying", unit.stage == Stage::fragment ? "in" : "out");
+    }
+}
+
+void renameTakenWords(ProgramUnits& program) {
+    std::set<std::string> words;
+    for (const Unit& unit : program.units) words.merge(takenWords(unit));
+    for (Unit& unit : program.units) {
+        for (const std::string& word : words) {
+            const std::uint32_t at = declarationOf(unit, word, true);
+            if (at == kNone) continue;
+            unit.wordRenames[word] = "glibra_" + word;
+            program.result->userNames["glibra_" + word] = word;
+            program.report.warning("glsl-W05", "'" + word + "' is a reserved word, renamed", unit.place(at));
+        }
+        for (const std::string_view word : kEmitted) {
+            // A macro of that name would take the calls that translation emits.
+            if (unit.macros.find(word) != unit.macros.end())
+                unit.wordRenames.try_emplace(std::string(word), "glibra_" + std::string(word));
+            const std::uint32_t at = declarationOf(unit, word, false);
+            if (at == kNone || unit.macros.find(word) != unit.macros.end()) continue;
+            const std::string name(word);
+            unit.renames[name] = "glibra_" + name;
+            keepCalls(unit, word, at);
+            program.result->userNames["glibra_" + name] = name;
+            program.report.warning("glsl-W05", "'" + name + "' is the name of a function, renamed",
+                                   unit.place(at));
+        }
+    }
+}
+
+}  // namespace glibra::glsl

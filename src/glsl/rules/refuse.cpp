@@ -1,0 +1,156 @@
+// Language 7.2, 7.10 and 7.12: what is refused, and what to write instead.
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/read/words.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+struct Refusal {
+    std::string_view word;
+    std::string_view text;
+};
+constexpr std::array kRefusals = std::to_array<Refusal>({
+    {"gl_LayerIn",
+     "gl_LayerIn cannot be emulated: geometry shaders have no such input; pass the layer on in a varying of "
+     "your own"},
+    {"gl_ClipVertexIn",
+     "gl_ClipVertexIn cannot be emulated: geometry shaders have no such input; use gl_in[i].gl_Position"},
+    {"sampler3DRect", "sampler3DRect does not exist in any GLSL version; use sampler3D"},
+    {"gl_GlobalInvocationID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+    {"gl_LocalInvocationID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+    {"gl_WorkGroupID",
+     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
+});
+
+/// What came after 4.10, the lowest target.
+struct Feature {
+    std::string_view word;
+    int version;
+    std::string_view extension;
+};
+constexpr std::array kFeatures = std::to_array<Feature>({
+    {"imageLoad", 420, "GL_ARB_shader_image_load_store"},
+    {"imageStore", 420, "GL_ARB_shader_image_load_store"},
+    {"memoryBarrier", 420, "GL_ARB_shader_image_load_store"},
+    {"packSnorm2x16", 420, "GL_ARB_shading_language_packing"},
+    {"unpackSnorm2x16", 420, "GL_ARB_shading_language_packing"},
+    {"packHalf2x16", 420, "GL_ARB_shading_language_packing"},
+    {"unpackHalf2x16", 420, "GL_ARB_shading_language_packing"},
+    {"imageSize", 430, "GL_ARB_shader_image_size"},
+    {"textureQueryLevels", 430, "GL_ARB_texture_query_levels"},
+    {"textureSamples", 450, "GL_ARB_shader_texture_image_samples"},
+    {"dFdxFine", 450, "GL_ARB_derivative_control"},
+    {"dFdyFine", 450, "GL_ARB_derivative_control"},
+    {"fwidthFine", 450, "GL_ARB_derivative_control"},
+    {"dFdxCoarse", 450, "GL_ARB_derivative_control"},
+    {"dFdyCoarse", 450, "GL_ARB_derivative_control"},
+    {"fwidthCoarse", 450, "GL_ARB_derivative_control"},
+    {"gl_CullDistance", 450, "GL_ARB_cull_distance"},
+    {"gl_HelperInvocation", 450, ""},
+    {"gl_BaseVertex", 460, "GL_ARB_shader_draw_parameters"},
+    {"gl_BaseInstance", 460, "GL_ARB_shader_draw_parameters"},
+    {"gl_DrawID", 460, "GL_ARB_shader_draw_parameters"},
+});
+
+class Refuser {
+  public:
+    Refuser(Unit& unit, Report& report) : unit_(unit), report_(report) {}
+
+    void run() {
+        for (std::uint32_t i = 0; i < unit_.view.size(); ++i)
+            if (unit_.view[i].kind == TokenKind::word) word(i);
+        for (const Token& token : unit_.tokens)
+            if (token.kind == TokenKind::word && token.text.starts_with("glibra_") && token.active)
+                report_.errorOnce(unit_.path + std::string(token.text), "glsl-E05",
+                                  "names beginning with 'glibra_' are reserved",
+                                  {unit_.files[token.file], token.line, token.column});
+        for (const Declaration& each : unit_.syntax.declarations) declaration(each);
+        for (const LocalVariable& each : unit_.bodies.locals)
+            if (each.type.arrayDepth > 1)
+                feature(each.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
+    }
+
+  private:
+    [[nodiscard]] const Target& target() const { return unit_.request->target; }
+
+    void error(std::uint32_t at, const std::string& text) {
+        report_.errorOnce(unit_.path + text, "glsl-E03", text, unit_.place(at));
+    }
+
+    void word(std::uint32_t at) {
+        const std::string_view text = unit_.text(at);
+        if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration)
+            return;
+        for (const Refusal& each : kRefusals)
+            if (each.word == text) error(at, std::string(each.text));
+        if (unit_.isDeclared(text)) return;
+        for (const Feature& each : kFeatures)
+            if (each.word == text) feature(at, text, each.version, each.extension);
+        const bool layer = text == "gl_Layer" || text == "gl_ViewportIndex";
+        if (layer && unit_.stage == Stage::fragment) feature(at, text, 430, "GL_ARB_fragment_layer_viewport");
+        if (isImageTypeWord(text) && unit_.dialect.version >= 130)
+            feature(at, text, 420, "GL_ARB_shader_image_load_store");
+    }
+
+    void feature(std::uint32_t at, std::string_view text, int version, std::string_view extension) {
+        if (target().version >= version) return;
+        if (!extension.empty() && target().hasExtension && target().hasExtension(extension)) {
+            const std::string line = "#extension " + std::string(extension) + " : enable";
+            if (std::find(unit_.extensions.begin(), unit_.extensions.end(), line) == unit_.extensions.end())
+                unit_.extensions.push_back(line);
+            return;
+        }
+        const std::string number = std::to_string(version);
+        error(at, std::string(text) + " needs GLSL " + number[0] + "." + number.substr(1) +
+                      ", this driver has " + std::to_string(target().version).insert(1, "."));
+    }
+
+    void layoutItem(const LayoutItem& item) {
+        const std::uint32_t at = item.tokens.first;
+        if (item.name == "early_fragment_tests")
+            feature(at, item.name, 420, "GL_ARB_shader_image_load_store");
+        if (item.name == "component" || item.name == "align" || item.name.starts_with("xfb_"))
+            feature(at, "layout(" + item.name + ")", 440, "GL_ARB_enhanced_layouts");
+    }
+
+    void declaration(const Declaration& each) {
+        const bool storageBlock =
+            each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
+        if (storageBlock)
+            report_.error(
+                "glsl-E09",
+                "buffer block '" + std::string(unit_.text(each.name)) + "': scenes have no storage buffers",
+                unit_.place(each.name));
+        if (each.kind == DeclarationKind::variable && each.type.name == "atomic_uint" &&
+            !each.declarators.empty())
+            report_.error("glsl-E09",
+                          "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
+                              "': scenes have no counters",
+                          unit_.place(each.declarators[0].name));
+        for (const LayoutItem& item : each.qualifiers.layout) layoutItem(item);
+        for (const Declarator& name : each.declarators)
+            if (each.type.dimensions.size() + name.dimensions.size() > 1)
+                feature(name.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
+        if (each.kind == DeclarationKind::layoutOnly)
+            for (const LayoutItem& item : each.qualifiers.layout)
+                if (item.name.starts_with("local_size_"))
+                    error(item.tokens.first, std::string(kRefusals.back().text));
+    }
+
+    Unit& unit_;
+    Report& report_;
+};
+
+}  // namespace
+
+void refuse(ProgramUnits& program) {
+    for (Unit& unit : program.units) Refuser(unit, program.report).run();
+}
+
+}  // namespace glibra::glsl

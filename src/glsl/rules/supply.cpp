@@ -1,0 +1,142 @@
+// Language, section 6: values that the runtime delivers under known names.
+
+#include <array>
+
+#include "glsl/rules/builtins.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+bool isTextureMatrix(std::string_view name) {
+    return name.find("TextureMatrix") != std::string_view::npos;
+}
+
+/// "gl_NormalMatrix" for "glibra_NormalMatrix"; other names are the user's spelling already.
+std::string userSpelling(std::string_view name) {
+    return name.starts_with("glibra_") ? "gl_" + std::string(name.substr(7)) : std::string(name);
+}
+
+std::string inputType(std::string_view name) {
+    if (name == "FaceIndex" || name == "aFaceIndex") return "int";
+    if (name == "Tangent" || name == "aTangent" || name == "aNormal" || name == "gl_Normal") return "vec3";
+    if (name == "gl_FogCoord") return "float";
+    return "vec4";
+}
+
+bool isMeshValue(std::string_view name) {
+    return name == "Tangent" || name == "aTangent" || name == "FaceIndex" || name == "aFaceIndex";
+}
+
+bool fitsMeshValue(std::string_view name, const Variable& variable) {
+    if (variable.isArray()) return false;
+    if (name.ends_with("FaceIndex")) return variable.type == "int" || variable.type == "float";
+    return variable.type == "vec3" || variable.type == "vec4";
+}
+
+class Supply {
+  public:
+    Supply(Unit& unit, TranslatedProgram& result, Report& report)
+        : unit_(unit), result_(result), report_(report) {}
+
+    void run() {
+        for (const BuiltinUniform& row : builtinUniforms()) uniform(row);
+        for (const BuiltinInput& row : builtinInputs()) input(row);
+    }
+
+  private:
+    /// True if the stage uses the name without declaring it. A gl_ name that is declared with its own type is
+    /// renamed.
+    bool isWanted(const std::string& name, std::string_view emitted, const std::string& type) {
+        if (unit_.macros.contains(name)) return false;
+        if (unit_.isDeclared(name)) {
+            if (name.starts_with("gl_")) redeclared(name, emitted, type);
+            return false;
+        }
+        if (!unit_.isUsed(name)) return false;
+        if (name != emitted) rename(name, emitted);
+        return true;
+    }
+
+    void rename(const std::string& name, std::string_view emitted) {
+        unit_.renames[name] = emitted;
+        result_.userNames[std::string(emitted)] = name;
+    }
+
+    void redeclared(const std::string& name, std::string_view emitted, const std::string& type) {
+        const Variable* variable = unit_.variable(name);
+        if (!variable || variable->type != type || variable->isArray() != isTextureMatrix(name))
+            report_.errorOnce(
+                unit_.path + name, "glsl-E03",
+                name + " is redeclared with another type than " + type + "; leave the declaration out",
+                unit_.place(unit_.declared.find(name)->second));
+        else
+            rename(name, emitted);
+    }
+
+    void uniform(const BuiltinUniform& row) {
+        const std::string name = userSpelling(row.name);
+        if (row.value == Builtin::currentColor || row.value == Builtin::pointSize) return;
+        if (!isWanted(name, row.name, std::string(row.type))) return;
+        unit_.declare("uniform " + std::string(row.type) + " " + std::string(row.name) +
+                      (isTextureMatrix(name) ? "[8];" : ";"));
+    }
+
+    void input(const BuiltinInput& row) {
+        const std::string name = userSpelling(row.name);
+        if (isMeshValue(name)) {
+            Variable* variable = unit_.variable(name);
+            if (variable && variable->storage == Storage::uniform && fitsMeshValue(name, *variable))
+                return declaredUniform(name, *variable);
+        }
+        // gl_Color of a fragment stage is what an earlier stage wrote.
+        const bool colour = name == "gl_Color" || name == "gl_SecondaryColor";
+        if (colour && unit_.stage == Stage::fragment) return;
+        if (unit_.stage != Stage::vertex) {
+            if (unit_.isUsed(name) && !unit_.isUserName(name)) outside(name, unit_.uses[name].front());
+            return;
+        }
+        const std::string type = inputType(name);
+        if (!isWanted(name, row.name, type)) return;
+        const std::string emitted(row.name);
+        unit_.declare("in " + type + " " + emitted + ";");
+        if (unit_.isWritten(name)) {
+            const std::string copy = "glibra_copyOf" + name.substr(name.starts_with("gl_") ? 3 : 0);
+            unit_.declare(type + " " + copy + " = " + emitted + ";");
+            rename(name, copy);
+            report_.warning("glsl-W22", "input '" + name + "' is written to; a local copy is used",
+                            unit_.place(unit_.writes[name].front()));
+        }
+    }
+
+    void declaredUniform(const std::string& name, Variable& variable) {
+        if (unit_.stage != Stage::vertex) return outside(name, variable.nameToken);
+        variable.storage = Storage::input;
+        variable.changed = true;
+        variable.dropInitializer = true;
+        report_.warning("glsl-W15", "'" + name + "' declared uniform, treated as vertex input",
+                        unit_.place(variable.nameToken));
+    }
+
+    void outside(const std::string& name, std::uint32_t at) {
+        report_.errorOnce(
+            unit_.path + name, "glsl-E03",
+            name +
+                " is a vertex input and only exists in the vertex stage; write it there to a varying of "
+                "your own" +
+                std::string(name.ends_with("FaceIndex") ? " (flat)" : "") + " and read that here",
+            unit_.place(at));
+    }
+
+    Unit& unit_;
+    TranslatedProgram& result_;
+    Report& report_;
+};
+
+}  // namespace
+
+void supplyBuiltins(ProgramUnits& program) {
+    for (Unit& unit : program.units) Supply(unit, *program.result, program.report).run();
+}
+
+}  // namespace glibra::glsl

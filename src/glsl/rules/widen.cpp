@@ -1,0 +1,160 @@
+// Language 7.10, W23: a scalar where a built-in function wants a vector.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// For each overload of a function the arguments that may be scalars beside vectors, as bits.
+struct Function {
+    std::string_view name;
+    std::size_t arguments;
+    std::array<unsigned, 2> scalars;  ///< allowed sets, besides none
+};
+constexpr std::array kFunctions = std::to_array<Function>({
+    {"pow", 2, {0, 0}},
+    {"mod", 2, {2, 2}},
+    {"min", 2, {2, 2}},
+    {"max", 2, {2, 2}},
+    {"step", 2, {1, 1}},
+    {"smoothstep", 3, {3, 3}},
+    {"clamp", 3, {6, 6}},
+    {"mix", 3, {4, 4}},
+});
+
+/// The vector size to widen to and the arguments (bits) that are scalars; nothing if the call is in order or
+/// not clear.
+struct Widening {
+    int size = 0;
+    unsigned scalars = 0;
+};
+std::optional<Widening> wideningOf(const Function& function, const Call& call) {
+    if (call.types.size() != function.arguments) return std::nullopt;
+    Widening result;
+    for (std::size_t i = 0; i < call.types.size(); ++i) {
+        const Type& type = call.types[i];
+        if (type.base != BaseType::floating && !type.integral()) return std::nullopt;
+        if (type.scalar()) {
+            result.scalars |= 1U << i;
+        } else if (!type.vector() || type.base != BaseType::floating ||
+                   (result.size && result.size != type.rows)) {
+            return std::nullopt;
+        } else {
+            result.size = type.rows;
+        }
+    }
+    const bool inOrder = result.size == 0 || result.scalars == 0 || result.scalars == function.scalars[0] ||
+                         result.scalars == function.scalars[1];
+    if (inOrder) result.scalars = 0;
+    return result;
+}
+
+class Widener {
+  public:
+    Widener(Unit& unit, Report& report) : unit_(unit), report_(report) {}
+
+    void run() {
+        for (const Call& call : unit_.bodies.calls) {
+            const std::string_view name = unit_.text(call.name);
+            const auto* const function =
+                std::find_if(kFunctions.begin(), kFunctions.end(),
+                             [&](const Function& each) { return each.name == name; });
+            if (function == kFunctions.end() || unit_.isDeclared(name)) continue;
+            const auto widening = wideningOf(*function, call);
+            if (widening)
+                decide(*function, call, *widening);
+            else
+                cannotTell(call);
+        }
+        apply();
+    }
+
+  private:
+    using Span = std::pair<std::uint32_t, std::uint32_t>;
+    struct Wish {
+        std::string type;  ///< empty: leave it
+        bool conflicting = false;
+        std::string text;
+        std::uint32_t place = 0;
+        std::size_t order = 0;
+    };
+
+    /// The tokens from the first to the last of an argument, if they can be put in brackets.
+    [[nodiscard]] std::optional<Span> spanOf(Range range) const {
+        if (range.empty()) return std::nullopt;
+        const ViewToken& first = unit_.view[range.first];
+        const ViewToken& last = unit_.view[range.end - 1];
+        if (first.body != last.body) return std::nullopt;
+        if (!first.body) return Span{first.raw, last.raw};
+        if (first.objectSite && first.site == last.site && wholeMacro(range))
+            return Span{first.site, first.site};
+        // Both in the body of the same macro: all its uses have to agree.
+        for (std::uint32_t i = first.raw; i <= last.raw && i < unit_.tokens.size(); ++i)
+            if (unit_.tokens[i].kind == TokenKind::newline) return std::nullopt;
+        return first.raw <= last.raw ? std::optional(Span{first.raw, last.raw}) : std::nullopt;
+    }
+    [[nodiscard]] bool wholeMacro(Range range) const {
+        const std::uint32_t site = unit_.view[range.first].site;
+        const auto outside = [&](std::uint32_t at) {
+            return at >= unit_.view.size() || unit_.view[at].site != site;
+        };
+        return outside(range.first - 1) && outside(range.end);
+    }
+
+    void cannotTell(const Call& call) {
+        for (const Range& each : call.arguments)
+            if (const auto span = spanOf(each); span && unit_.view[each.first].body)
+                wishes_[*span].conflicting = true;
+    }
+
+    void decide(const Function& function, const Call& call, const Widening& widening) {
+        const std::string type = "vec" + std::to_string(widening.size);
+        std::string shape;
+        for (const Type& each : call.types) shape += (shape.empty() ? "" : ", ") + wordOf(each);
+        for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+            const auto span = spanOf(call.arguments[i]);
+            if (!span) continue;
+            const std::string wanted = widening.scalars >> i & 1U ? type : std::string{};
+            const auto [found, isNew] =
+                wishes_.emplace(*span, Wish{wanted, false, {}, call.name, wishes_.size()});
+            if (!isNew && found->second.type != wanted) found->second.conflicting = true;
+            if (isNew)
+                found->second.text =
+                    fmt::format("{}({}): the scalar is widened to {}", function.name, shape, type);
+        }
+    }
+
+    void apply() {
+        // Inner calls were recorded before the calls around them, so brackets nest in this order.
+        std::vector<std::pair<Span, const Wish*>> ordered;
+        for (const auto& [span, wish] : wishes_)
+            if (!wish.type.empty() && !wish.conflicting) ordered.emplace_back(span, &wish);
+        std::sort(ordered.begin(), ordered.end(),
+                  [](const auto& a, const auto& b) { return a.second->order < b.second->order; });
+        for (const auto& [span, wish] : ordered) {
+            unit_.edits.before(span.first, wish->type + "(");
+            unit_.edits.after(span.second, ")");
+            const Place place = unit_.place(wish->place);
+            report_.warningOnce(unit_.path + std::to_string(wish->place), "glsl-W23", wish->text, place);
+        }
+    }
+
+    Unit& unit_;
+    Report& report_;
+    std::map<Span, Wish> wishes_;
+};
+
+}  // namespace
+
+void widenScalars(Unit& unit, Report& report) {
+    Widener(unit, report).run();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,125 @@
+#include "image/bmp/bmp_reader.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "image/bmp/bmp_header.h"
+#include "image/bmp/bmp_run_lengths.h"
+#include "image/bytes.h"
+
+namespace glibra::image {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+using Pixel = std::array<std::uint8_t, 4>;
+
+/// One component of a bit-field pixel, scaled to 0..255 with rounding. A component without a mask is
+/// `missing`.
+struct Field {
+    std::uint32_t mask, shift, missing;
+    std::uint64_t most;
+
+    Field(std::uint32_t bits, std::uint32_t without)
+        : mask(bits),
+          shift(bits == 0 ? 0 : static_cast<std::uint32_t>(std::countr_zero(bits))),
+          missing(without),
+          most(bits >> shift) {}
+
+    [[nodiscard]] std::uint8_t of(std::uint32_t pixel) const {
+        if (mask == 0) return static_cast<std::uint8_t>(missing);
+        const std::uint64_t value = (pixel & mask) >> shift;
+        return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
+    }
+};
+
+std::vector<Pixel> colorsOf(const BmpHeader& header) {
+    std::vector<Pixel> colors(std::size_t{1} << header.bits, Pixel{0, 0, 0, 255});
+    for (std::size_t i = 0; i < header.palette.size(); ++i)
+        std::copy(header.palette[i].begin(), header.palette[i].end(), colors[i].begin());
+    return colors;
+}
+
+void indexedRow(Bytes from, std::uint32_t bits, std::span<const Pixel> colors, std::span<Pixel> to) {
+    const std::uint32_t perByte = 8 / bits, mask = (1U << bits) - 1;
+    for (std::size_t x = 0; x < to.size(); ++x) {
+        const auto byte = std::to_integer<std::uint32_t>(from[x / perByte]);
+        const auto shift = 8 - bits * (1 + static_cast<std::uint32_t>(x % perByte));
+        to[x] = colors[byte >> shift & mask];
+    }
+}
+
+void directRow(Bytes from, std::span<Pixel> to) {
+    for (std::size_t x = 0; x < to.size(); ++x)
+        to[x] = {std::to_integer<std::uint8_t>(from[3 * x + 2]),
+                 std::to_integer<std::uint8_t>(from[3 * x + 1]), std::to_integer<std::uint8_t>(from[3 * x]),
+                 255};
+}
+
+void fieldRow(Bytes from, std::uint32_t bits, const std::array<Field, 4>& fields, std::span<Pixel> to) {
+    for (std::size_t x = 0; x < to.size(); ++x) {
+        const std::uint32_t pixel = bits == 16 ? little16(from, 2 * x) : little32(from, 4 * x);
+        to[x] = {fields[0].of(pixel), fields[1].of(pixel), fields[2].of(pixel), fields[3].of(pixel)};
+    }
+}
+
+void plainRows(const BmpHeader& header, Bytes data, std::size_t stride, std::span<Pixel> pixels) {
+    const std::vector<Pixel> colors = header.bits <= 8 ? colorsOf(header) : std::vector<Pixel>();
+    const std::array<Field, 4> fields{Field(header.masks[0], 0), Field(header.masks[1], 0),
+                                      Field(header.masks[2], 0), Field(header.masks[3], 255)};
+    for (std::size_t y = 0; y < header.height; ++y) {
+        const std::size_t row = header.topDown ? y : header.height - 1 - y;
+        const std::span<Pixel> to = pixels.subspan(row * header.width, header.width);
+        const Bytes from = data.subspan(y * stride);
+        if (header.bits <= 8)
+            indexedRow(from, header.bits, colors, to);
+        else if (header.bits == 24)
+            directRow(from, to);
+        else
+            fieldRow(from, header.bits, fields, to);
+    }
+}
+
+}  // namespace
+
+std::optional<std::span<const std::byte>> embeddedPicture(Bytes file) {
+    const auto header = readBmpHeader(file, {});
+    if (!header) return std::nullopt;
+    if (header->compression != BmpCompression::jpeg && header->compression != BmpCompression::png)
+        return std::nullopt;
+    return file.subspan(header->dataOffset);
+}
+
+Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits) {
+    auto read = readBmpHeader(file, label);
+    if (!read) return std::move(read.diagnostics);
+    const BmpHeader& header = *read;
+    if (header.compression == BmpCompression::jpeg || header.compression == BmpCompression::png)
+        return damaged(label, "the BMP file wraps another picture, which cannot be read here");
+    if (auto tooLarge = checkSize(header.width, header.height, 4, limits, label)) return *std::move(tooLarge);
+
+    const bool packed =
+        header.compression == BmpCompression::rle4 || header.compression == BmpCompression::rle8;
+    const Bytes data = file.subspan(header.dataOffset);
+    const std::uint64_t rowBits = std::uint64_t{header.width} * header.bits;
+    const std::uint64_t stride = (rowBits + 31) / 32 * 4;
+    // The padding of the last row is left out by some writers.
+    if (!packed && data.size() < stride * (header.height - 1) + (rowBits + 7) / 8)
+        return endsEarly(label, data.size() / stride, header.height);
+
+    const std::size_t count = std::size_t{header.width} * header.height;
+    Image image{static_cast<int>(header.width), static_cast<int>(header.height), 4, Component::u8, {}};
+    image.data.resize(4 * count);
+    const std::span<Pixel> pixels(reinterpret_cast<Pixel*>(image.data.data()), count);
+    if (!packed) {
+        plainRows(header, data, stride, pixels);
+        return image;
+    }
+    const std::vector<Pixel> colors = colorsOf(header);
+    const std::uint64_t wholeRows =
+        decodeRunLengths(data, {header.width, header.height, header.topDown, header.bits}, colors, pixels);
+    if (wholeRows < header.height) return endsEarly(label, wholeRows, header.height);
+    return image;
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,160 @@
+#include "image/compare/judge.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "image/compare/alike.h"
+#include "image/compare/excess.h"
+#include "image/compare/flip.h"
+#include "image/compare/structure.h"
+#include "image/convert.h"
+#include "image/inspect.h"
+
+namespace glibra::image {
+namespace {
+
+/// "1 pixel differs", "2 pixels in row 7 differ".
+std::string differ(std::uint64_t pixels, std::string_view which = "") {
+    return fmt::format("{} {}{} {}", pixels, pixels == 1 ? "pixel" : "pixels", which,
+                       pixels == 1 ? "differs" : "differ");
+}
+
+/// A difference in 255ths with its place.
+std::string largestDifference(const Comparison& found) {
+    return fmt::format("the largest difference is {:.4g} of 255 at {}, {}", found.largest * 255, found.x,
+                       found.y);
+}
+
+ExcessLimits limitsFor(const Image& a, const Image& b, const Tolerance& tolerance) {
+    const double pixels = static_cast<double>(a.width) * a.height;
+    ExcessLimits limits;
+    limits.largest = tolerance.largest;
+    limits.relativeOnly = a.type == Component::f32 && b.type == Component::f32;
+    limits.relative = tolerance.relative;
+    limits.absolute = tolerance.absolute;
+    limits.allowed = static_cast<std::uint64_t>(std::max(std::floor(tolerance.fraction * pixels + 1e-9), 0.));
+    limits.block = kBiasBlock;
+    return limits;
+}
+
+/// The rungs of plain figures: what they decide, with the reason. `line` names the row or column with the
+/// most pixels beyond.
+void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const std::string& line,
+                  Judgement& result) {
+    const std::string limit = limits.relativeOnly
+                                  ? fmt::format("{:g} + {:g} of the value", limits.absolute, limits.relative)
+                                  : fmt::format("{:g} of 255", limits.largest);
+    result.decidedBy = Rung::differences;
+    if (result.beyond > limits.allowed) {
+        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.beyond), limit,
+                                    limits.allowed, largestDifference(result.comparison));
+    } else if (result.cluster > static_cast<std::uint64_t>(std::max(tolerance.cluster, 0))) {
+        result.reason = fmt::format(
+            "{} by more than {}, {} may; {}",
+            differ(result.cluster, fmt::format(" that touch at {}, {}", result.clusterX, result.clusterY)),
+            limit, tolerance.cluster, largestDifference(result.comparison));
+    } else if (result.line > static_cast<std::uint64_t>(std::max(tolerance.line, 0))) {
+        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.line, " in " + line),
+                                    limit, tolerance.line, largestDifference(result.comparison));
+    } else if (result.bias > tolerance.bias) {
+        result.decidedBy = Rung::bias;
+        result.reason =
+            fmt::format("the mean difference of the block at {}, {} is {:.3g} of 255, it may be {:g}",
+                        result.biasX, result.biasY, result.bias, tolerance.bias);
+    } else {
+        result.same = true;
+        result.reason =
+            result.beyond == 0
+                ? fmt::format("{}, within {}", largestDifference(result.comparison), limit)
+                : fmt::format("{} by more than {}, {} may", differ(result.beyond), limit, limits.allowed);
+    }
+}
+
+/// One perceptual measure has its say: false if it refuses.
+bool judgeMeasure(Rung rung, const char* what, double value, double limit, Judgement& result) {
+    result.same = value <= limit;
+    result.decidedBy = rung;
+    result.reason =
+        fmt::format("{} is {:.4g}, {} {:g}", what, value, result.same ? "within" : "it may be", limit);
+    return result.same;
+}
+
+void judgePerceptually(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything,
+                       Judgement& result) {
+    const bool needed = !result.same;
+    if (everything || (needed && tolerance.structure)) result.structure = structure(expected, got).difference;
+    const bool refused = needed && tolerance.structure &&
+                         !judgeMeasure(Rung::structure, "the structural difference", *result.structure,
+                                       *tolerance.structure, result);
+    if (everything || (needed && tolerance.flip && !refused)) result.flip = flip(expected, got).mean;
+    if (needed && tolerance.flip && !refused)
+        judgeMeasure(Rung::flip, "the mean FLIP", *result.flip, *tolerance.flip, result);
+}
+
+Judgement equalBytes(const Image& picture) {
+    Judgement result;
+    result.same = true;
+    result.reason = "equal";
+    const NonFinite found = countNonFinite(picture);
+    result.comparison.nonFinite = found.nan + found.infinite;
+    if (result.comparison.nonFinite > 0)
+        result.reason =
+            fmt::format("equal, but {} components are no finite numbers", result.comparison.nonFinite);
+    return result;
+}
+
+}  // namespace
+
+Tolerance exactTolerance() {
+    Tolerance nothing;
+    nothing.largest = nothing.fraction = nothing.bias = nothing.relative = nothing.absolute = 0;
+    nothing.cluster = nothing.line = 0;
+    return nothing;
+}
+
+const char* name(Rung rung) {
+    constexpr const char* kNames[] = {"size", "bytes", "differences", "bias", "structure", "flip"};
+    return kNames[static_cast<std::size_t>(rung)];
+}
+
+Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything) {
+    Judgement result;
+    if (expected.width != got.width || expected.height != got.height || !isConsistent(expected) ||
+        !isConsistent(got)) {
+        result.decidedBy = Rung::size;
+        result.comparison.sameSize = result.comparison.identical = false;
+        result.reason = fmt::format("the sizes differ: {} x {} expected, {} x {} got", expected.width,
+                                    expected.height, got.width, got.height);
+        return result;
+    }
+    if (expected.components == got.components && expected.type == got.type && expected.data == got.data)
+        return equalBytes(expected);
+    const ExcessLimits limits = limitsFor(expected, got, tolerance);
+    std::string place;
+    withAlike(expected, got, [&](const Image& a, const Image& b) {
+        result.comparison = compare(a, b);
+        if (result.comparison.identical) return;
+        const Excess excess = measureExcess(a, b, limits);
+        result.beyond = excess.beyond;
+        result.cluster = excess.cluster;
+        result.clusterX = excess.clusterX;
+        result.clusterY = excess.clusterY;
+        result.line = excess.line;
+        place =
+            excess.lineY >= 0 ? fmt::format("row {}", excess.lineY) : fmt::format("column {}", excess.lineX);
+        result.bias = excess.bias;
+        result.biasX = excess.biasX;
+        result.biasY = excess.biasY;
+    });
+    if (result.comparison.identical) {
+        result.same = true;
+        result.reason = "equal values";
+        return result;
+    }
+    judgePlainly(limits, tolerance, place, result);
+    judgePerceptually(expected, got, tolerance, everything, result);
+    return result;
+}
+
+}  // namespace glibra::image

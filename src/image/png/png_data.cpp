@@ -1,0 +1,157 @@
+#include "image/png/png_data.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <system_error>
+#include <thread>
+
+#include "image/bytes.h"
+#include "image/png/deflate_end.h"
+#include "image/png/png_rows.h"
+#include "image/png/quick_deflate.h"
+
+namespace glibra::image {
+namespace {
+
+constexpr std::size_t kStripeBytes = std::size_t{512} << 10;
+
+struct Stripe {
+    int firstRow = 0, rows = 0;
+};
+
+std::vector<Stripe> stripesOf(const Image& image) {
+    const std::size_t size = (1 + image.rowBytes()) * static_cast<std::size_t>(image.height);
+    const auto count = static_cast<int>(
+        std::clamp<std::size_t>(size / kStripeBytes, 1, static_cast<std::size_t>(image.height)));
+    const int rows = (image.height + count - 1) / count;
+    std::vector<Stripe> stripes;
+    for (int y = 0; y < image.height; y += rows) stripes.push_back({y, std::min(rows, image.height - y)});
+    return stripes;
+}
+
+struct FreeCompressor {
+    void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
+};
+
+/// A stripe's DEFLATE stream, and the checksum of what is packed in it.
+struct PackedStripe {
+    std::vector<std::byte> stream;
+    std::uint32_t adler = 1;
+};
+
+/// What one thread needs, used for one stripe after another.
+class StripePacker {
+  public:
+    StripePacker(const Image& image, int level, std::size_t mostBytes)
+        : image_(image), compressor_(libdeflate_alloc_compressor(level)) {
+        if (!compressor_) throw std::bad_alloc();
+        filtered_ = std::make_unique_for_overwrite<std::uint8_t[]>(mostBytes);
+        bound_ = libdeflate_deflate_compress_bound(compressor_.get(), mostBytes);
+        packed_ = std::make_unique_for_overwrite<std::byte[]>(bound_);
+    }
+
+    PackedStripe pack(Stripe stripe, bool isLast) {
+        const std::size_t size = (1 + image_.rowBytes()) * static_cast<std::size_t>(stripe.rows);
+        filterRows(image_, stripe.firstRow, stripe.rows,
+                   chooseFiltering(image_, stripe.firstRow, stripe.rows), filtered_.get());
+        PackedStripe result;
+        result.adler = libdeflate_adler32(1, filtered_.get(), size);
+        const std::size_t packedSize =
+            libdeflate_deflate_compress(compressor_.get(), filtered_.get(), size, packed_.get(), bound_);
+        result.stream.assign(packed_.get(), packed_.get() + packedSize);
+        if (!isLast) makeContinuable(result.stream);
+        return result;
+    }
+
+  private:
+    const Image& image_;
+    std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor_;
+    std::unique_ptr<std::uint8_t[]> filtered_;
+    std::unique_ptr<std::byte[]> packed_;
+    std::size_t bound_ = 0;
+};
+
+/// All stripes, by this thread and others; nothing if there is not enough memory.
+std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stripe>& stripes, int level,
+                                      unsigned threads) {
+    std::vector<PackedStripe> packed(stripes.size());
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> failed = false;
+    const auto work = [&] {
+        try {
+            const auto mostRows = static_cast<std::size_t>(stripes.front().rows);
+            StripePacker packer(image, level, (1 + image.rowBytes()) * mostRows);
+            for (std::size_t i = next++; i < stripes.size(); i = next++)
+                packed[i] = packer.pack(stripes[i], i + 1 == stripes.size());
+        } catch (const std::bad_alloc&) {
+            failed = true;
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        try {
+            while (others.size() + 1 < std::min<std::size_t>(threads, stripes.size()))
+                others.emplace_back(work);
+        } catch (const std::system_error&) {  // the machine gives no more; this thread goes on
+        }
+        work();
+    }
+    return failed ? std::vector<PackedStripe>{} : packed;
+}
+
+/// The Adler-32 checksum of two texts one behind the other, from those of both (RFC 1950, section 9: a is 1
+/// plus the sum of the bytes, b is the sum of all a on the way).
+std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t secondSize) {
+    constexpr std::uint64_t kPrime = 65521;
+    const std::uint64_t firstA = first & 0xffffU, firstB = first >> 16U;
+    const std::uint64_t secondA = second & 0xffffU, secondB = second >> 16U;
+    const std::uint64_t a = (firstA + secondA + kPrime - 1) % kPrime;
+    const std::uint64_t b =
+        (firstB + secondB + secondSize % kPrime * ((firstA + kPrime - 1) % kPrime)) % kPrime;
+    return static_cast<std::uint32_t>(b << 16U | a);
+}
+
+/// Rows of so many bytes at a time, so that they are packed while they are in the processor's cache.
+std::vector<std::byte> packAtOnce(const Image& image) {
+    constexpr std::size_t kPieceBytes = std::size_t{128} << 10;
+    const std::size_t rowSize = 1 + image.rowBytes();
+    const int rows = static_cast<int>(std::clamp<std::size_t>(kPieceBytes / rowSize, 1, 65536));
+    std::vector<std::uint8_t> piece(rowSize * static_cast<std::size_t>(std::min(rows, image.height)));
+    QuickPacker packer;
+    for (int y = 0; y < image.height; y += rows) {
+        const int count = std::min(rows, image.height - y);
+        filterRows(image, y, count, PngFiltering::up, piece.data());
+        packer.add(std::span(piece).first(rowSize * static_cast<std::size_t>(count)));
+    }
+    return packer.finish();
+}
+
+}  // namespace
+
+std::vector<std::byte> packPngData(const Image& image, int level, unsigned threads) {
+    const std::size_t rowSize = 1 + image.rowBytes();
+    if (level == 0) return packAtOnce(image);
+    const std::vector<Stripe> stripes = stripesOf(image);
+    const unsigned usual = std::max(1U, std::thread::hardware_concurrency());
+    const auto packed = packStripes(image, stripes, level, threads > 0 ? threads : usual);
+    if (packed.empty()) return {};
+
+    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // a window of 32 KiB, quickly packed
+    std::size_t size = stream.size() + 4;
+    for (const PackedStripe& each : packed) size += each.stream.size();
+    stream.reserve(size);
+    std::uint32_t adler = 1;
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        stream.insert(stream.end(), packed[i].stream.begin(), packed[i].stream.end());
+        adler = joinAdler(adler, packed[i].adler, rowSize * static_cast<std::size_t>(stripes[i].rows));
+    }
+    putBig32(stream, adler);
+    return stream;
+}
+
+}  // namespace glibra::image

@@ -1,0 +1,178 @@
+#include "suite/file/glob.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <system_error>
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostEntries = 1'000'000;
+
+/// What one element of a pattern takes: how long the element is, and whether the character is in it.
+struct Element {
+    std::size_t length = 1;
+    bool fits = false;
+};
+
+/// The set that begins at `pattern[0] == '['`; nothing if it is not closed. A ']' directly after the opening
+/// is a member.
+std::optional<Element> setElement(std::string_view pattern, char c) {
+    std::size_t at = 1;
+    const bool inverted = at < pattern.size() && (pattern[at] == '!' || pattern[at] == '^');
+    if (inverted) ++at;
+    const std::size_t first = at;
+    bool found = false;
+    for (; at < pattern.size() && (pattern[at] != ']' || at == first); ++at) {
+        const auto low = static_cast<unsigned char>(pattern[at]);
+        auto high = low;
+        if (at + 2 < pattern.size() && pattern[at + 1] == '-' && pattern[at + 2] != ']') {
+            high = static_cast<unsigned char>(pattern[at + 2]);
+            at += 2;
+        }
+        found = found || (low <= static_cast<unsigned char>(c) && static_cast<unsigned char>(c) <= high);
+    }
+    if (at >= pattern.size()) return std::nullopt;
+    return Element{at + 1, found != inverted};
+}
+
+Element element(std::string_view pattern, char c) {
+    if (pattern.front() == '?') return {1, true};
+    if (pattern.front() == '[')
+        if (const auto set = setElement(pattern, c)) return *set;
+    return {1, pattern.front() == c};
+}
+
+std::vector<std::string> parts(std::string_view pattern) {
+    std::vector<std::string> result;
+    while (!pattern.empty()) {
+        const std::size_t slash = std::min(pattern.find('/'), pattern.size());
+        if (slash > 0) result.emplace_back(pattern.substr(0, slash));
+        pattern.remove_prefix(std::min(slash + 1, pattern.size()));
+    }
+    return result;
+}
+
+/// Looks at folders, counting what it looks at.
+class Walk {
+  public:
+    /// The entries of a folder that fit one part; of "**" all.
+    std::vector<fs::path> entries(const fs::path& folder, const std::string& part) {
+        std::vector<fs::path> found;
+        std::error_code failure;
+        const fs::path from = folder.empty() ? fs::path(".") : folder;
+        for (fs::directory_iterator each(from, failure), end; !failure && each != end && !isTooMuch();
+             each.increment(failure)) {
+            ++seen_;
+            const std::string name = each->path().filename().string();
+            if (name.starts_with('.') && !part.starts_with('.')) continue;
+            if (part == "**" || fits(part, name)) found.push_back(folder / name);
+        }
+        return found;
+    }
+
+    /// The folder and all folders below it.
+    void addTree(const fs::path& root, std::set<fs::path>& folders) {
+        std::vector<fs::path> open{root};
+        while (!open.empty() && !isTooMuch()) {
+            const fs::path folder = std::move(open.back());
+            open.pop_back();
+            if (!folders.insert(folder).second) continue;
+            std::error_code failure;
+            for (fs::path& each : entries(folder, "**"))
+                if (fs::symlink_status(each, failure).type() == fs::file_type::directory)
+                    open.push_back(std::move(each));
+        }
+    }
+
+    [[nodiscard]] bool isTooMuch() const { return seen_ > kMostEntries; }
+
+  private:
+    std::size_t seen_ = 0;
+};
+
+}  // namespace
+
+bool isPattern(std::string_view text) {
+    return text.find_first_of("*?[") != std::string_view::npos;
+}
+
+bool fits(std::string_view pattern, std::string_view text) {
+    // Where the last '*' stands, and where the text begins that it does not take yet: only the last one needs
+    // to be tried again.
+    std::optional<std::size_t> star;
+    std::size_t retry = 0;
+    std::size_t p = 0;
+    std::size_t t = 0;
+    while (t < text.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            retry = t;
+            continue;
+        }
+        if (p < pattern.size()) {
+            const Element next = element(pattern.substr(p), text[t]);
+            if (next.fits) {
+                p += next.length;
+                ++t;
+                continue;
+            }
+        }
+        if (!star) return false;
+        p = *star + 1;
+        t = ++retry;
+    }
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+Result<std::vector<fs::path>> filesThatFit(const fs::path& folder, std::string_view pattern) {
+    std::vector<std::string> all = parts(pattern);
+    if (all.empty()) return std::vector<fs::path>{};
+    if (all.back() == "**") all.emplace_back("*");
+    Walk walk;
+    std::set<fs::path> here{pattern.starts_with('/') ? fs::path("/") : folder};
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        std::set<fs::path> next;
+        for (const fs::path& each : here) {
+            if (all[i] == "**") {
+                walk.addTree(each, next);
+            } else if (isPattern(all[i])) {
+                std::error_code failure;
+                for (const fs::path& entry : walk.entries(each, all[i]))
+                    if (fs::is_directory(entry, failure)) next.insert(entry);
+            } else {
+                next.insert(each / all[i]);
+            }
+        }
+        here = std::move(next);
+    }
+    std::vector<fs::path> files;
+    for (const fs::path& each : here) {
+        std::error_code failure;
+        const std::vector<fs::path> found =
+            isPattern(all.back()) ? walk.entries(each, all.back()) : std::vector<fs::path>{each / all.back()};
+        for (const fs::path& entry : found)
+            if (fs::is_regular_file(entry, failure)) files.push_back(entry);
+    }
+    if (walk.isTooMuch()) return {};
+    std::sort(files.begin(), files.end(),
+              [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
+    return files;
+}
+
+std::string fixedFolder(std::string_view pattern) {
+    std::size_t end = 0;
+    for (std::size_t slash = pattern.find('/'); slash != std::string_view::npos;
+         slash = pattern.find('/', slash + 1)) {
+        if (isPattern(pattern.substr(0, slash))) break;
+        end = slash;
+        if (slash == 0) end = 1;
+    }
+    return std::string(pattern.substr(0, end));
+}
+
+}  // namespace glibra::suite

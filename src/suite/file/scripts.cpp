@@ -1,0 +1,155 @@
+#include "suite/file/scripts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "glib/suggest.h"
+#include "glib/text.h"
+#include "scene/file_lookup.h"
+#include "scene/near_files.h"
+#include "suite/file/glob.h"
+#include "suite/file/missing_folder.h"
+#include "suite/file/shot_name.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "scenes/../glib/a.glib" as "glib/a.glib", unless `scenes` is a link to somewhere else.
+fs::path shortened(const fs::path& path) {
+    const fs::path shorter = path.lexically_normal();
+    std::error_code failure;
+    return fs::equivalent(path, shorter, failure) && !failure ? shorter : path;
+}
+
+class ScriptFinder {
+  public:
+    ScriptFinder(TomlReader& reader, const fs::path& folder, const ShotTemplate& shot)
+        : reader_(reader), folder_(folder), shot_(shot) {}
+
+    std::vector<FoundScript> find() {
+        for (const PlacedText& each : shot_.exceptions) exclude(each);
+        for (const PlacedText& each : shot_.scripts) {
+            if (isFile(folder_ / each.text))
+                add(folder_ / each.text, fs::path(each.text).filename().string(), shot_.isList, each.place);
+            else if (isPattern(each.text))
+                addFitting(each);
+            else
+                missing(each);
+        }
+        if (found_.empty() && !excluded_.empty() && !reader_.hasErrors())
+            reader_.error("suite-E09", "script: 'except' leaves no file", shot_.scripts.front().place);
+        return std::move(found_);
+    }
+
+  private:
+    static bool isFile(const fs::path& path) {
+        std::error_code failure;
+        return fs::is_regular_file(path, failure);
+    }
+
+    std::vector<fs::path> fitting(const PlacedText& pattern) {
+        const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
+        if (files) return *files;
+        reader_.error("suite-E11",
+                      fmt::format("{}: more than 1,000,000 files would have to be looked at",
+                                  glib::quoted(pattern.text)),
+                      pattern.place);
+        return {};
+    }
+
+    void fitsNothing(std::string_view key, const PlacedText& pattern) {
+        std::string text = fmt::format("{}: {} fits no file", key, glib::quoted(pattern.text));
+        if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
+            text += "; " + why;
+        else if (const std::string near = nearEnding(pattern.text); !near.empty())
+            text += fmt::format("; did you mean '{}'?", near);
+        reader_.error("suite-E09", std::move(text), pattern.place);
+    }
+
+    /// The pattern with the ending nearest to its own that makes it fit some file; empty if there is none.
+    std::string nearEnding(const std::string& pattern) {
+        const std::string ending = fs::path(pattern).extension().string();
+        if (ending.empty() || isPattern(ending)) return {};
+        const std::string stem = pattern.substr(0, pattern.size() - ending.size());
+        const Result<std::vector<fs::path>> files = filesThatFit(folder_, stem + ".*");
+        if (!files) return {};
+        std::set<std::string> endings;
+        for (const fs::path& each : *files) endings.insert(each.extension().string());
+        const std::vector<std::string_view> names(endings.begin(), endings.end());
+        const std::string near = glib::nearestName(ending, names);
+        return near.empty() ? "" : stem + near;
+    }
+
+    void exclude(const PlacedText& pattern) {
+        const std::vector<fs::path> files = fitting(pattern);
+        if (files.empty()) fitsNothing("except", pattern);
+        for (const fs::path& each : files) excluded_.insert(each.lexically_normal());
+    }
+
+    void addFitting(const PlacedText& pattern) {
+        const std::vector<fs::path> files = fitting(pattern);
+        if (files.empty()) fitsNothing("script", pattern);
+        const fs::path fixed = folder_ / fixedFolder(pattern.text);
+        for (const fs::path& each : files)
+            add(each, each.lexically_relative(fixed).generic_string(), true, pattern.place);
+    }
+
+    void add(const fs::path& path, const std::string& relative, bool isOneOfSeveral, const Place& place) {
+        if (excluded_.contains(path.lexically_normal())) return;
+        const fs::path script = shortened(path);
+        if (!seen_.insert(script).second) return;
+        std::string name = shot_.name ? shot_.name->text : std::string();
+        if (isOneOfSeveral && shot_.name) name += '/';
+        if (isOneOfSeveral || !shot_.name) name += nameOfScene(relative);
+        if (const std::string why = whyNotAName(name); !why.empty())
+            reader_.error(
+                "suite-E05",
+                fmt::format("shot {} of {} {}", glib::quoted(name), glib::quoted(script.string()), why),
+                place);
+        else
+            found_.push_back({script, std::move(name), place});
+    }
+
+    void missing(const PlacedText& script) {
+        const fs::path path = (folder_ / script.text).lexically_normal();
+        std::error_code failure;
+        std::string hint;
+        if (fs::is_directory(path, failure)) {
+            hint = fmt::format("; it is a folder, write \"{}/*.glib\"", script.text);
+        } else {
+            const fs::path parent = path.parent_path();
+            const auto near = scene::nearestFiles(path.filename().string(), std::span(&parent, 1), listings_);
+            const std::string withEnding = path.filename().string() + ".glib";
+            if (isFile(parent / withEnding))
+                hint = fmt::format("; did you mean '{}'?", withEnding);
+            else if (!near.empty())
+                hint = fmt::format("; did you mean '{}'?", near.front());
+            else if (script.text.find('\\') != std::string::npos)
+                hint = "; folders are separated by '/'";
+            else if (const std::string why = whyNoFolder(parent); !why.empty())
+                hint = "; " + why;
+        }
+        reader_.error("suite-E10", fmt::format("script: cannot find {}{}", glib::quoted(path.string()), hint),
+                      script.place);
+    }
+
+    TomlReader& reader_;
+    const fs::path& folder_;
+    const ShotTemplate& shot_;
+    scene::FolderListings listings_;
+    std::set<fs::path> excluded_, seen_;
+    std::vector<FoundScript> found_;
+};
+
+}  // namespace
+
+std::vector<FoundScript> findScripts(TomlReader& reader, const fs::path& folder, const ShotTemplate& shot) {
+    return ScriptFinder(reader, folder, shot).find();
+}
+
+}  // namespace glibra::suite

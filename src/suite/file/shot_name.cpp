@@ -1,0 +1,75 @@
+#include "suite/file/shot_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "glib/text.h"
+
+namespace glibra::suite {
+namespace {
+
+constexpr std::size_t kLongestPart = 200;  // leaves room for ".nvidia.png" in the 255 bytes of a file name
+constexpr std::size_t kLongestName = 1000;
+
+bool isNameCharacter(char c) {
+    return glib::isLetter(c) || (c >= '0' && c <= '9') ||
+           std::string_view("._-=,@+").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string whyNotAName(std::string_view name) {
+    if (name.empty()) return "is empty";
+    if (name.size() > kLongestName) return fmt::format("has more than {} bytes", kLongestName);
+    if (name.starts_with('/')) return "begins with '/'; names are relative";
+    std::string_view rest = name;
+    while (true) {
+        const std::size_t slash = rest.find('/');
+        const std::string_view part = rest.substr(0, slash);
+        if (part.empty()) return "has an empty part";
+        if (part == "." || part == "..") return fmt::format("has '{}' in it", part);
+        if (part.starts_with('.')) return "has a part that begins with '.'";
+        if (part.size() > kLongestPart) return fmt::format("has a part of more than {} bytes", kLongestPart);
+        const auto* const bad = std::find_if_not(part.begin(), part.end(), isNameCharacter);
+        if (bad != part.end()) {
+            std::size_t length = 1;
+            while (bad + length != part.end() && (static_cast<unsigned char>(bad[length]) & 0xc0U) == 0x80U)
+                ++length;
+            const std::string_view character(bad, length);
+            const bool isControl = length == 1 && (static_cast<unsigned char>(*bad) < 0x20 || *bad == 0x7f);
+            return fmt::format("has {} in it; letters, digits and . _ - = , @ + can be in a name",
+                               isControl ? "a control character" : fmt::format("'{}'", character));
+        }
+        if (slash == std::string_view::npos) return {};
+        rest.remove_prefix(slash + 1);
+    }
+}
+
+std::string_view shotOfVariant(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos) return {};
+    std::string_view family = name.substr(dot + 1);
+    constexpr std::string_view kOsmesa = "osmesa-";
+    if (family.starts_with(kOsmesa)) family.remove_prefix(kOsmesa.size());
+    const bool isWord = !family.empty() && std::all_of(family.begin(), family.end(), glib::isLetter);
+    return isWord || family == "d3d12" ? name.substr(0, dot) : std::string_view();
+}
+
+std::string nameOfScene(std::string_view path) {
+    const std::size_t slash = path.rfind('/');
+    const std::size_t dot = path.rfind('.');
+    if (dot != std::string_view::npos && (slash == std::string_view::npos || dot > slash + 1) && dot > 0)
+        path = path.substr(0, dot);
+    std::string name;
+    for (const char c : path) {
+        const bool beginsPart = name.empty() || name.back() == '/';
+        if ((static_cast<unsigned char>(c) & 0xc0U) == 0x80U) continue;
+        const bool stays = (isNameCharacter(c) && !(c == '.' && beginsPart)) || (c == '/' && !beginsPart);
+        name += stays ? c : '_';
+    }
+    return name;
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,305 @@
+#include "suite/file/suite_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "glib/diagnostic_catalogue.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "image/file.h"
+#include "scene/file_lookup.h"
+#include "scene/near_files.h"
+#include "suite/file/glob.h"
+#include "suite/file/pairs.h"
+#include "suite/file/scripts.h"
+#include "suite/file/shot_name.h"
+#include "suite/file/shot_template.h"
+#include "suite/file/sweep.h"
+#include "suite/file/toml_reader.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kLargestFile = std::uint64_t{16} << 20;
+
+/// Makes shots of templates.
+class SuiteBuilder {
+  public:
+    SuiteBuilder(TomlReader& reader, Suite& suite) : reader_(reader), suite_(suite) {}
+
+    void add(const toml::table& table, const fs::path& folder, const ShotTemplate& defaults) {
+        const std::size_t errorsBefore = reader_.errorCount();
+        ShotTemplate shot = defaults;
+        shot.shot.place = reader_.placeOf(table);
+        readTemplate(reader_, table, folder, false, shot);
+        if (!table.contains("script")) reader_.error("suite-E12", "the shot has no script", shot.shot.place);
+        checkAgreement(shot);
+        dropSwept(shot, defaults);
+        if (shot.scripts.empty()) return;
+        const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);
+        // What is wrong itself would only give wrong messages about others.
+        if (reader_.errorCount() > errorsBefore || !isFewEnough(shot, scripts.size())) return;
+        if (scripts.size() == 1) nameOwnUniforms(shot, defaults);
+        const std::vector<Combination> all = combinations(shot.sweeps);
+        for (const FoundScript& script : scripts)
+            for (const Combination& combination : all)
+                for (const double time : shot.times) addOne(shot, script, combination, time);
+    }
+
+    void finish() {
+        checkVariants();
+        resolvePairs(reader_, requests_, suite_);
+    }
+
+  private:
+    /// A scene that has to fail makes no picture, and a warning alone fails none.
+    void checkAgreement(const ShotTemplate& shot) {
+        if (!shot.shot.expectedError) return;
+        const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
+        if (row && row->severity != Severity::error &&
+            !(row->severity == Severity::warning && shot.shot.options.strict))
+            reader_.error(
+                "suite-E12",
+                fmt::format(
+                    "expect-error: {} is a {}, which fails {}", row->id, name(row->severity),
+                    row->severity == Severity::warning ? "a scene only with strict = true" : "no scene"),
+                shot.shot.place);
+        for (const auto* each : {&shot.match, &shot.differ})
+            if (*each)
+                reader_.error("suite-E12",
+                              "a shot with expect-error makes no picture that could match or differ",
+                              (*each)->place);
+    }
+
+    /// What a sweep gives is not set besides: an error if the shot says both, while one of [defaults] gives
+    /// way.
+    void dropSwept(ShotTemplate& shot, const ShotTemplate& defaults) {
+        for (const UniformValues& sweep : shot.sweeps) {
+            const auto isIt = [&](const UniformValues& each) { return each.name == sweep.name; };
+            const auto set = std::find_if(shot.set.begin(), shot.set.end(), isIt);
+            if (set == shot.set.end()) continue;
+            const auto old = std::find_if(defaults.set.begin(), defaults.set.end(), isIt);
+            if (old == defaults.set.end() || old->place != set->place)
+                reader_.error("suite-E12", fmt::format("'{}' stands in set and in sweep", sweep.name),
+                              sweep.place);
+            shot.set.erase(set);
+        }
+    }
+
+    static void nameOwnUniforms(ShotTemplate& shot, const ShotTemplate& defaults) {
+        const auto isOfDefaults = [&](const UniformValues& own) {
+            return std::any_of(defaults.set.begin(), defaults.set.end(), [&](const UniformValues& each) {
+                return each.name == own.name && each.place == own.place;
+            });
+        };
+        for (const auto* all : {&shot.set, &shot.sweeps})
+            for (const UniformValues& each : *all)
+                if (!isOfDefaults(each)) shot.shot.ownUniforms.push_back({each.name, each.place});
+    }
+
+    bool isFewEnough(const ShotTemplate& shot, std::size_t scripts) {
+        const std::size_t left = kMostShots - suite_.shots.size();
+        const std::uint64_t each = combinationCount(shot.sweeps);
+        if (each <= left && each * shot.times.size() <= left && each * shot.times.size() * scripts <= left)
+            return true;
+        reader_.error(
+            "suite-E11",
+            fmt::format("{} scripts, {} sweep values and {} times are too many shots; a suite has at most {}",
+                        scripts, each, shot.times.size(), glib::groupedText(kMostShots)),
+            shot.sweeps.empty() ? shot.shot.place : shot.sweeps.front().place);
+        return false;
+    }
+
+    void addOne(const ShotTemplate& from, const FoundScript& script, const Combination& combination,
+                double time) {
+        std::string suffix = combination.suffix;
+        if (from.namesTimes) suffix += "@time=" + glib::numberText(time);
+        Shot shot = from.shot;
+        shot.name = script.name + suffix;
+        shot.script = script.path;
+        shot.options.time = time;
+        for (const UniformValues& each : from.set)
+            shot.options.set.push_back(each.name + "=" + each.values.front().text);
+        shot.options.set.insert(shot.options.set.end(), combination.set.begin(), combination.set.end());
+
+        const Place place = from.name ? from.name->place : script.place;
+        if (const auto [old, isNew] = byName_.emplace(shot.name, place); !isNew) {
+            const std::string name = glib::quoted(shot.name);
+            reader_.error("suite-E06",
+                          old->second == place
+                              ? fmt::format("this makes two shots {}", name)
+                              : fmt::format("there are two shots {}; the other one is on line {}", name,
+                                            old->second.line),
+                          place);
+            return;
+        }
+        const std::size_t index = suite_.shots.size();
+        if (from.match) requests_.push_back({index, true, *from.match, suffix});
+        if (from.differ) requests_.push_back({index, false, *from.differ, suffix});
+        suite_.shots.push_back(std::move(shot));
+    }
+
+    /// The golden of a shot "teapot.nvidia" would be taken for the variant of the shot "teapot" for that
+    /// driver.
+    void checkVariants() {
+        for (const Shot& shot : suite_.shots) {
+            const auto other = byName_.find(std::string(shotOfVariant(shot.name)));
+            if (other != byName_.end())
+                reader_.error("suite-E06",
+                              fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
+                                          glib::quoted(shot.name), other->first, other->second.line),
+                              byName_.at(shot.name));
+        }
+    }
+
+    TomlReader& reader_;
+    Suite& suite_;
+    std::unordered_map<std::string, Place> byName_;
+    std::vector<PairRequest> requests_;
+};
+
+/// The top level of the file; the shots are left to the caller.
+const toml::array* readTopLevel(TomlReader& reader, const toml::table& root, const fs::path& folder,
+                                Suite& suite, ShotTemplate& defaults) {
+    static constexpr std::array<std::string_view, 3> kKeys{"goldens", "defaults", "shot"};
+    const toml::array* shots = nullptr;
+    for (const TomlEntry& entry : reader.entries(root)) {
+        if (entry.key == "goldens") {
+            if (const auto text = reader.text(*entry.value, "goldens"))
+                suite.goldens = (folder / *text).lexically_normal();
+        } else if (entry.key == "defaults") {
+            if (const toml::table* table = reader.table(*entry.value, "defaults"))
+                readTemplate(reader, *table, folder, true, defaults);
+        } else if (entry.key == "shot") {
+            shots = entry.value->as_array();
+            if (!shots) reader.wrongType(*entry.value, "shot", "[[shot]]");
+        } else if (isShotKey(entry.key)) {
+            reader.error("suite-E02",
+                         fmt::format("'{}' belongs under {}[[shot]]", entry.key,
+                                     isDefaultsKey(entry.key) ? "[defaults] or " : ""),
+                         entry.keyPlace);
+        } else {
+            reader.unknownKey(entry, "at the top of the file", kKeys);
+        }
+    }
+    return shots;
+}
+
+Result<Suite> readFolder(const fs::path& folder) {
+    Suite suite;
+    suite.file = folder;
+    suite.name = fs::absolute(folder).lexically_normal().filename().string();
+    if (suite.name.empty())
+        suite.name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
+    suite.goldens = folder / "golden";
+
+    const Place place{folder.string(), 1, 1};
+    const Result<std::vector<fs::path>> scenes = filesThatFit(folder, "**/*.[gG][lL][iI][bB]");
+    if (!scenes || scenes->size() > kMostShots)
+        return error("suite-E11",
+                     fmt::format("the folder is too large for a suite; that has at most {} scenes",
+                                 glib::groupedText(kMostShots)),
+                     place);
+    if (scenes->empty()) return error("suite-E14", "there is no .glib file in the folder", place);
+    Diagnostics problems;
+    std::unordered_map<std::string, std::string> byName;
+    for (const fs::path& script : *scenes) {
+        Shot shot;
+        shot.name = nameOfScene(script.lexically_relative(folder).generic_string());
+        shot.script = script;
+        shot.place = place;
+        const auto [old, isNew] = byName.emplace(shot.name, script.string());
+        const std::string why = whyNotAName(shot.name);
+        if (!isNew)
+            problems.push_back(
+                error("suite-E06",
+                      fmt::format("{} and {} would both be the shot '{}'; rename one",
+                                  glib::quoted(old->second), glib::quoted(script.string()), shot.name),
+                      place));
+        else if (!why.empty())
+            problems.push_back(error(
+                "suite-E05",
+                fmt::format("shot {} of {} {}", glib::quoted(shot.name), glib::quoted(script.string()), why),
+                place));
+        else
+            suite.shots.push_back(std::move(shot));
+    }
+    for (const Shot& shot : suite.shots)
+        if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
+            problems.push_back(
+                error("suite-E06",
+                      fmt::format("the golden of {} would be a variant of that of {}; rename one",
+                                  glib::quoted(shot.script.string()), glib::quoted(other->second)),
+                      place));
+    if (hasError(problems)) return problems;
+    return suite;
+}
+
+/// The name beside a file that is not there which comes nearest to it, or nothing.
+std::string nearestFile(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    scene::FolderListings listings;
+    const auto near = scene::nearestFiles(file.filename().string(), std::span(&folder, 1), listings);
+    return near.empty() ? "" : near.front();
+}
+
+}  // namespace
+
+Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
+    Suite suite;
+    suite.file = file;
+    suite.name = file.stem().string();
+    const fs::path folder = file.parent_path();
+    suite.goldens = folder / "golden" / suite.name;
+
+    TomlReader reader(file.string(), text);
+    const toml::table* root = reader.root();
+    if (!root) return reader.take();
+    ShotTemplate defaults;
+    const toml::array* shots = readTopLevel(reader, *root, folder, suite, defaults);
+    SuiteBuilder builder(reader, suite);
+    if (shots)
+        for (const toml::node& each : *shots) {
+            if (const toml::table* table = each.as_table())
+                builder.add(*table, folder, defaults);
+            else
+                reader.wrongType(each, "shot", "a table under [[shot]]");
+        }
+    if (!shots || shots->empty()) {
+        if (!reader.hasErrors())
+            reader.error("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
+    }
+    if (!reader.hasErrors()) builder.finish();
+    if (reader.hasErrors()) return reader.take();
+    return suite;
+}
+
+Result<Suite> readSuite(const fs::path& fileOrFolder) {
+    const Place place{fileOrFolder.string(), 1, 1};
+    std::error_code failure;
+    if (fs::is_directory(fileOrFolder, failure)) return readFolder(fileOrFolder);
+    if (glib::sameWord(fileOrFolder.extension().string(), ".glib"))
+        return error("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
+    auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestFile);
+    if (!bytes) {
+        if (const std::string near = nearestFile(fileOrFolder);
+            !near.empty() && !fs::exists(fileOrFolder, failure))
+            bytes.diagnostics.front().text += fmt::format("; nearest: '{}'", near);
+        return bytes.diagnostics;
+    }
+    const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    return readSuiteText(text, fileOrFolder);
+}
+
+}  // namespace glibra::suite

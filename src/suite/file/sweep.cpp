@@ -1,0 +1,212 @@
+#include "suite/file/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "glib/number.h"
+#include "glib/text.h"
+#include "plan/uniforms.h"
+
+namespace glibra::suite {
+namespace {
+
+constexpr std::size_t kMostLabelNumbers = 4;
+constexpr std::size_t kMostNumbers = 4096;  // as --set
+
+/// "Dots" or "12": a program's name or line, where letters and digits are enough for it.
+bool isProgram(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+}
+
+/// A name as GLSL has it, with parts and indices: "uKd", "light.color", "uWeights[2]"; a program may stand
+/// before it as for --set: "Dots:uKd".
+bool isUniformName(std::string_view name) {
+    if (const std::size_t colon = name.find(':'); colon != name.npos) {
+        if (!isProgram(name.substr(0, colon))) return false;
+        name.remove_prefix(colon + 1);
+    }
+    if (name.empty() || (name.front() >= '0' && name.front() <= '9')) return false;
+    for (const char c : name)
+        if (!glib::isLetter(c) && !(c >= '0' && c <= '9') && std::string_view("_.[]").find(c) == name.npos)
+            return false;
+    return true;
+}
+
+std::string labelOf(const plan::Override& value, std::size_t index) {
+    if (value.form == glib::UniformForm::truth) return value.values.front() != 0 ? "true" : "false";
+    if (value.values.size() > kMostLabelNumbers) return fmt::format("v{}", index + 1);
+    std::string label;
+    for (const double each : value.values) label += (label.empty() ? "" : ",") + glib::numberText(each);
+    return label;
+}
+
+/// The name in the name of a shot, where brackets and colons cannot stand: "uWeights.2".
+std::string labelOf(std::string_view uniform) {
+    std::string label;
+    for (const char c : uniform)
+        if (c != ']') label += c == '[' || c == ':' ? '.' : c;
+    return label;
+}
+
+class UniformReader {
+  public:
+    UniformReader(TomlReader& reader, UniformTable kind) : reader_(reader), kind_(kind) {}
+
+    void read(const toml::table& table, const std::string& prefix) {
+        for (const TomlEntry& entry : reader_.entries(table)) {
+            const std::string name = prefix + entry.key;
+            if (const toml::table* part = entry.value->as_table()) {
+                read(*part, name + '.');
+            } else if (!isUniformName(name)) {
+                reader_.error("suite-E05",
+                              fmt::format("{}: {} is not the name of a uniform", word(), glib::quoted(name)),
+                              entry.keyPlace);
+            } else {
+                readOne(name, entry);
+            }
+        }
+    }
+
+    std::vector<UniformValues> take() { return std::move(all_); }
+
+  private:
+    [[nodiscard]] std::string_view word() const { return kind_ == UniformTable::set ? "set" : "sweep"; }
+
+    void readOne(const std::string& name, const TomlEntry& entry) {
+        UniformValues uniform{name, {}, entry.keyPlace};
+        const std::string called = fmt::format("{}.{}", word(), name);
+        if (kind_ == UniformTable::set) {
+            if (auto one = value(*entry.value, name, called, 0)) {
+                uniform.values.push_back(std::move(*one));
+                all_.push_back(std::move(uniform));
+            }
+            return;
+        }
+        const toml::array* list = entry.value->as_array();
+        if (!list) return reader_.wrongType(*entry.value, called, "a list of values, as [0, 0.1, 0.2],");
+        if (list->empty())
+            return reader_.error("suite-E04", called + ": the list is empty", reader_.placeOf(*list));
+        for (std::size_t i = 0; i < list->size(); ++i)
+            if (auto one = value(*list->get(i), name, called, i)) uniform.values.push_back(std::move(*one));
+        if (uniform.values.size() == list->size()) all_.push_back(std::move(uniform));
+    }
+
+    /// A value at position `index` of a sweep, or of `set`.
+    std::optional<UniformValue> value(const toml::node& node, const std::string& name,
+                                      const std::string& called, std::size_t index) {
+        std::optional<std::string> text;
+        if (const toml::array* list = node.as_array()) {
+            text = listText(*list, called);
+        } else if (node.is_string()) {
+            text = reader_.text(node, called);
+        } else {
+            text = scalarText(node, called, "a number, true, false, a list of numbers or a text");
+        }
+        if (!text) return std::nullopt;
+        const Result<plan::Override> parsed = plan::parseOverride(name + "=" + *text);
+        if (!parsed) {
+            // The message begins with what the command line was given.
+            std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
+            const std::string given = fmt::format("--set {}={}: ", name, *text);
+            if (why.starts_with(given)) why.erase(0, given.size());
+            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::quoted(*text), why),
+                          reader_.placeOf(node));
+            return std::nullopt;
+        }
+        return UniformValue{std::move(*text), labelOf(*parsed, index)};
+    }
+
+    std::optional<std::string> listText(const toml::array& list, const std::string& called) {
+        if (list.empty() || list.size() > kMostNumbers) {
+            reader_.error("suite-E04",
+                          list.empty() ? called + ": the list is empty"
+                                       : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
+                                                     kMostNumbers),
+                          reader_.placeOf(list));
+            return std::nullopt;
+        }
+        std::string text;
+        for (const toml::node& each : list) {
+            if (each.is_array() && kind_ == UniformTable::set) {
+                reader_.error("suite-E03",
+                              called +
+                                  ": one value is wanted, not a list of lists; a list of values belongs "
+                                  "in sweep",
+                              reader_.placeOf(each));
+                return std::nullopt;
+            }
+            const auto one = scalarText(each, called, "a number in the list");
+            if (!one) return std::nullopt;
+            text += (text.empty() ? "" : ",");
+            text += *one == "true" ? "1" : *one == "false" ? "0" : *one;
+        }
+        return text;
+    }
+
+    std::optional<std::string> scalarText(const toml::node& node, const std::string& called,
+                                          std::string_view wanted) {
+        if (const auto* truth = node.as_boolean()) return **truth ? "true" : "false";
+        if (!node.is_number()) {
+            reader_.wrongType(node, called, wanted);
+            return std::nullopt;
+        }
+        if (const auto* integer = node.as_integer()) return std::to_string(**integer);
+        const double number = **node.as_floating_point();
+        if (!std::isfinite(static_cast<float>(number))) {
+            reader_.error(
+                "suite-E04",
+                fmt::format("{}: {} is not a finite 32-bit number", called, glib::numberText(number)),
+                reader_.placeOf(node));
+            return std::nullopt;
+        }
+        return glib::numberText(number);
+    }
+
+    TomlReader& reader_;
+    UniformTable kind_;
+    std::vector<UniformValues> all_;
+};
+
+}  // namespace
+
+std::vector<UniformValues> readUniforms(TomlReader& reader, const toml::table& table, UniformTable kind) {
+    UniformReader uniforms(reader, kind);
+    uniforms.read(table, "");
+    return uniforms.take();
+}
+
+std::uint64_t combinationCount(std::span<const UniformValues> sweeps) {
+    std::uint64_t count = 1;
+    for (const UniformValues& each : sweeps)
+        if (__builtin_mul_overflow(count, std::uint64_t{each.values.size()}, &count))
+            return std::numeric_limits<std::uint64_t>::max();
+    return count;
+}
+
+std::vector<Combination> combinations(std::span<const UniformValues> sweeps) {
+    std::vector<Combination> all{{}};
+    for (const UniformValues& sweep : sweeps) {
+        std::vector<Combination> longer;
+        longer.reserve(all.size() * sweep.values.size());
+        for (const Combination& begun : all)
+            for (const UniformValue& value : sweep.values) {
+                Combination next = begun;
+                next.suffix += fmt::format("@{}={}", labelOf(sweep.name), value.label);
+                next.set.push_back(sweep.name + "=" + value.text);
+                longer.push_back(std::move(next));
+            }
+        all = std::move(longer);
+    }
+    return all;
+}
+
+}  // namespace glibra::suite

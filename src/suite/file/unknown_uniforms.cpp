@@ -1,0 +1,33 @@
+#include "suite/file/unknown_uniforms.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "glib/text.h"
+
+namespace glibra::suite {
+namespace {
+
+/// "uKd" of "Dots:uKd".
+std::string_view withoutProgram(std::string_view name) {
+    const std::size_t colon = name.rfind(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+}  // namespace
+
+void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
+    for (Diagnostic& each : diagnostics) {
+        // That of a pair in the scene has a place there.
+        if (each.id != "glib-W23" || !each.place.file.empty()) continue;
+        const auto isAbout = [&](const PlacedUniform& uniform) {
+            return each.text.find("a uniform " + glib::quoted(withoutProgram(uniform.name))) !=
+                   std::string::npos;
+        };
+        const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);
+        if (found != shot.ownUniforms.end()) each = error("suite-E19", each.text, found->place);
+    }
+}
+
+}  // namespace glibra::suite

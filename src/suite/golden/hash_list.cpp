@@ -1,0 +1,136 @@
+#include "suite/golden/hash_list.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "image/file.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kHeading =
+    "# Pixels that were accepted: shot, golden variant, hash of the golden file, hash of the pixels, "
+    "driver.\n"
+    "# Written by glibra test --update. Lines may be deleted at any time.\n";
+constexpr std::uint64_t kLargestFile = 256ULL << 20;
+
+/// Holds a folder for one process at a time, as far as the file system can; it goes with the object. The
+/// folder itself is locked, so that no lock file is left among the goldens.
+class FolderLock {
+  public:
+    explicit FolderLock(const fs::path& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+    ~FolderLock() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+
+  private:
+    int descriptor_;
+};
+
+}  // namespace
+
+std::string toLine(const AcceptedHash& accepted) {
+    return fmt::format("{} {} {} {} {}", accepted.shot, accepted.variant.empty() ? "-" : accepted.variant,
+                       toText(accepted.golden), toText(accepted.pixels), accepted.key);
+}
+
+Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
+    std::array<std::string_view, 4> words;
+    std::string_view rest = line;
+    for (std::string_view& word : words) {
+        const std::size_t blank = std::min(rest.find(' '), rest.size());
+        word = rest.substr(0, blank);
+        rest.remove_prefix(std::min(blank + 1, rest.size()));
+    }
+    const std::optional<Hash> golden = parseHash(words[2]);
+    const std::optional<Hash> pixels = parseHash(words[3]);
+    if (!golden || !pixels || rest.empty())
+        return warning("suite-W01", "no line of accepted pixels; it is ignored", place);
+    return AcceptedHash{std::string(words[0]), words[1] == "-" ? "" : std::string(words[1]), *golden, *pixels,
+                        std::string(rest)};
+}
+
+Result<HashList> HashList::read(const fs::path& file) {
+    Result<HashList> list{HashList()};
+    std::error_code failure;
+    if (!fs::exists(file, failure)) return list;
+    const Place place{file.string(), 1, 1};
+    const auto bytes = image::readFile(file, {file.string(), place}, kLargestFile);
+    if (!bytes) {
+        for (Diagnostic each : bytes.diagnostics) {
+            each.severity = Severity::warning;
+            list.diagnostics.push_back(std::move(each));
+        }
+        return list;
+    }
+    std::string_view rest(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    std::vector<AcceptedHash> lines;
+    for (int number = 1; !rest.empty(); ++number) {
+        std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.empty() || line.front() == '#') continue;
+        Result<AcceptedHash> parsed = parseLine(line, {file.string(), number, 1});
+        append(list.diagnostics, std::move(parsed.diagnostics));
+        if (parsed) list->ofShot_[parsed->shot].push_back(std::move(*parsed));
+    }
+    return list;
+}
+
+const Hash* HashList::find(const std::string& shot, const std::string& variant, const Hash& golden,
+                           const std::string& key) const {
+    const auto found = ofShot_.find(shot);
+    if (found == ofShot_.end()) return nullptr;
+    for (const AcceptedHash& each : found->second)
+        if (each.variant == variant && each.golden == golden && each.key == key) return &each.pixels;
+    return nullptr;
+}
+
+void HashList::accept(std::span<const AcceptedHash> accepted) {
+    for (const AcceptedHash& each : accepted) {
+        std::vector<AcceptedHash>& lines = ofShot_[each.shot];
+        std::erase_if(lines, [&](const AcceptedHash& line) {
+            return line.variant == each.variant && (line.key == each.key || line.golden != each.golden);
+        });
+        lines.push_back(each);
+    }
+}
+
+std::string HashList::toText() const {
+    std::string text(kHeading);
+    for (const auto& [shot, lines] : ofShot_) {
+        std::vector<AcceptedHash> sorted = lines;
+        std::sort(sorted.begin(), sorted.end(), [](const AcceptedHash& a, const AcceptedHash& b) {
+            return std::tie(a.variant, a.key) < std::tie(b.variant, b.key);
+        });
+        for (const AcceptedHash& each : sorted) text += toLine(each) + "\n";
+    }
+    return text;
+}
+
+Diagnostics acceptHashes(const fs::path& file, std::span<const AcceptedHash> accepted) {
+    if (accepted.empty()) return {};
+    const FolderLock lock(file.has_parent_path() ? file.parent_path() : ".");
+    Result<HashList> list = HashList::read(file);
+    const std::string before = list->toText();
+    list->accept(accepted);
+    const std::string after = list->toText();
+    std::error_code failure;
+    if (after == before && fs::exists(file, failure)) return {};
+    return image::writeFileAtomically(file, std::as_bytes(std::span(after)));
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,152 @@
+#include "suite/report/html_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+
+#include "embedded/report_page.h"
+#include "image/file.h"
+#include "suite/report/plain_page.h"
+#include "suite/report/report_files.h"
+#include "suite/report/utf8.h"
+#include "suite/results/figures.h"
+
+namespace glibra::suite {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON that may stand in a <script> element: without '<' nothing can close or open an element.
+std::string inScript(const Json& json) {
+    std::string text;
+    for (const char each : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+        if (each == '<')
+            text += "\\u003c";
+        else
+            text += each;
+    return text;
+}
+
+Json toJson(const ShotResult& shot, const ShownShot& shown) {
+    Json json = {{"suite", shot.suite}, {"shot", shot.shot}, {"verdict", name(shot.verdict)}};
+    const auto add = [&](const char* key, const auto& value) {
+        if (!value.empty()) json[key] = value;
+    };
+    add("reason", reasonOf(shot));
+    add("script", shot.script.string());
+    add("expected", shown.expected);
+    add("got", shown.got);
+    add("difference", shown.difference);
+    add("pixels", shown.pixels);
+    add("variant", shot.goldenVariant);
+    add("driver", shot.driver);
+    add("decision", decision(shot));
+    add("reproduce", shot.reproduce);
+    add("accept", shot.accept);
+    add("sources", shown.sources);
+    add("remarks", shown.remarks);
+    if (shot.changed) json["changed"] = true;
+    if (shot.width > 0) {
+        json["width"] = shot.width;
+        json["height"] = shot.height;
+    }
+    if (shot.milliseconds > 0) json["milliseconds"] = shot.milliseconds;
+    Json list = Json::array();
+    for (const Figure& each : figures(shot)) list.push_back({each.name, each.value, each.limit, each.beyond});
+    add("figures", list);
+    Json told = Json::array();
+    for (const Diagnostic& each : shot.diagnostics)
+        if (!isPlain(shot) || each.severity == Severity::warning)
+            told.push_back({name(each.severity), each.id, each.text, each.place.file, each.place.line,
+                            each.place.column});
+    add("diagnostics", told);
+    return json;
+}
+
+std::string toJson(const RunResult& run, std::span<const ShownShot> shown, const ReportFiles& files) {
+    Json json = {{"run", {{"driver", run.driver}}}};
+    for (const Verdict verdict : kVerdictsByConcern) json["groups"].push_back(name(verdict));
+    json["sources"] = Json::array();
+    for (const Source& source : files.sources())
+        json["sources"].push_back({{"file", source.file}, {"text", source.text}});
+    json["shots"] = Json::array();
+    for (std::size_t i = 0; i < run.shots.size(); ++i)
+        json["shots"].push_back(toJson(run.shots[i], shown[i]));
+    return inScript(json);
+}
+
+struct Slot {
+    std::string_view name;
+    std::string text;
+};
+
+/// The template with {{name}} replaced. What is put in is not looked through again.
+std::string filled(std::string_view page, std::span<const Slot> slots) {
+    std::string text;
+    while (true) {
+        const std::size_t open = page.find("{{"), close = page.find("}}", open);
+        text += page.substr(0, open);
+        if (open == std::string_view::npos || close == std::string_view::npos) return text;
+        const std::string_view wanted = page.substr(open + 2, close - open - 2);
+        for (const Slot& slot : slots)
+            if (slot.name == wanted) text += slot.text;
+        page.remove_prefix(close + 2);
+    }
+}
+
+std::string headline(const RunResult& run) {
+    const auto failures = std::count_if(run.shots.begin(), run.shots.end(),
+                                        [](const ShotResult& shot) { return isFailure(shot.verdict); });
+    if (failures > 0) return fmt::format("{} of {} shots failed", failures, run.shots.size());
+    return run.shots.empty() ? "No shots" : fmt::format("None of {} shots failed", run.shots.size());
+}
+
+std::string runDetails(const RunResult& run) {
+    std::string html = "<dl>";
+    const auto add = [&](std::string_view title, const std::string& value) {
+        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
+    };
+    add("Driver", run.driver);
+    add("Machine", run.machine);
+    add("Command", run.command);
+    add("Shard", run.shard);
+    add("Began", run.began);
+    add("Time", readableTime(run.seconds));
+    return html + "</dl>";
+}
+
+}  // namespace
+
+Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
+                            const std::filesystem::path& reportFolder) {
+    ReportFiles files(resultsFolder, reportFolder);
+    std::vector<ShownShot> shown;
+    shown.reserve(run.shots.size());
+    for (const ShotResult& shot : run.shots) shown.push_back(files.add(shot, shown.size() + 1));
+    if (hasError(files.problems())) return files.problems();
+
+    std::string script;
+    for (const std::string_view part :
+         {report_page::pixels_js(), report_page::viewer_js(), report_page::list_js(), report_page::main_js()})
+        script += part;
+    const Slot slots[] = {
+        {"title", escapeXml(counts(run) + " - glibra")},
+        {"headline", headline(run)},
+        {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
+        {"runDetails", runDetails(run)},
+        {"style", std::string(report_page::report_css())},
+        {"script", std::move(script)},
+        {"static", plainPage(run, shown, files.sources())},
+        {"data", toJson(run, shown, files)},
+    };
+    const std::string page = filled(report_page::page_html(), slots);
+    Diagnostics problems = files.problems();
+    append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page))));
+    if (!hasError(problems)) files.removeOthers();
+    return problems;
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,120 @@
+#include "suite/report/junit_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "suite/report/utf8.h"
+#include "suite/results/figures.h"
+
+namespace glibra::suite {
+namespace {
+
+bool isError(Verdict verdict) {
+    return verdict == Verdict::crashed || verdict == Verdict::timedOut;
+}
+
+struct Sums {
+    int tests = 0, failures = 0, errors = 0, skipped = 0;
+    double seconds = 0;
+};
+
+std::string seconds(double value) {
+    return fmt::format("{:.3f}", std::isfinite(value) ? value : 0.);
+}
+
+Sums sumsOf(const std::vector<const ShotResult*>& shots) {
+    Sums sums;
+    for (const ShotResult* shot : shots) {
+        ++sums.tests;
+        if (isError(shot->verdict))
+            ++sums.errors;
+        else if (isFailure(shot->verdict))
+            ++sums.failures;
+        else if (shot->verdict == Verdict::skipped)
+            ++sums.skipped;
+        if (std::isfinite(shot->milliseconds)) sums.seconds += shot->milliseconds / 1000;
+    }
+    return sums;
+}
+
+std::string details(const ShotResult& shot) {
+    std::string text = reasonOf(shot) + '\n';
+    for (const Figure& figure : figures(shot))
+        text += fmt::format("{}: {}{}\n", figure.name, figure.value,
+                            figure.limit.empty() ? "" : fmt::format(", limit {}", figure.limit));
+    const auto add = [&](std::string_view title, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{}: {}\n", title, value);
+    };
+    add("script", shot.script.string());
+    add("golden variant", shot.goldenVariant);
+    add("drawn by", shot.driver);
+    add("got", shot.got.string());
+    add("expected", shot.expected.string());
+    add("difference", shot.difference.string());
+    add("reproduce", shot.reproduce);
+    add("accept", shot.accept);
+    return text;
+}
+
+void putShot(std::string& xml, const ShotResult& shot) {
+    xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", escapeXml(shot.shot),
+                       escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
+    std::string inside;
+    if (shot.verdict == Verdict::skipped) {
+        inside += fmt::format("      <skipped message=\"{}\"/>\n", escapeXml(reasonOf(shot)));
+    } else if (isFailure(shot.verdict)) {
+        const char* element = isError(shot.verdict) ? "error" : "failure";
+        inside += fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
+                              escapeXml(reasonOf(shot)), name(shot.verdict), escapeXml(details(shot)));
+    }
+    std::string output;
+    if (!isFailure(shot.verdict) && shot.verdict != Verdict::skipped && !reasonOf(shot).empty())
+        output += reasonOf(shot) + '\n';
+    for (const Diagnostic& each : shot.diagnostics) output += toString(each) + '\n';
+    if (!output.empty()) inside += fmt::format("      <system-out>{}</system-out>\n", escapeXml(output));
+    xml += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string toJunit(const RunResult& run) {
+    std::vector<std::pair<std::string_view, std::vector<const ShotResult*>>> suites;
+    for (const ShotResult& shot : run.shots) {
+        auto suite = std::find_if(suites.begin(), suites.end(),
+                                  [&](const auto& each) { return each.first == shot.suite; });
+        if (suite == suites.end()) suite = suites.insert(suite, {shot.suite, {}});
+        suite->second.push_back(&shot);
+    }
+    std::string inside;
+    Sums all;
+    for (const auto& [suite, shots] : suites) {
+        const Sums sums = sumsOf(shots);
+        all.tests += sums.tests;
+        all.failures += sums.failures;
+        all.errors += sums.errors;
+        inside += fmt::format(
+            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
+            escapeXml(suite), sums.tests, sums.failures, sums.errors, sums.skipped, seconds(sums.seconds));
+        if (!run.began.empty()) inside += fmt::format(" timestamp=\"{}\"", escapeXml(run.began));
+        inside += ">\n    <properties>\n";
+        for (const auto& [key, value] : {std::pair<const char*, const std::string&>{"driver", run.driver},
+                                         {"machine", run.machine},
+                                         {"shard", run.shard},
+                                         {"command", run.command}})
+            if (!value.empty())
+                inside += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", key, escapeXml(value));
+        inside += "    </properties>\n";
+        for (const ShotResult* shot : shots) putShot(inside, *shot);
+        inside += "  </testsuite>\n";
+    }
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<testsuites name=\"glibra\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+        "time=\"{}\">\n{}</testsuites>\n",
+        all.tests, all.failures, all.errors, seconds(run.seconds), inside);
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,182 @@
+#include "suite/report/report_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "image/convert.h"
+#include "image/file.h"
+#include "image/format.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
+#include "suite/golden/hash.h"
+#include "suite/report/utf8.h"
+#include "suite/results/results_file.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostWarnings = 20;
+constexpr std::uint64_t kLargestSource = std::uint64_t{1} << 20;
+// Beyond it unpacking takes seconds and hundreds of megabytes in a browser.
+constexpr std::int64_t kMostPixels = std::int64_t{4096} * 4096;
+
+const char* const kFolders[] = {"pictures", "pixels"};
+
+/// "00012-5f0c82aa": number and content. A new report's files stand beside those of an old one, whose page
+/// stays whole until the new page takes its place.
+std::string nameOf(std::size_t number, std::span<const std::byte> content) {
+    constexpr std::size_t kDigits = 8;
+    return fmt::format("{:05}-{}", number, toText(hashOf(content)).substr(0, kDigits));
+}
+
+/// "00012-5f0c82aa.got.png", "00012.js": names that only a report has given.
+bool isOurs(std::string_view name) {
+    const std::size_t digits = name.find_first_not_of("0123456789");
+    if (digits == std::string_view::npos || digits < 5) return false;
+    std::string_view rest = name.substr(digits);
+    if (rest.starts_with('-'))
+        rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of("0123456789abcdef", 1)));
+    return rest == ".js" || rest == ".got.png" || rest == ".expected.png" || rest == ".difference.png";
+}
+
+std::string onlyUtf8(std::string_view text) {
+    std::string valid;
+    while (!text.empty()) {
+        const Character next = firstCharacter(text);
+        appendUtf8(valid, next.code);
+        text.remove_prefix(next.bytes);
+    }
+    return valid;
+}
+
+}  // namespace
+
+bool isPlain(const ShotResult& shot) {
+    return (shot.verdict == Verdict::passed && !shot.changed) || shot.verdict == Verdict::skipped;
+}
+
+ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder)
+    : resultsFolder_(std::move(resultsFolder)), reportFolder_(std::move(reportFolder)) {
+    for (const char* folder : kFolders) {
+        std::error_code ignored;  // told with the first file that cannot be written
+        fs::create_directories(reportFolder_ / folder, ignored);
+    }
+}
+
+bool ReportFiles::write(const std::string& name, std::span<const std::byte> bytes) {
+    if (hasError(problems_)) return false;  // a full disk is told once
+    Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes);
+    const bool good = problems.empty();
+    append(problems_, std::move(problems));
+    if (good) written_.insert(name);
+    return good;
+}
+
+void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::string& text) {
+    shown.remarks.push_back(text);
+    if (problems_.size() < kMostWarnings)
+        problems_.push_back(
+            warning("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
+}
+
+ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
+                                          std::string_view ending, bool wantsPixels, ShownShot& shown) {
+    if (picture.empty()) return {};
+    const fs::path file = located(picture, resultsFolder_);
+    Result<std::vector<std::byte>> bytes = image::readFile(file, {picture.string(), {}});
+    if (!bytes) {
+        remark(shown, shot, bytes.diagnostics.front().text);
+        return {};
+    }
+    Copy copy;
+    const bool isPng = image::formatOf(*bytes) == image::Format::png;
+    if (wantsPixels || !isPng) {
+        Result<image::Image> decoded = image::decodeImage(*bytes, file);
+        if (!decoded) {
+            remark(shown, shot, decoded.diagnostics.front().text);
+            return {};
+        }
+        if (!isPng) *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
+        copy.pixels = std::move(*decoded);
+    }
+    const std::string to = fmt::format("pictures/{}.{}.png", nameOf(number, *bytes), ending);
+    if (write(to, *bytes)) copy.file = to;
+    return copy;
+}
+
+std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, std::size_t number,
+                                   ShownShot& shown) {
+    std::string members;
+    for (const auto& [key, copy] :
+         {std::pair<const char*, const Copy&>{"expected", expected}, {"got", got}}) {
+        if (copy.file.empty()) continue;
+        if (std::int64_t{copy.pixels.width} * copy.pixels.height > kMostPixels) {
+            shown.remarks.push_back(
+                fmt::format("the picture '{}' is too large for reading its pixels here", key));
+            continue;
+        }
+        members += fmt::format("{}\"{}\":{}", members.empty() ? "" : ",", key, packedPixels(copy.pixels));
+    }
+    if (members.empty()) return {};
+    const std::string file = fmt::format("pixels/{}.js", nameOf(number, std::as_bytes(std::span(members))));
+    const std::string script = fmt::format("glibraPixels(\"{}\",{{{}}});\n", file, members);
+    return write(file, std::as_bytes(std::span(script))) ? file : std::string();
+}
+
+void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
+    const std::string file = path.string();
+    if (file.empty()) return;
+    auto known = sourceOf_.find(file);
+    if (known == sourceOf_.end()) {
+        const Result<std::vector<std::byte>> bytes =
+            image::readFile(located(path, resultsFolder_), {file, {}}, kLargestSource);
+        // The diagnostics say what is wrong with a scene that cannot be read; they are shown without it.
+        if (!bytes) return;
+        const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        if (text.find('\0') != std::string_view::npos) return;
+        known = sourceOf_.emplace(file, sources_.size()).first;
+        sources_.push_back({file, onlyUtf8(text)});
+    }
+    if (std::find(shown.sources.begin(), shown.sources.end(), known->second) == shown.sources.end())
+        shown.sources.push_back(known->second);
+}
+
+ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
+    ShownShot shown;
+    const auto add = [&](const fs::path& picture, const char* ending, bool wantsPixels = false) {
+        return addPicture(picture, shot, number, ending, wantsPixels, shown);
+    };
+    if (isPlain(shot)) {
+        const bool same = shot.exact || shot.got.empty() || shot.expected.empty();
+        shown.got = add(shot.got.empty() ? shot.expected : shot.got, "got").file;
+        shown.expected = same ? shown.got : add(shot.expected, "expected").file;
+        return shown;
+    }
+    const Copy expected = add(shot.expected, "expected", true), got = add(shot.got, "got", true);
+    shown.expected = expected.file;
+    shown.got = got.file;
+    shown.difference = add(shot.difference, "difference").file;
+    shown.pixels = addPixels(expected, got, number, shown);
+    addSource(shot.script, shown);
+    for (const Diagnostic& each : shot.diagnostics) addSource(each.place.file, shown);
+    return shown;
+}
+
+void ReportFiles::removeOthers() const {
+    for (const char* folder : kFolders) {
+        std::error_code ignored;  // what stays is only in the way of nobody
+        for (const fs::directory_entry& each : fs::directory_iterator(reportFolder_ / folder, ignored)) {
+            const std::string name = each.path().filename().string();
+            if (isOurs(name) && !written_.contains(std::string(folder) + "/" + name))
+                fs::remove(each.path(), ignored);
+        }
+    }
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,74 @@
+#pragma once
+// The pictures, pixels and scene texts of an HTML report.
+
+#include <glibra/diagnostic.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "suite/results/results.h"
+
+namespace glibra::suite {
+
+/// What the page shows of a shot besides its result. Paths are relative to the page; empty: there is none.
+struct ShownShot {
+    std::string expected, got, difference;
+    std::string pixels;                ///< script with the values of `expected` and `got`
+    std::vector<std::size_t> sources;  ///< of ReportFiles::sources()
+    std::vector<std::string> remarks;  ///< what could not be shown, and why
+};
+
+/// A text file that diagnostics may point into.
+struct Source {
+    std::string file;  ///< as results and diagnostics name it
+    std::string text;  ///< UTF-8
+};
+
+/// True for what is shown as a small picture only: a pass that is as it always was, or a shot that was not
+/// run.
+bool isPlain(const ShotResult& shot);
+
+class ReportFiles {
+  public:
+    ReportFiles(std::filesystem::path resultsFolder, std::filesystem::path reportFolder);
+
+    /// Writes the pictures and pixels of a shot. `number` counts from 1 and names its files.
+    ShownShot add(const ShotResult& shot, std::size_t number);
+
+    /// Removes what an earlier report left in the folders.
+    void removeOthers() const;
+
+    /// Texts of the scenes and shaders of all shots that are not plain, each once.
+    [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
+    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
+
+  private:
+    /// A picture in the report; `pixels` is there where it was asked for or had to be decoded.
+    struct Copy {
+        std::string file;
+        image::Image pixels;
+    };
+    Copy addPicture(const std::filesystem::path& picture, const ShotResult& shot, std::size_t number,
+                    std::string_view ending, bool wantsPixels, ShownShot& shown);
+    std::string addPixels(const Copy& expected, const Copy& got, std::size_t number, ShownShot& shown);
+    void addSource(const std::filesystem::path& file, ShownShot& shown);
+    bool write(const std::string& name, std::span<const std::byte> bytes);
+    void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);
+
+    std::filesystem::path resultsFolder_, reportFolder_;
+    std::set<std::string> written_;
+    std::map<std::string, std::size_t> sourceOf_;
+    std::vector<Source> sources_;
+    Diagnostics problems_;
+};
+
+/// A JSON object of the picture's values: width, height, components, type and data, which is each row minus
+/// the one above it (bytes modulo 256), compressed as zlib, as base64.
+std::string packedPixels(const image::Image& picture);
+
+}  // namespace glibra::suite

@@ -1,0 +1,109 @@
+#include "suite/report/small_heat_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "image/convert.h"
+
+namespace glibra::suite {
+namespace {
+
+constexpr int kMostRows = 16;  // of characters
+
+using Color = std::array<std::uint8_t, 3>;
+
+/// Rec. 709 weights on the values as they are, in 10000ths: enough to tell bright from dark.
+int brightness(const Color& color) {
+    return 2126 * color[0] + 7152 * color[1] + 722 * color[2];
+}
+
+/// Cells of a picture, each as its brightest pixel.
+struct Grid {
+    int columns, rows;
+    std::vector<Color> cells;
+
+    [[nodiscard]] const Color& at(int column, int row) const {
+        return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(column)];
+    }
+};
+
+Color brightest(const image::Image& picture, int left, int top, int right, int bottom) {
+    Color found{};
+    for (int y = top; y < bottom; ++y) {
+        const auto* pixel =
+            reinterpret_cast<const std::uint8_t*>(picture.row(y).data()) + std::ptrdiff_t{3} * left;
+        for (int x = left; x < right; ++x, pixel += 3)
+            if (const Color color{pixel[0], pixel[1], pixel[2]}; brightness(color) > brightness(found))
+                found = color;
+    }
+    return found;
+}
+
+Grid reduced(const image::Image& picture, int columns, int rows) {
+    const auto edge = [](int cell, int cells, int pixels) {
+        return static_cast<int>(std::int64_t{cell} * pixels / cells);
+    };
+    Grid grid{columns, rows, {}};
+    for (int row = 0; row < rows; ++row) {
+        const int top = edge(row, rows, picture.height);
+        const int bottom = std::max(top + 1, edge(row + 1, rows, picture.height));
+        for (int column = 0; column < columns; ++column) {
+            const int left = edge(column, columns, picture.width);
+            const int right = std::max(left + 1, edge(column + 1, columns, picture.width));
+            grid.cells.push_back(brightest(picture, left, top, right, bottom));
+        }
+    }
+    return grid;
+}
+
+std::string colorRow(const Grid& grid, int row) {
+    std::string text;
+    for (int column = 0; column < grid.columns; ++column) {
+        const Color& above = grid.at(column, row);
+        const Color& below = grid.at(column, row + 1);
+        text += fmt::format("\033[38;2;{};{};{};48;2;{};{};{}m\u2580", above[0], above[1], above[2], below[0],
+                            below[1], below[2]);
+    }
+    return text + "\033[0m";
+}
+
+std::string shadeRow(const Grid& grid, int row) {
+    constexpr std::string_view kShades = " .:-=+*#%@";
+    constexpr int kBrightest = 255 * 10000;
+    std::string text;
+    for (int column = 0; column < grid.columns; ++column) {
+        const auto shade = static_cast<std::int64_t>(brightness(grid.at(column, row))) *
+                           static_cast<std::int64_t>(kShades.size()) / (kBrightest + 1);
+        text += kShades[static_cast<std::size_t>(shade)];
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> smallHeatMap(const image::Image& difference, int columns, bool color) {
+    if (!image::isConsistent(difference) || columns < 1) return {};
+    const image::Image picture = image::withType(image::withComponents(difference, 3), image::Component::u8);
+    // A character is about twice as high as wide.
+    const double rowsPerColumn = 0.5 * picture.height / picture.width;
+    columns = std::min(columns, picture.width);
+    int rows = static_cast<int>(std::lround(columns * rowsPerColumn));
+    if (rows > kMostRows) {
+        rows = kMostRows;
+        columns = std::clamp(static_cast<int>(std::lround(rows / rowsPerColumn)), 1, columns);
+    }
+    rows = std::max(rows, 1);
+    const Grid grid = reduced(picture, columns, color ? 2 * rows : rows);
+    std::vector<std::string> lines;
+    lines.reserve(static_cast<std::size_t>(rows));
+    for (int row = 0; row < rows; ++row)
+        lines.push_back(color ? colorRow(grid, 2 * row) : shadeRow(grid, row));
+    return lines;
+}
+
+}  // namespace glibra::suite

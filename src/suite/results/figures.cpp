@@ -1,0 +1,162 @@
+#include "suite/results/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace glibra::suite {
+namespace {
+
+bool wasCompared(const ShotResult& shot) {
+    return shot.judgement.decidedBy != image::Rung::bytes && shot.judgement.decidedBy != image::Rung::size;
+}
+
+bool isFloat(const ShotResult& shot) {
+    const auto holdsFloats = [](const std::filesystem::path& path) {
+        return path.extension() == ".exr" || path.extension() == ".hdr";
+    };
+    return holdsFloats(shot.got) || holdsFloats(shot.expected);
+}
+
+std::string of255(double value) {
+    return fmt::format("{:.4g}/255", value);
+}
+
+std::string share(std::uint64_t pixels, double all) {
+    if (all < 1) return fmt::format("{}", pixels);
+    return fmt::format("{} ({:.3g} %)", pixels, 100 * static_cast<double>(pixels) / all);
+}
+
+Figure largest(const ShotResult& shot) {
+    constexpr std::array kComponents{"red", "green", "blue", "alpha"};
+    const image::Comparison& measured = shot.judgement.comparison;
+    const std::size_t component = static_cast<std::size_t>(std::clamp(measured.component, 0, 3));
+    const std::string place =
+        fmt::format(" ({}, at {} {})", kComponents.at(component), measured.x, measured.y);
+    Figure figure{"largest difference", "", "", false};
+    if (std::isinf(measured.largest)) {
+        figure.value = "no number" + place;
+        figure.beyond = true;
+    } else if (isFloat(shot)) {
+        figure.value = fmt::format("{:.4g}", measured.largest) + place;
+        figure.limit =
+            fmt::format("{:.4g} + {:.4g} of the value", shot.tolerance.absolute, shot.tolerance.relative);
+        figure.beyond = shot.judgement.beyond > 0;
+    } else {
+        figure.value = of255(measured.largest * 255);
+        if (measured.largest > 0) figure.value += place;
+        figure.limit = of255(shot.tolerance.largest);
+        figure.beyond = measured.largest * 255 > shot.tolerance.largest * (1 + 1e-12);
+    }
+    return figure;
+}
+
+Figure perceptual(const char* title, double value, std::optional<double> limit) {
+    return {title, fmt::format("{:.5f}", value), limit ? fmt::format("{:.5f}", *limit) : "",
+            limit && value > *limit};
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const ShotResult& shot) {
+    if (!wasCompared(shot)) return {};
+    const image::Judgement& judgement = shot.judgement;
+    const double pixels = static_cast<double>(shot.width) * shot.height;
+    std::vector<Figure> list;
+    list.push_back(largest(shot));
+    list.push_back({"pixels beyond it", share(judgement.beyond, pixels),
+                    fmt::format("{:.3g} %", 100 * shot.tolerance.fraction),
+                    pixels > 0 && static_cast<double>(judgement.beyond) > shot.tolerance.fraction * pixels});
+    if (judgement.cluster > 0)
+        list.push_back(
+            {"largest group",
+             fmt::format("{} (at {} {})", judgement.cluster, judgement.clusterX, judgement.clusterY),
+             fmt::format("{}", shot.tolerance.cluster),
+             std::cmp_greater(judgement.cluster, shot.tolerance.cluster)});
+    if (judgement.line > 0)
+        list.push_back({"most in a row or column", fmt::format("{}", judgement.line),
+                        fmt::format("{}", shot.tolerance.line),
+                        std::cmp_greater(judgement.line, shot.tolerance.line)});
+    list.push_back({"pixels that differ", share(judgement.comparison.differingPixels, pixels), "", false});
+    list.push_back(
+        {"root mean square", fmt::format("{:.4g}", judgement.comparison.rootMeanSquare), "", false});
+    if (!isFloat(shot))
+        list.push_back(
+            {"bias of a block",
+             of255(judgement.bias) +
+                 (judgement.bias > 0 ? fmt::format(" (at {} {})", judgement.biasX, judgement.biasY) : ""),
+             of255(shot.tolerance.bias), judgement.bias > shot.tolerance.bias});
+    if (judgement.flip) list.push_back(perceptual("FLIP", *judgement.flip, shot.tolerance.flip));
+    if (judgement.structure)
+        list.push_back(perceptual("structure", *judgement.structure, shot.tolerance.structure));
+    return list;
+}
+
+std::string decision(const ShotResult& shot) {
+    switch (shot.judgement.decidedBy) {
+        case image::Rung::size:
+            return "size";
+        case image::Rung::bytes:
+            return shot.exact || shot.judgement.same ? "equal bytes" : "";
+        case image::Rung::differences:
+            return "differences";
+        case image::Rung::bias:
+            return "bias of a block";
+        case image::Rung::structure:
+            return "structure";
+        case image::Rung::flip:
+            return "FLIP";
+    }
+    return "";
+}
+
+std::string reasonOf(const ShotResult& shot) {
+    if (!shot.reason.empty()) return shot.reason;
+    switch (shot.verdict) {
+        case Verdict::passed:
+            return shot.changed ? "within the tolerance, but this driver and processor once gave other bytes"
+                                : "";
+        case Verdict::failed:
+            return shot.judgement.reason.empty() ? "the picture is not as expected" : shot.judgement.reason;
+        case Verdict::missing:
+            return "there is no golden picture yet";
+        case Verdict::unstable:
+            return "two renderings on this machine differ";
+        case Verdict::updated:
+            return "the golden picture was written";
+        case Verdict::refused:
+            return "the golden picture was kept: the new one is blank, of one colour or not finite";
+        case Verdict::crashed:
+            return "the process that drew it ended";
+        case Verdict::timedOut:
+            return "it was not drawn in time";
+        case Verdict::skipped:
+            return "it was not run";
+    }
+    return "";
+}
+
+std::string counts(const RunResult& run) {
+    std::string text;
+    for (const Verdict verdict : kVerdictsByConcern) {
+        const auto count = std::count_if(run.shots.begin(), run.shots.end(),
+                                         [&](const ShotResult& shot) { return shot.verdict == verdict; });
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(verdict));
+    }
+    return text.empty() ? "no shots" : text;
+}
+
+std::string readableTime(double seconds) {
+    if (!std::isfinite(seconds) || seconds < 0) return "unknown time";
+    if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+    if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
+    if (seconds >= 1e9) return fmt::format("{:.0f} s", seconds);
+    const auto whole = static_cast<long long>(std::lround(seconds));
+    if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+    return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace glibra::suite

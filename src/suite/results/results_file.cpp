@@ -1,0 +1,212 @@
+#include "suite/results/results_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <map>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "image/file.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostMistakes = 20;
+
+Diagnostic cannotWrite(const fs::path& path, int problem) {
+    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(),
+                                         std::generic_category().message(problem)));
+}
+
+Diagnostics makeFolder(const fs::path& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed && !fs::is_directory(folder)) return {cannotWrite(folder, failed.value())};
+    return {};
+}
+
+/// Where the last whole line ends, as a length of the file; -1 if it cannot be read.
+off_t wholeLength(int file) {
+    off_t end = ::lseek(file, 0, SEEK_END);
+    std::array<char, 65536> block{};
+    while (end > 0) {
+        const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(block.size()));
+        const auto length = static_cast<std::size_t>(end - begin);
+        if (::pread(file, block.data(), length, begin) != static_cast<ssize_t>(length)) return -1;
+        const std::size_t at = std::string_view(block.data(), length).rfind('\n');
+        if (at != std::string_view::npos) return begin + static_cast<off_t>(at) + 1;
+        end = begin;
+    }
+    return end;
+}
+
+/// Appends in one piece; 0 or the reason why it failed, and then the file is as before.
+int appendLine(int file, std::string_view line) {
+    const off_t before = ::lseek(file, 0, SEEK_END);
+    while (!line.empty()) {
+        const ssize_t count = ::write(file, line.data(), line.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            const int problem = count < 0 ? errno : ENOSPC;
+            if (before >= 0 && ::ftruncate(file, before) != 0) return problem;
+            return problem;
+        }
+        line.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+/// The lines of a file with their numbers, one after the other.
+class Lines {
+  public:
+    explicit Lines(std::string_view text) : rest_(text) {}
+
+    bool next() {
+        if (rest_.empty()) return false;
+        const std::size_t end = rest_.find('\n');
+        torn_ = end == std::string_view::npos;
+        line_ = rest_.substr(0, end);
+        rest_.remove_prefix(torn_ ? rest_.size() : end + 1);
+        if (line_.ends_with('\r')) line_.remove_suffix(1);
+        ++number_;
+        return true;
+    }
+    [[nodiscard]] std::string_view line() const { return line_; }
+    [[nodiscard]] int number() const { return number_; }
+    /// The last line, without a line end.
+    [[nodiscard]] bool torn() const { return torn_; }
+
+  private:
+    std::string_view rest_, line_;
+    int number_ = 0;
+    bool torn_ = false;
+};
+
+}  // namespace
+
+fs::path resultsFile(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::is_regular_file(folder, ignored) ? folder : folder / "results.jsonl";
+}
+
+fs::path located(const fs::path& path, const fs::path& resultsFolder) {
+    if (path.empty()) return path;
+    const fs::path inside = resultsFolder / path;  // the path itself if it is absolute
+    std::error_code ignored;
+    return !fs::exists(inside, ignored) && fs::exists(path, ignored) ? path : inside;
+}
+
+Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
+    if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
+    std::string text = toJsonLine(run) + '\n';
+    for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
+    return image::writeFileAtomically(resultsFile(folder), std::as_bytes(std::span(text)));
+}
+
+Result<RunResult> readResults(const fs::path& folder) {
+    const std::string file = resultsFile(folder).string();
+    const Result<std::vector<std::byte>> bytes = image::readFile(file, {file, {}});
+    if (!bytes) return bytes.diagnostics;
+    Lines lines({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    Result<RunResult> result;
+    std::map<std::pair<std::string, std::string>, std::size_t> known;
+    while (lines.next() && result.diagnostics.size() < kMostMistakes) {
+        const Place place{file, lines.number(), 1};
+        if (lines.number() == 1) {
+            Result<RunResult> run = parseRunLine(lines.line(), place);
+            if (!run) return run.diagnostics;
+            result.value = std::move(run.value);
+            continue;
+        }
+        Result<ShotResult> shot = parseJsonLine(lines.line(), place);
+        if (!shot && lines.torn()) {
+            result.diagnostics.push_back(
+                note("result-N01", "the last line is torn, its shot is not counted", place));
+        } else if (!shot) {
+            append(result.diagnostics, std::move(shot.diagnostics));
+        } else {
+            std::vector<ShotResult>& shots = result->shots;
+            const auto [at, isNew] = known.try_emplace({shot->suite, shot->shot}, shots.size());
+            if (isNew)
+                shots.push_back(std::move(*shot));
+            else
+                shots[at->second] = std::move(*shot);
+        }
+    }
+    if (hasError(result.diagnostics)) result.value.reset();
+    return result;
+}
+
+Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResult& run, Start start) {
+    if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
+    const fs::path path = resultsFile(folder);
+    ResultsWriter writer(path, ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), -1);
+    // Only a lock that somebody has is a reason to stop; some file systems have no locks.
+    if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return error(
+            "result-E02",
+            fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
+                        folder.string()));
+    std::error_code failed;
+    const bool resumes = start == Start::resumed && fs::exists(path, failed);
+    if (!resumes) {
+        const std::string line = toJsonLine(run) + '\n';
+        if (Diagnostics problems = image::writeFileAtomically(path, std::as_bytes(std::span(line)));
+            !problems.empty())
+            return problems;
+    }
+    writer.file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+    if (writer.file_ < 0) return cannotWrite(path, errno);
+    if (resumes) {
+        const off_t length = wholeLength(writer.file_);
+        if (length < 0 || ::ftruncate(writer.file_, length) != 0) return cannotWrite(path, errno);
+        if (length == 0)
+            if (const int problem = appendLine(writer.file_, toJsonLine(run) + '\n'); problem != 0)
+                return cannotWrite(path, problem);
+    }
+    return writer;
+}
+
+Diagnostics ResultsWriter::add(const ShotResult& shot) {
+    if (const int problem = appendLine(file_, toJsonLine(shot) + '\n'); problem != 0)
+        return {cannotWrite(path_, problem)};
+    return {};
+}
+
+ResultsWriter::ResultsWriter(fs::path path, int folder, int file)
+    : path_(std::move(path)), folder_(folder), owner_(::getpid()), file_(file) {}
+
+ResultsWriter::ResultsWriter(ResultsWriter&& other) noexcept
+    : path_(std::move(other.path_)),
+      folder_(std::exchange(other.folder_, -1)),
+      owner_(other.owner_),
+      file_(std::exchange(other.file_, -1)) {}
+
+ResultsWriter& ResultsWriter::operator=(ResultsWriter&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(folder_, other.folder_);
+    std::swap(owner_, other.owner_);
+    std::swap(file_, other.file_);
+    return *this;
+}
+
+ResultsWriter::~ResultsWriter() {
+    if (file_ >= 0) ::close(file_);
+    if (folder_ < 0) return;
+    // A process forked meanwhile shares the lock: closing alone would leave it with that one, and that one
+    // must not give it away.
+    if (::getpid() == owner_) ::flock(folder_, LOCK_UN);
+    ::close(folder_);
+}
+
+}  // namespace glibra::suite

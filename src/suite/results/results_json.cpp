@@ -1,0 +1,354 @@
+// The JSON lines of results. Each structure names its members once, for writing and for reading.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "suite/report/utf8.h"
+#include "suite/results/results.h"
+
+namespace glibra::suite {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+concept Integer = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+
+constexpr std::pair<image::Rung, const char*> kRungs[] = {{image::Rung::size, "size"},
+                                                          {image::Rung::bytes, "bytes"},
+                                                          {image::Rung::differences, "differences"},
+                                                          {image::Rung::bias, "bias"},
+                                                          {image::Rung::structure, "structure"},
+                                                          {image::Rung::flip, "flip"}};
+
+template <class Archive, class Value>
+void members(Archive& archive, Value& value);
+
+Json written(const std::string& text) {
+    if (isUtf8(text)) return text;
+    std::string characters;
+    for (const char byte : text) appendUtf8(characters, static_cast<unsigned char>(byte));
+    return {{"bytes", characters}};
+}
+Json written(const std::filesystem::path& path) {
+    return written(path.string());
+}
+Json written(bool value) {
+    return value;
+}
+template <Integer Number>
+Json written(Number value) {
+    return value;
+}
+Json written(double value) {
+    if (std::isfinite(value)) return value;
+    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+Json written(Verdict verdict) {
+    return name(verdict);
+}
+Json written(Severity severity) {
+    return name(severity);
+}
+Json written(image::Rung rung) {
+    for (const auto& [each, word] : kRungs)
+        if (each == rung) return word;
+    return nullptr;
+}
+
+/// Makes a JSON object of a structure.
+struct Writer {
+    Json object = Json::object();
+
+    template <class Value>
+    static Json toJson(const Value& value) {
+        if constexpr (requires { written(value); }) {
+            return written(value);
+        } else {
+            Writer inner;
+            members(inner, value);
+            return std::move(inner.object);
+        }
+    }
+    template <class Value>
+    static Json toJson(const std::optional<Value>& value) {
+        return value ? toJson(*value) : Json(nullptr);
+    }
+    template <class Value>
+    static Json toJson(const std::vector<Value>& list) {
+        Json array = Json::array();
+        for (const Value& each : list) array.push_back(toJson(each));
+        return array;
+    }
+    template <class Value>
+    void operator()(const char* key, const Value& value) {
+        object[key] = toJson(value);
+    }
+    template <class Value>
+    void needed(const char* key, const Value& value) {
+        (*this)(key, value);
+    }
+};
+
+/// What is wrong in a line, with the byte it is at.
+struct Mistake {
+    std::string text;
+    std::size_t column;
+};
+
+/// Fills a structure from a JSON object. Throws the first Mistake; its column is found by looking for the
+/// members' names in the line, one after the other.
+struct Reader {
+    const Json& object;
+    std::string_view line;
+    std::size_t at;  ///< byte of the line behind which the object's members are
+
+    [[noreturn]] void fail(const std::string& what) const { throw Mistake{what, at + 1}; }
+
+    static void read(const Json& json, std::string& to, const Reader& here) {
+        if (json.is_string()) {
+            to = json.get_ref<const std::string&>();
+            return;
+        }
+        const auto bytes = json.is_object() ? json.find("bytes") : json.end();
+        if (!json.is_object() || bytes == json.end() || !bytes->is_string())
+            here.fail("a string is expected");
+        to.clear();
+        std::string_view rest = bytes->get_ref<const std::string&>();
+        while (!rest.empty()) {
+            const Character next = firstCharacter(rest);
+            if (next.code > 0xFF) here.fail("\"bytes\" holds a character that is no byte");
+            to += static_cast<char>(next.code);
+            rest.remove_prefix(next.bytes);
+        }
+    }
+    static void read(const Json& json, std::filesystem::path& to, const Reader& here) {
+        std::string text;
+        read(json, text, here);
+        to = text;
+    }
+    static void read(const Json& json, bool& to, const Reader& here) {
+        if (!json.is_boolean()) here.fail("true or false is expected");
+        to = json.get<bool>();
+    }
+    template <Integer Number>
+    static void read(const Json& json, Number& to, const Reader& here) {
+        bool fits = false;
+        if (json.is_number_unsigned())
+            fits = std::in_range<Number>(json.get<std::uint64_t>());
+        else if (json.is_number_integer())
+            fits = std::in_range<Number>(json.get<std::int64_t>());
+        if (!fits) here.fail("a whole number in its range is expected");
+        to = json.get<Number>();
+    }
+    static void read(const Json& json, double& to, const Reader& here) {
+        if (json.is_number())
+            to = json.get<double>();
+        else if (json == "inf")
+            to = std::numeric_limits<double>::infinity();
+        else if (json == "-inf")
+            to = -std::numeric_limits<double>::infinity();
+        else if (json == "nan")
+            to = std::numeric_limits<double>::quiet_NaN();
+        else
+            here.fail("a number is expected");
+    }
+    static void read(const Json& json, Verdict& to, const Reader& here) {
+        std::string word;
+        read(json, word, here);
+        const std::optional<Verdict> verdict = verdictOf(word);
+        if (!verdict) here.fail(fmt::format("no verdict is called '{}'", word));
+        to = *verdict;
+    }
+    static void read(const Json& json, Severity& to, const Reader& here) {
+        std::string word;
+        read(json, word, here);
+        for (const Severity each : {Severity::note, Severity::warning, Severity::error})
+            if (word == name(each)) {
+                to = each;
+                return;
+            }
+        here.fail(fmt::format("no severity is called '{}'", word));
+    }
+    static void read(const Json& json, image::Rung& to, const Reader& here) {
+        std::string word;
+        read(json, word, here);
+        for (const auto& [each, known] : kRungs)
+            if (word == known) {
+                to = each;
+                return;
+            }
+        here.fail(fmt::format("no rung of the comparison is called '{}'", word));
+    }
+    template <class Value>
+    static void read(const Json& json, std::optional<Value>& to, const Reader& here) {
+        if (json.is_null())
+            to.reset();
+        else
+            read(json, to.emplace(), here);
+    }
+    template <class Value>
+    static void read(const Json& json, std::vector<Value>& to, const Reader& here) {
+        if (!json.is_array()) here.fail("a list is expected");
+        to.clear();
+        for (const Json& each : json) read(each, to.emplace_back(), here);
+    }
+    template <class Value>
+    requires std::is_class_v<Value>
+    static void read(const Json& json, Value& to, const Reader& here) {
+        if (!json.is_object()) here.fail("an object is expected");
+        Reader inner{json, here.line, here.at};
+        members(inner, to);
+    }
+
+    template <class Value>
+    void operator()(const char* key, Value& value) {
+        const auto member = object.find(key);
+        if (member == object.end()) return;
+        const std::size_t found = line.find(fmt::format("\"{}\"", key), at);
+        const Reader here{object, line, found == std::string_view::npos ? at : found};
+        try {
+            read(*member, value, here);
+        } catch (Mistake& mistake) {
+            if (mistake.column == here.at + 1 && !mistake.text.starts_with('\''))
+                mistake.text = fmt::format("'{}': {}", key, mistake.text);
+            throw;
+        }
+    }
+    template <class Value>
+    void needed(const char* key, Value& value) {
+        if (!object.contains(key)) fail(fmt::format("member '{}' is missing", key));
+        (*this)(key, value);
+    }
+};
+
+template <class Archive, class Value>
+void members(Archive& archive, Value& value) {
+    using Type = std::remove_const_t<Value>;
+    if constexpr (std::is_same_v<Type, Place>) {
+        archive("file", value.file);
+        archive("line", value.line);
+        archive("column", value.column);
+    } else if constexpr (std::is_same_v<Type, Diagnostic>) {
+        archive("severity", value.severity);
+        archive("id", value.id);
+        archive("text", value.text);
+        archive("place", value.place);
+    } else if constexpr (std::is_same_v<Type, image::Comparison>) {
+        archive("sameSize", value.sameSize);
+        archive("identical", value.identical);
+        archive("differingPixels", value.differingPixels);
+        archive("largest", value.largest);
+        archive("x", value.x);
+        archive("y", value.y);
+        archive("component", value.component);
+        archive("rootMeanSquare", value.rootMeanSquare);
+    } else if constexpr (std::is_same_v<Type, image::Judgement>) {
+        archive("same", value.same);
+        archive("decidedBy", value.decidedBy);
+        archive("reason", value.reason);
+        archive("comparison", value.comparison);
+        archive("beyond", value.beyond);
+        archive("cluster", value.cluster);
+        archive("clusterX", value.clusterX);
+        archive("clusterY", value.clusterY);
+        archive("line", value.line);
+        archive("bias", value.bias);
+        archive("biasX", value.biasX);
+        archive("biasY", value.biasY);
+        archive("flip", value.flip);
+        archive("structure", value.structure);
+    } else if constexpr (std::is_same_v<Type, image::Tolerance>) {
+        archive("largest", value.largest);
+        archive("fraction", value.fraction);
+        archive("cluster", value.cluster);
+        archive("line", value.line);
+        archive("bias", value.bias);
+        archive("flip", value.flip);
+        archive("structure", value.structure);
+        archive("relative", value.relative);
+        archive("absolute", value.absolute);
+    } else if constexpr (std::is_same_v<Type, ShotResult>) {
+        archive.needed("suite", value.suite);
+        archive.needed("shot", value.shot);
+        archive.needed("verdict", value.verdict);
+        archive("reason", value.reason);
+        archive("script", value.script);
+        archive("got", value.got);
+        archive("expected", value.expected);
+        archive("difference", value.difference);
+        archive("goldenVariant", value.goldenVariant);
+        archive("exact", value.exact);
+        archive("changed", value.changed);
+        archive("width", value.width);
+        archive("height", value.height);
+        archive("judgement", value.judgement);
+        archive("tolerance", value.tolerance);
+        archive("diagnostics", value.diagnostics);
+        archive("milliseconds", value.milliseconds);
+        archive("driver", value.driver);
+        archive("reproduce", value.reproduce);
+        archive("accept", value.accept);
+    } else {
+        static_assert(std::is_same_v<Type, RunResult>);
+        archive("driver", value.driver);
+        archive("machine", value.machine);
+        archive("shard", value.shard);
+        archive("command", value.command);
+        archive("seconds", value.seconds);
+        archive("began", value.began);
+    }
+}
+
+template <class Value>
+Result<Value> parseObject(std::string_view line, const Place& place, const char* inside) {
+    Place where = place;
+    try {
+        const Json json = Json::parse(line);
+        const Reader outer{json, line, 0};
+        if (!json.is_object()) outer.fail("an object is expected");
+        Value value;
+        if (inside) {
+            if (!json.contains(inside)) outer.fail(fmt::format("member '{}' is missing", inside));
+            Reader::read(json.at(inside), value, outer);
+        } else {
+            Reader::read(json, value, outer);
+        }
+        return value;
+    } catch (const Json::parse_error& failed) {
+        where.column = static_cast<int>(std::clamp<std::size_t>(failed.byte, 1, line.size() + 1));
+        return error("result-E01", line.empty() ? "this line is empty" : "this line is no JSON from here on",
+                     where);
+    } catch (const Json::exception&) {  // a number that is too large for any type; its place is not told
+        return error("result-E01", "this line holds a number beyond all limits", where);
+    } catch (const Mistake& mistake) {
+        where.column = static_cast<int>(mistake.column);
+        return error("result-E01", "this is no line of results: " + mistake.text, where);
+    }
+}
+
+}  // namespace
+
+std::string toJsonLine(const ShotResult& shot) {
+    return Writer::toJson(shot).dump();
+}
+
+std::string toJsonLine(const RunResult& run) {
+    return Json{{"run", Writer::toJson(run)}}.dump();
+}
+
+Result<ShotResult> parseJsonLine(std::string_view line, const Place& place) {
+    return parseObject<ShotResult>(line, place, nullptr);
+}
+
+Result<RunResult> parseRunLine(std::string_view line, const Place& place) {
+    return parseObject<RunResult>(line, place, "run");
+}
+
+}  // namespace glibra::suite

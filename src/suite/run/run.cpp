@@ -1,0 +1,233 @@
+#include "suite/run/run.h"
+
+#include <fmt/format.h>
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "image/file.h"
+#include "render/workers.h"
+#include "suite/run/run_messages.h"
+#include "suite/run/run_pieces.h"
+#include "suite/run/run_worker.h"
+#include "suite/run/suspicions.h"
+#include "suite/run/verdict.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+using End = render::Outcome::End;
+
+/// The parent's side: gives out pieces, hears what became of them, and gives out again what a worker took
+/// with it when it ended.
+class Run {
+  public:
+    Run(std::span<const Suite> suites, const RunOptions& options, const RunEvents& events)
+        : options_(options), events_(events), plan_{suites, {}, options, {}, 1} {
+        jobs_ = options.jobs > 0 ? options.jobs : defaultJobs();
+        plan_.jobs = jobs_;
+        accepted_.resize(suites.size());
+        if (!options.onlyRender.empty()) return;
+        for (const Suite& each : suites) {
+            Result<GoldenStore> store = GoldenStore::open(each, options.goldens);
+            append(end_.diagnostics, std::move(store.diagnostics));
+            plan_.goldens.push_back(std::move(*store));
+        }
+    }
+
+    RunEnd run(std::span<const ShotReference> shots) {
+        std::vector<ShotReference> open(shots.begin(), shots.end());
+        while (!open.empty() && !stopped()) {
+            round(open);
+            std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
+        }
+        end_.stopped = !end_.noDriver && !open.empty();
+        for (std::size_t i = 0; i < plan_.goldens.size(); ++i)
+            append(end_.diagnostics, acceptHashes(plan_.goldens[i].hashFile(), accepted_[i]));
+        return std::move(end_);
+    }
+
+  private:
+    bool stopped() const { return end_.noDriver || (events_.stop && events_.stop()); }
+
+    const Shot& shotOf(const ShotReference& reference) const {
+        return plan_.suites[reference.suite].shots[reference.shot];
+    }
+    double timeoutOf(const ShotReference& reference) const {
+        return options_.timeout.value_or(shotOf(reference).timeout);
+    }
+
+    void round(const std::vector<ShotReference>& open) {
+        const auto joins = [&](std::size_t i) {
+            return timeoutOf(open[i]) == timeoutOf(open[i - 1]) && !suspicions_.isUnder(open[i]) &&
+                   !suspicions_.isUnder(open[i - 1]);
+        };
+        plan_.pieces.clear();
+        for (const std::vector<std::size_t>& piece : planPieces(open.size(), jobs_, joins)) {
+            std::vector<ShotReference>& shots = plan_.pieces.emplace_back();
+            for (const std::size_t each : piece) shots.push_back(open[each]);
+        }
+        begun_.assign(plan_.pieces.size(), {});
+        ShotWorker worker(plan_);
+        const render::WorkerOptions options{
+            .workers = jobs_,
+            .timeoutOf = [this](std::size_t piece) { return timeoutOf(plan_.pieces[piece].front()); },
+            .stop = [this] { return stopped(); }};
+        render::runInWorkers(
+            plan_.pieces.size(), options, std::ref(worker),
+            [this](std::size_t piece, const render::Outcome& outcome) { pieceEnds(piece, outcome); },
+            [this](std::size_t piece, const std::string& text) { hear(piece, text); });
+    }
+
+    void hear(std::size_t piece, const std::string& text) {
+        std::optional<Message> message = parseMessage(text);
+        if (!message) return;
+        if (const auto* driver = std::get_if<DriverIs>(&*message)) {
+            end_.driver = driver->words;
+        } else if (const auto* begins = std::get_if<Begins>(&*message)) {
+            begun_[piece] = begins->shot;
+            if (events_.begins) events_.begins(begins->shot);
+        } else if (auto* done = std::get_if<Done>(&*message)) {
+            if (done->accepted) accepted_[done->shot.suite].push_back(std::move(*done->accepted));
+            finish(done->shot, done->result);
+        }
+    }
+
+    void finish(const ShotReference& shot, const ShotResult& result) {
+        if (!done_.insert(shot).second) return;
+        for (const ShotResult& each : suspicions_.settle(shot, result))
+            if (events_.done) events_.done(each);
+    }
+
+    void pieceEnds(std::size_t piece, const render::Outcome& outcome) {
+        if (outcome.end == End::finished) {
+            if (outcome.answer.empty() || end_.noDriver) return;
+            end_.noDriver = true;
+            end_.diagnostics.push_back(error("gpu-E01", outcome.answer));
+            return;
+        }
+        const auto& shots = plan_.pieces[piece];
+        removeLeftovers(shots, outcome.process);
+        if (outcome.end == End::stopped) return;
+        // What was being drawn is to blame. Shots that were waiting for their verdict or their turn are given
+        // out again; so are all if none was begun, but not for ever.
+        std::optional<ShotReference> blamed = begun_[piece];
+        if (blamed && done_.contains(*blamed)) blamed.reset();
+        if (!blamed) {
+            const auto first = std::find_if(shots.begin(), shots.end(), [this](const ShotReference& each) {
+                return !done_.contains(each);
+            });
+            constexpr int kPatience = 3;
+            if (first == shots.end() || ++unexplained_[*first] < kPatience) return;
+            blamed = *first;
+        }
+        ShotResult result = endedBy(*blamed, outcome);
+        // A shot that hangs cannot be one of the next: none waits for it.
+        std::vector<ShotReference> prepared;
+        if (outcome.end == End::crashed) prepared = preparedBeside(*blamed, shots);
+        if (prepared.empty())
+            finish(*blamed, result);
+        else
+            suspicions_.add(*blamed, std::move(prepared), std::move(result));
+    }
+
+    [[nodiscard]] std::vector<ShotReference> preparedBeside(const ShotReference& drawn,
+                                                            const std::vector<ShotReference>& shots) const {
+        std::vector<ShotReference> prepared;
+        auto next = std::find(shots.begin(), shots.end(), drawn);
+        for (std::size_t i = 0; i < kShotsAhead && next != shots.end() && ++next != shots.end(); ++i)
+            if (!done_.contains(*next)) prepared.push_back(*next);
+        return prepared;
+    }
+
+    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const render::Outcome& outcome) const {
+        const bool late = outcome.end == End::timedOut;
+        const std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
+                                   : outcome.signal > 0
+                                       ? fmt::format("the process that drew it ended with signal {} ({})",
+                                                     outcome.signal, signalName(outcome.signal))
+                                       : "the process that drew it ended by itself";
+        ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
+                                              late ? Verdict::timedOut : Verdict::crashed, reason);
+        result.accept.clear();
+        result.diagnostics.push_back(
+            error(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
+        return result;
+    }
+
+    static const char* signalName(int signal) {
+        switch (signal) {
+            case 6:
+                return "abort";
+            case 7:
+                return "bus error";
+            case 8:
+                return "arithmetic error";
+            case 9:
+                return "killed, perhaps for lack of memory";
+            case 11:
+                return "segmentation fault";
+            default:
+                return "see signal(7)";
+        }
+    }
+
+    /// What a worker had half written when it ended.
+    void removeLeftovers(const std::vector<ShotReference>& shots, int process) const {
+        std::set<fs::path> folders;
+        for (const ShotReference& each : shots) {
+            const Suite& suite = plan_.suites[each.suite];
+            const Shot& shot = shotOf(each);
+            if (!options_.onlyRender.empty()) {
+                folders.insert(
+                    pictureFile(options_.onlyRender, suite, shot, plan_.suites.size() > 1).parent_path());
+                continue;
+            }
+            folders.insert((options_.results / suite.name / shot.name).parent_path());
+            if (options_.update) folders.insert(plan_.goldens[each.suite].file(shot, "").parent_path());
+        }
+        for (const fs::path& each : folders) image::removeTemporaryFiles(each, process);
+    }
+
+    const RunOptions& options_;
+    const RunEvents& events_;
+    RunPlan plan_;
+    RunEnd end_;
+    int jobs_ = 1;
+    std::set<ShotReference> done_;
+    Suspicions suspicions_;
+    std::map<ShotReference, int> unexplained_;         ///< ends of workers that began nothing
+    std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, a piece each
+    std::vector<std::vector<AcceptedHash>> accepted_;  ///< a suite each
+};
+
+}  // namespace
+
+RunEnd runShots(std::span<const Suite> suites, std::span<const ShotReference> shots,
+                const RunOptions& options, const RunEvents& events) {
+    return Run(suites, options, events).run(shots);
+}
+
+void shareProcessors(int jobs, std::size_t pieces) {
+    const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
+    if (workers <= 1) return;
+    const int threads = defaultJobs() / workers;
+    // 0: the caller rasterises. With one thread it would hand over to that and wait.
+    ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
+}
+
+int defaultJobs() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+fs::path pictureFile(const fs::path& folder, const Suite& suite, const Shot& shot, bool severalSuites) {
+    const fs::path base = severalSuites ? folder / suite.name : folder;
+    return base / (shot.name + (shot.options.floatPixels ? ".exr" : ".png"));
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,51 @@
+#include "suite/run/run_messages.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace glibra::suite {
+namespace {
+
+std::string head(char kind, const ShotReference& shot) {
+    return fmt::format("{} {} {}\n", kind, shot.suite, shot.shot);
+}
+
+struct ToText {
+    std::string operator()(const DriverIs& message) const { return "k\n" + message.words; }
+    std::string operator()(const Begins& message) const { return head('b', message.shot); }
+    std::string operator()(const Done& message) const {
+        return head('d', message.shot) + toJsonLine(message.result) + "\n" +
+               (message.accepted ? toLine(*message.accepted) : "");
+    }
+};
+
+}  // namespace
+
+std::string toText(const Message& message) {
+    return std::visit(ToText{}, message);
+}
+
+std::optional<Message> parseMessage(const std::string& text) {
+    std::istringstream lines(text);
+    std::string first;
+    std::string second;
+    std::string third;
+    std::getline(lines, first);
+    std::getline(lines, second);
+    std::getline(lines, third);
+    if (first == "k") return DriverIs{second};
+    std::istringstream words(first);
+    char kind = 0;
+    ShotReference shot;
+    if (!(words >> kind >> shot.suite >> shot.shot)) return std::nullopt;
+    if (kind == 'b') return Begins{shot};
+    if (kind != 'd') return std::nullopt;
+    Result<ShotResult> result = parseJsonLine(second, {});
+    if (!result) return std::nullopt;
+    Done done{shot, std::move(*result), std::nullopt};
+    if (!third.empty()) done.accepted = parseLine(third, {}).value;
+    return done;
+}
+
+}  // namespace glibra::suite

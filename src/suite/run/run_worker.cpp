@@ -1,0 +1,176 @@
+#include "suite/run/run_worker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <system_error>
+
+#include "image/write.h"
+#include "suite/golden/hash_key.h"
+#include "suite/run/background.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Hands shots that have to be rendered once more from the judging thread to the one with the context.
+class Recalls {
+  public:
+    struct Recall {
+        ShotReference reference;
+        std::shared_ptr<const Attempt> attempt;
+    };
+    void add(Recall recall) {
+        const std::scoped_lock lock(mutex_);
+        recalls_.push_back(std::move(recall));
+    }
+    std::optional<Recall> next() {
+        const std::scoped_lock lock(mutex_);
+        if (recalls_.empty()) return std::nullopt;
+        Recall first = std::move(recalls_.front());
+        recalls_.pop_front();
+        return first;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::deque<Recall> recalls_;
+};
+
+std::size_t bytesOf(const Attempt& attempt) {
+    std::size_t bytes = 0;
+    for (const Rendering* each : {&attempt.own, attempt.match ? &*attempt.match : nullptr,
+                                  attempt.differ ? &*attempt.differ : nullptr})
+        if (each && each->picture) bytes += each->picture->data.size();
+    return bytes;
+}
+
+}  // namespace
+
+const Shot& ShotWorker::shotOf(const ShotReference& reference) const {
+    return plan_.suites[reference.suite].shots[reference.shot];
+}
+
+std::string ShotWorker::openContext() {
+    if (context_) return {};
+    shareProcessors(plan_.jobs, plan_.pieces.size());
+    Result<gpu::Context> opened = gpu::openContext({.driver = plan_.options.driver});
+    if (!opened) return opened.diagnostics.empty() ? "no driver" : opened.diagnostics.front().text;
+    context_.emplace(std::move(*opened));
+    renderer_.emplace(*context_, plan_.options.skip);
+    const gpu::Capabilities& driver = context_->capabilities();
+    driver_ = driver.renderer + ", " + driver.version;
+    const JudgeOptions options{plan_.options.update, plan_.options.force, plan_.options.variant,
+                               plan_.options.results};
+    for (std::size_t i = 0; i < plan_.goldens.size(); ++i)
+        judges_.emplace_back(plan_.suites[i], plan_.goldens[i], driver.family, driverKey(driver), options);
+    return {};
+}
+
+Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot* const> coming) {
+    const Suite& suite = plan_.suites[reference.suite];
+    const Shot& shot = shotOf(reference);
+    Attempt attempt;
+    attempt.shot = &shot;
+    const auto partner = [&](const std::string& name) -> std::optional<Rendering> {
+        if (name.empty() || !plan_.options.onlyRender.empty()) return std::nullopt;
+        const auto found = std::find_if(suite.shots.begin(), suite.shots.end(),
+                                        [&](const Shot& each) { return each.name == name; });
+        if (found == suite.shots.end()) return std::nullopt;
+        return renderer_->render(*found);
+    };
+    attempt.own = renderer_->render(shot, coming);
+    if (attempt.own.picture) {
+        attempt.match = partner(shot.match);
+        attempt.differ = partner(shot.differ);
+    }
+    return attempt;
+}
+
+Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) const {
+    const Shot& shot = *attempt.shot;
+    const Suite& suite = plan_.suites[reference.suite];
+    Judged judged{ShotJudge::broken(suite, shot, Verdict::passed, {}), std::nullopt};
+    ShotResult& result = judged.result;
+    result.accept.clear();
+    result.diagnostics = attempt.own.diagnostics;
+    if (attempt.own.picture) {
+        result.width = attempt.own.picture->width;
+        result.height = attempt.own.picture->height;
+        result.got = pictureFile(plan_.options.onlyRender, suite, shot, plan_.suites.size() > 1);
+        std::error_code ignored;  // reported with the file that cannot be written
+        fs::create_directories(result.got.parent_path(), ignored);
+        append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got));
+    }
+    const bool expected = shot.expectedError && contains(result.diagnostics, *shot.expectedError);
+    if (hasError(result.diagnostics) && !expected) {
+        result.verdict = Verdict::failed;
+        for (const Diagnostic& each : result.diagnostics)
+            if (each.severity == Severity::error && result.reason.empty()) result.reason = toString(each);
+    }
+    return judged;
+}
+
+std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) {
+    std::mutex talking;
+    const auto tell = [&](const Message& message) {
+        const std::scoped_lock lock(talking);
+        step(toText(message));
+    };
+    const auto report = [&](const ShotReference& reference, Judged judged, Clock::time_point judging) {
+        judged.result.milliseconds += millisecondsSince(judging);
+        tell(Done{reference, std::move(judged.result), std::move(judged.accepted)});
+    };
+    Recalls recalls;
+    const auto renderRecalled = [&] {
+        while (const std::optional<Recalls::Recall> recall = recalls.next()) {
+            tell(Begins{recall->reference});
+            renderer_->forget();
+            const Attempt again = attempt(recall->reference, {});
+            const Clock::time_point start = Clock::now();
+            report(recall->reference, judges_[recall->reference.suite].second(*recall->attempt, again),
+                   start);
+        }
+    };
+
+    Background judging;
+    const std::vector<ShotReference>& shots = plan_.pieces[piece];
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const ShotReference reference = shots[i];
+        tell(Begins{reference});
+        const bool first = !context_;
+        if (std::string problem = openContext(); !problem.empty()) return problem;
+        if (first) tell(DriverIs{driver_});
+        std::vector<const Shot*> coming;
+        for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
+            coming.push_back(&shotOf(shots[next]));
+        auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
+        const std::size_t bytes = bytesOf(*drawn);
+        auto judge = [this, reference, drawn, &report, &recalls] {
+            const Clock::time_point start = Clock::now();
+            if (judges_.empty())
+                report(reference, keep(reference, *drawn), start);
+            else if (std::optional<Judged> judged = judges_[reference.suite].first(*drawn))
+                report(reference, std::move(*judged), start);
+            else
+                recalls.add({reference, drawn});
+        };
+        judging.add(std::move(judge), bytes);
+        drawn.reset();
+        renderRecalled();
+    }
+    judging.finish();
+    renderRecalled();
+    return {};
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,144 @@
+#include "suite/run/shot_renderer.h"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include "render/job.h"
+#include "suite/file/unknown_uniforms.h"
+
+namespace glibra::suite {
+
+ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
+    Source source{shot.script, shot.options};
+    source.options.time = 0;
+    source.options.skip = skip_;
+    return source;
+}
+
+void ShotRenderer::prepare(std::span<const Shot* const> coming, const Source& current) {
+    const Source* before = &current;
+    std::size_t wanted = 0;
+    for (const Shot* each : coming) {
+        Source source = sourceOf(*each);
+        if (source == *before) continue;
+        if (wanted == preparations_.size() || !(preparations_[wanted].source == source)) {
+            dropPreparationsFrom(wanted);
+            beginPreparation(std::move(source));
+        }
+        before = &preparations_[wanted++].source;
+    }
+}
+
+void ShotRenderer::beginPreparation(Source source) {
+    Preparation& begun = preparations_.emplace_back();
+    begun.source = std::move(source);
+    begun.stats = std::make_unique<render::Stats>();
+    begun.job = background_.add([this, &begun] {
+        try {
+            begun.scene = render::SceneRenderer::prepare(context_, begun.source.script, begun.source.options,
+                                                         *begun.stats, &*shared_);
+        } catch (const std::exception&) {
+            // Several scenes at once may have been too much for the memory: load() tries it by itself.
+            begun.scene.reset();
+        }
+    });
+}
+
+void ShotRenderer::dropPreparationsFrom(std::size_t first) {
+    if (first >= preparations_.size()) return;
+    background_.wait();
+    while (preparations_.size() > first) preparations_.pop_back();
+}
+
+/// Leaves loaded_ with the scene, or empty for the reasons given.
+Diagnostics ShotRenderer::load(const Source& source, std::span<const Shot* const> coming) {
+    loaded_.reset();
+    auto stats = std::make_unique<render::Stats>();
+    std::optional<render::PreparedScene> prepared;
+    if (!preparations_.empty() && preparations_.front().source == source) {
+        Preparation& own = preparations_.front();
+        background_.wait(own.job);
+        if (own.scene) {
+            prepared = std::move(own.scene);
+            stats = std::move(own.stats);
+            preparations_.pop_front();
+        } else {
+            dropPreparationsFrom(0);
+            coming = {};
+        }
+    }
+    prepare(coming, source);
+    Result<render::SceneRenderer> renderer =
+        prepared ? render::SceneRenderer::load(std::move(*prepared), *stats)
+                 : render::SceneRenderer::load(context_, source.script, source.options, *stats, &*shared_);
+    if (!renderer) return std::move(renderer.diagnostics);
+    loaded_.emplace(Loaded{
+        source, std::move(stats), std::move(*renderer), std::move(renderer.diagnostics), std::nullopt, {}});
+    return {};
+}
+
+Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const> coming) {
+    Rendering rendering;
+    const Source source = sourceOf(shot);
+    if (loaded_ && loaded_->source == source && !loaded_->renderer.remembersFrames())
+        prepare(coming, source);
+    else if (Diagnostics problems = load(source, coming); !loaded_) {
+        rendering.diagnostics = std::move(problems);
+        return rendering;
+    }
+    rendering.diagnostics = loaded_->diagnostics;
+    Result<image::Image> picture = draw(shot.options.time);
+    append(rendering.diagnostics, std::move(picture.diagnostics));
+    rendering.picture = std::move(picture.value);
+    if (rendering.picture) {
+        append(rendering.diagnostics,
+               render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
+        render::applyStrict(rendering.diagnostics, shot.options.strict);
+    }
+    return rendering;
+}
+
+/// Draws with the scene that is loaded, or gives its last picture once more.
+Result<image::Image> ShotRenderer::draw(double time) {
+    const std::optional<render::Moment> moment = skip_ ? loaded_->renderer.momentOf(time) : std::nullopt;
+    if (moment && loaded_->picture && loaded_->moment == *moment) return *loaded_->picture;
+    Result<image::Image> picture = loaded_->renderer.draw(time, *loaded_->stats);
+    loaded_->picture.reset();
+    // A picture with remarks is drawn again: the next shot is to hear them too.
+    if (moment && picture && picture.diagnostics.empty()) {
+        loaded_->picture = *picture;
+        loaded_->moment = *moment;
+    }
+    return picture;
+}
+
+void ShotRenderer::forget() {
+    dropPreparationsFrom(0);
+    loaded_.reset();
+    shared_.emplace();
+}
+
+Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> coming) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    Rendering rendering;
+    const auto fail = [&](const char* id, const char* text) {
+        forget();
+        rendering = {};
+        rendering.diagnostics.push_back(error(id, text, {shot.script.string(), 1, 1}));
+    };
+    try {
+        rendering = tryRender(shot, coming);
+        if (!shot.expectedError) reportUnknownUniforms(shot, rendering.diagnostics);
+        if (hasError(rendering.diagnostics)) rendering.picture.reset();
+    } catch (const std::bad_alloc&) {
+        fail("draw-E05", "out of memory");
+    } catch (const std::exception& failure) {
+        fail("draw-E06", failure.what());
+    }
+    rendering.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return rendering;
+}
+
+}  // namespace glibra::suite

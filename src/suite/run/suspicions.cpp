@@ -1,0 +1,39 @@
+#include "suite/run/suspicions.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glibra::suite {
+
+void Suspicions::add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended) {
+    suspicions_.push_back({drawn, std::move(prepared), std::move(ended), std::nullopt});
+}
+
+bool Suspicions::concerns(const Suspicion& suspicion, const ShotReference& shot) {
+    return suspicion.drawn == shot ||
+           std::find(suspicion.open.begin(), suspicion.open.end(), shot) != suspicion.open.end();
+}
+
+bool Suspicions::isUnder(const ShotReference& shot) const {
+    return std::any_of(suspicions_.begin(), suspicions_.end(),
+                       [&](const Suspicion& each) { return concerns(each, shot); });
+}
+
+std::vector<ShotResult> Suspicions::settle(const ShotReference& shot, const ShotResult& result) {
+    const auto found = std::find_if(suspicions_.begin(), suspicions_.end(),
+                                    [&](const Suspicion& each) { return concerns(each, shot); });
+    if (found == suspicions_.end()) return {result};
+    const bool isGuilty = result.verdict == Verdict::crashed || result.verdict == Verdict::timedOut;
+    std::vector<ShotResult> told;
+    if (found->drawn == shot && !isGuilty) {
+        found->result = result;
+    } else {
+        told.push_back(result);
+        if (std::erase(found->open, shot) > 0 && isGuilty) found->isOtherGuilty = true;
+    }
+    if (found->result && found->open.empty())
+        told.push_back(found->isOtherGuilty ? *found->result : found->ended);
+    return told;
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,327 @@
+#include "suite/run/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "image/compare/heat_map.h"
+#include "image/inspect.h"
+#include "image/write.h"
+#include "suite/report/verdict_commands.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first error, without its place where that is the whole scene.
+std::string firstError(const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error) return toString(each);
+    return "nothing was drawn";
+}
+
+bool samePixels(const image::Image& a, const image::Image& b) {
+    return a.width == b.width && a.height == b.height && a.components == b.components && a.type == b.type &&
+           a.data == b.data;
+}
+
+bool isTransparent(const image::Image& picture) {
+    if (picture.type != image::Component::u8 || picture.components != 4) return false;
+    for (std::size_t i = 3; i < picture.data.size(); i += 4)
+        if (picture.data[i] != std::byte{0}) return false;
+    return true;
+}
+
+}  // namespace
+
+std::string whyNoGolden(const image::Image& picture) {
+    const image::NonFinite bad = image::countNonFinite(picture);
+    if (bad.nan + bad.infinite > 0)
+        return fmt::format("{} of its values are NaN, {} infinite; the first at pixel {}, {}", bad.nan,
+                           bad.infinite, bad.x, bad.y);
+    if (image::isOneColor(picture)) return "it has only one colour";
+    if (isTransparent(picture)) return "it is transparent everywhere";
+    return {};
+}
+
+bool contains(const Diagnostics& diagnostics, const ExpectedError& expected) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& each) {
+        return each.severity == Severity::error && (expected.id.empty() || each.id == expected.id) &&
+               each.text.find(expected.text) != std::string::npos &&
+               (expected.line == 0 || each.place.line == expected.line);
+    });
+}
+
+std::string toPhrase(const ExpectedError& expected) {
+    std::string phrase = expected.id.empty() ? "an error" : "the error " + expected.id;
+    if (!expected.text.empty()) phrase += fmt::format(" with '{}'", expected.text);
+    if (expected.line > 0) phrase += fmt::format(" in line {}", expected.line);
+    return phrase;
+}
+
+/// What one rendering shows. `golden` without a `picture` could not be decoded: `problems` say why.
+struct ShotJudge::Findings {
+    std::optional<Golden> golden;
+    std::optional<image::Image> picture;
+    Diagnostics problems;
+    image::Judgement judgement;
+    bool exact = false, changed = false;
+    bool goldenHolds = false;
+    std::string relation;  ///< why `match` or `differ` does not hold; empty if they do
+    const Rendering* partner = nullptr;
+    bool partnerFails = false;
+    std::optional<Hash> pixels;  ///< of the rendering, where it was asked for
+};
+
+ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string family, std::string key,
+                     JudgeOptions options)
+    : suite_(suite),
+      goldens_(goldens),
+      family_(std::move(family)),
+      key_(std::move(key)),
+      options_(std::move(options)) {}
+
+ShotResult ShotJudge::begin(const Attempt& attempt) const {
+    ShotResult result = broken(suite_, *attempt.shot, Verdict::failed, {});
+    result.diagnostics = attempt.own.diagnostics;
+    result.milliseconds = attempt.own.milliseconds;
+    if (attempt.own.picture) {
+        if (attempt.shot->golden && !attempt.shot->expectedError)
+            result.accept = acceptCommand(suite_, *attempt.shot);
+        result.width = attempt.own.picture->width;
+        result.height = attempt.own.picture->height;
+    }
+    return result;
+}
+
+ShotResult ShotJudge::broken(const Suite& suite, const Shot& shot, Verdict verdict, std::string reason) {
+    ShotResult result;
+    result.suite = suite.name;
+    result.shot = shot.name;
+    result.verdict = verdict;
+    result.reason = std::move(reason);
+    result.script = shot.script;
+    result.tolerance = shot.tolerance;
+    result.reproduce = reproduceCommand(shot);
+    return result;
+}
+
+ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) const {
+    const Shot& shot = *attempt.shot;
+    const image::Image& got = *attempt.own.picture;
+    Findings found;
+    found.goldenHolds = !shot.golden;
+    if (shot.golden) {
+        Result<Golden> golden = goldens_.find(shot, family_);
+        append(found.problems, std::move(golden.diagnostics));
+        found.golden = std::move(golden.value);
+    }
+    if (found.golden) {
+        found.pixels = hashOf(got);
+        const Hash* accepted = goldens_.acceptedPixels(shot, *found.golden, key_);
+        if (accepted && *accepted == *found.pixels) {
+            found.exact = found.goldenHolds = true;
+        } else {
+            Result<image::Image> picture = decode(*found.golden);
+            append(found.problems, std::move(picture.diagnostics));
+            found.picture = std::move(picture.value);
+            if (found.picture) {
+                found.judgement = image::judge(*found.picture, got, shot.tolerance, everything);
+                found.goldenHolds = found.judgement.same;
+                found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes;
+                found.changed = accepted != nullptr;
+            }
+        }
+    }
+    const auto relate = [&](const std::optional<Rendering>& partner, const std::string& name, bool same) {
+        if (!partner || !found.relation.empty()) return;
+        const char* word = same ? "match" : "differ from";
+        if (!partner->picture) {
+            found.partnerFails = true;
+            found.relation = fmt::format("the shot '{}' that it has to {} fails: {}", name, word,
+                                         firstError(partner->diagnostics));
+            return;
+        }
+        const image::Judgement judged = image::judge(*partner->picture, got, shot.tolerance, everything);
+        if (judged.same == same) return;
+        found.partner = &*partner;
+        found.judgement = judged;
+        found.relation = same ? fmt::format("it does not match '{}': {}", name, judged.reason)
+                              : fmt::format("it does not differ from '{}'", name);
+    };
+    relate(attempt.match, shot.match, true);
+    relate(attempt.differ, shot.differ, false);
+    return found;
+}
+
+Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
+    Judged judged{begin(attempt), std::nullopt};
+    ShotResult& result = judged.result;
+    result.verdict = Verdict::passed;
+    append(result.diagnostics, std::move(found.problems));
+    result.judgement = std::move(found.judgement);
+    result.exact = found.exact;
+    result.changed = found.changed;
+    if (!found.golden) return judged;
+    result.expected = found.golden->file;
+    result.goldenVariant = found.golden->variant;
+    // Without a decoded picture it was the hash that decided: that is on the list already.
+    if (options_.update && found.picture)
+        judged.accepted = AcceptedHash{attempt.shot->name, found.golden->variant, found.golden->identity,
+                                       *found.pixels, key_};
+    return judged;
+}
+
+std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
+    const Shot& shot = *attempt.shot;
+    if (shot.expectedError) {
+        Judged judged{begin(attempt), std::nullopt};
+        if (attempt.own.picture)
+            judged.result.reason =
+                fmt::format("{} did not come: the scene was drawn", toPhrase(*shot.expectedError));
+        else if (contains(attempt.own.diagnostics, *shot.expectedError))
+            judged.result.verdict = Verdict::passed;
+        else
+            judged.result.reason =
+                fmt::format("{} did not come; the scene fails otherwise: {}", toPhrase(*shot.expectedError),
+                            firstError(attempt.own.diagnostics));
+        return judged;
+    }
+    if (!attempt.own.picture) {
+        Judged judged{begin(attempt), std::nullopt};
+        judged.result.reason = firstError(attempt.own.diagnostics);
+        return judged;
+    }
+    Findings found = look(attempt, false);
+    if (found.goldenHolds && found.relation.empty()) return passed(attempt, std::move(found));
+    return std::nullopt;
+}
+
+fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::Image& picture,
+                          ShotResult& result) const {
+    const fs::path name =
+        fs::path(suite_.name) /
+        fmt::format("{}.{}{}", shot.name, what, picture.type == image::Component::f32 ? ".exr" : ".png");
+    const fs::path file = options_.results / name;
+    std::error_code ignored;  // a folder that cannot be made is reported with the file that cannot be written
+    fs::create_directories(file.parent_path(), ignored);
+    Diagnostics problems = image::writeImage(picture, file);
+    const bool bad = hasError(problems);
+    append(result.diagnostics, std::move(problems));
+    return bad ? fs::path() : name;
+}
+
+void ShotJudge::showDifference(const Shot& shot, const image::Image& expected, const image::Image& got,
+                               ShotResult& result) const {
+    if (expected.width == got.width && expected.height == got.height)
+        result.difference = write(shot, "difference", image::differenceHeatMap(expected, got), result);
+}
+
+/// Copies of what a report shows beside each other, so that a results folder can be carried elsewhere.
+void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image::Image& got,
+                           ShotResult& result) const {
+    if (!found.golden) return;
+    result.goldenVariant = found.golden->variant;
+    if (!found.picture) {
+        result.expected = found.golden->file;
+        return;
+    }
+    result.expected = write(shot, "expected", *found.picture, result);
+    showDifference(shot, *found.picture, got, result);
+}
+
+void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& result) const {
+    const Shot& shot = *attempt.shot;
+    const image::Image& got = *attempt.own.picture;
+    result.verdict = Verdict::failed;
+    result.judgement = found.judgement;
+    if (found.goldenHolds) {
+        result.reason = found.relation;
+        result.accept.clear();
+        if (!found.partner) return;
+        result.expected = write(shot, "partner", *found.partner->picture, result);
+        showDifference(shot, *found.partner->picture, got, result);
+        return;
+    }
+    showGolden(shot, found, got, result);
+    if (found.picture) {
+        result.reason = found.judgement.reason;
+    } else if (hasError(found.problems)) {
+        result.reason = firstError(found.problems);
+        append(result.diagnostics, found.problems);
+    } else {
+        result.verdict = Verdict::missing;
+        result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
+    }
+}
+
+void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& judged) const {
+    const Shot& shot = *attempt.shot;
+    const image::Image& got = *attempt.own.picture;
+    ShotResult& result = judged.result;
+    showGolden(shot, found, got, result);
+    result.judgement = found.judgement;
+    const std::string why = whyNoGolden(got);
+    const bool oldIsNoBetter = found.picture && !whyNoGolden(*found.picture).empty();
+    if (!why.empty() && !oldIsNoBetter && !options_.force) {
+        result.verdict = Verdict::refused;
+        result.reason = fmt::format("not made the golden: {}; --force makes it one", why);
+        return;
+    }
+    const std::string variant = options_.variant ? family_ : found.golden ? found.golden->variant : "";
+    Result<Golden> golden = goldens_.replace(shot, variant, got);
+    if (!golden) {
+        result.verdict = Verdict::failed;
+        result.reason = firstError(golden.diagnostics);
+        append(result.diagnostics, std::move(golden.diagnostics));
+        return;
+    }
+    result.verdict = Verdict::updated;
+    result.goldenVariant = variant;
+    result.reason = found.picture  ? "golden replaced: " + found.judgement.reason
+                    : found.golden ? "golden replaced: the old one was damaged"
+                                   : fmt::format("golden made: {} x {} pixels", got.width, got.height);
+    judged.accepted = AcceptedHash{shot.name, variant, golden->identity, hashOf(got), key_};
+}
+
+Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
+    const Shot& shot = *attempt.shot;
+    const image::Image& got = *attempt.own.picture;
+    Judged judged{begin(attempt), std::nullopt};
+    ShotResult& result = judged.result;
+    result.milliseconds += again.own.milliseconds;
+    if (!again.own.picture || !samePixels(got, *again.own.picture)) {
+        result.verdict = Verdict::unstable;
+        result.got = write(shot, "got", got, result);
+        if (!again.own.picture) {
+            result.reason = "the second rendering failed: " + firstError(again.own.diagnostics);
+            return judged;
+        }
+        result.judgement = image::judge(got, *again.own.picture, shot.tolerance, true);
+        const image::Comparison& figures = result.judgement.comparison;
+        result.reason = figures.sameSize
+                            ? fmt::format("two renderings differ: {} pixels, by up to {:.3g}/255",
+                                          figures.differingPixels, figures.largest * 255)
+                            : "two renderings differ in size";
+        result.expected = write(shot, "again", *again.own.picture, result);
+        showDifference(shot, *again.own.picture, got, result);
+        return judged;
+    }
+    const Findings found = look(attempt, true);
+    if (found.goldenHolds && found.relation.empty()) return passed(attempt, found);
+    result.got = write(shot, "got", got, result);
+    if (options_.update && !found.goldenHolds)
+        update(attempt, found, judged);
+    else
+        fail(attempt, found, result);
+    // A golden may be new while the pair it belongs to is still wrong.
+    if (!found.relation.empty() && !found.goldenHolds && !isFailure(result.verdict)) {
+        result.verdict = Verdict::failed;
+        result.reason += "; " + found.relation;
+    }
+    return judged;
+}
+
+}  // namespace glibra::suite

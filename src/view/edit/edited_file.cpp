@@ -1,0 +1,204 @@
+#include "view/edit/edited_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "image/file.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr std::uint64_t kLargestFile = 1ULL << 20;
+constexpr std::string_view kMark = "\xEF\xBB\xBF";
+constexpr unsigned kLastLatin = 0xFF;
+constexpr unsigned kLastOfBasicPlane = 0xFFFF;
+
+/// The character that begins at `at`, which moves behind it; nothing if that is no UTF-8.
+std::optional<unsigned> nextCharacter(std::string_view text, std::size_t& at) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (length == 0 || first > 0xF4 || at + length > text.size()) return std::nullopt;
+    unsigned character = length == 1 ? first : first & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        const auto next = static_cast<unsigned char>(text[at + i]);
+        if ((next & 0xC0U) != 0x80U) return std::nullopt;
+        character = character << 6U | (next & 0x3FU);
+    }
+    constexpr unsigned kSmallestOfThree = 0x800;
+    if ((length == 3 && character < kSmallestOfThree) || (length == 4 && character <= kLastOfBasicPlane) ||
+        (character >= 0xD800 && character < 0xE000))
+        return std::nullopt;
+    at += length;
+    return character;
+}
+
+/// The largest character; nothing if it is not UTF-8.
+std::optional<unsigned> largestCharacter(std::string_view text) {
+    unsigned largest = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto character = nextCharacter(text, at);
+        if (!character) return std::nullopt;
+        largest = std::max(largest, *character);
+    }
+    return largest;
+}
+
+std::string fromLatin(std::string_view bytes) {
+    std::string text;
+    for (const char each : bytes) {
+        const auto byte = static_cast<unsigned char>(each);
+        if (byte < 0x80) {
+            text += each;
+        } else {
+            text += static_cast<char>(0xC0U | byte >> 6U);
+            text += static_cast<char>(0x80U | (byte & 0x3FU));
+        }
+    }
+    return text;
+}
+
+/// Nothing if a character is not in Latin-1.
+std::optional<std::string> toLatin(std::string_view text) {
+    std::string bytes;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto character = nextCharacter(text, at);
+        if (!character || *character > kLastLatin) return std::nullopt;
+        bytes += static_cast<char>(*character);
+    }
+    return bytes;
+}
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+    std::string result;
+    for (;;) {
+        const std::size_t found = text.find(from);
+        result += text.substr(0, found);
+        if (found == std::string_view::npos) return result;
+        result += to;
+        text.remove_prefix(found + from.size());
+    }
+}
+
+}  // namespace
+
+EditedFile::EditedFile(std::filesystem::path path) : path_(std::move(path)) {
+    takeDisk();
+    history_ = TextHistory(text_);
+}
+
+void EditedFile::recordWhole() {
+    history_.endStep();
+    history_.record(text_);
+    history_.endStep();
+}
+
+void EditedFile::revert() {
+    text_ = savedText_;
+    recordWhole();
+}
+
+bool EditedFile::readBytes(std::string& bytes) {
+    const auto read = image::readFile(path_, {path_.string(), {}}, kLargestFile);
+    if (read) {
+        bytes.assign(reinterpret_cast<const char*>(read->data()), read->size());
+        return true;
+    }
+    // An empty file is no error for an editor.
+    std::error_code failure;
+    bytes.clear();
+    if (std::filesystem::is_regular_file(path_, failure) && std::filesystem::file_size(path_, failure) == 0)
+        return true;
+    whyReadOnly_ = read.diagnostics.empty() ? "it cannot be read" : read.diagnostics.front().text;
+    return false;
+}
+
+void EditedFile::decode(std::string_view bytes) {
+    whyReadOnly_.clear();
+    hasMark_ = bytes.starts_with(kMark);
+    if (hasMark_) bytes.remove_prefix(kMark.size());
+    const auto largest = largestCharacter(bytes);
+    isLatin_ = !largest;
+    std::string text = isLatin_ ? fromLatin(bytes) : std::string(bytes);
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    hasCarriageReturns_ = lines > 0 && std::count(text.begin(), text.end(), '\r') == lines &&
+                          text.find("\r\n") != std::string::npos;
+    if (hasCarriageReturns_) text = replaced(text, "\r\n", "\n");
+    if (text.find('\0') != std::string::npos) {
+        whyReadOnly_ = "It is no text file.";
+        text = text.substr(0, text.find('\0'));
+    } else if (text.find('\r') != std::string::npos) {
+        whyReadOnly_ = "Its line ends are of several kinds; this editor would change them.";
+    } else if (largest && *largest > kLastOfBasicPlane) {
+        whyReadOnly_ = "It has characters beyond U+FFFF, which this editor would lose.";
+    }
+    text_ = savedText_ = std::move(text);
+}
+
+std::string EditedFile::encoded() const {
+    std::string text = hasCarriageReturns_ ? replaced(text_, "\n", "\r\n") : text_;
+    if (isLatin_)
+        if (auto latin = toLatin(text)) return std::move(*latin);
+    return hasMark_ ? std::string(kMark) + text : text;
+}
+
+bool EditedFile::lookAtDisk() {
+    std::string bytes;
+    std::string why = whyReadOnly_;
+    if (!readBytes(bytes)) {
+        // A file that is gone may be on its way back; the text is all there is of it now.
+        whyReadOnly_ = std::move(why);
+        return false;
+    }
+    if (bytes == diskBytes_) return false;
+    if (isChanged() && bytes != encoded()) {
+        hasConflict_ = true;
+        return true;
+    }
+    diskBytes_ = std::move(bytes);
+    hasConflict_ = false;
+    decode(diskBytes_);
+    recordWhole();
+    return true;
+}
+
+void EditedFile::keepMine() {
+    std::string bytes;
+    hasConflict_ = false;
+    if (!readBytes(bytes)) return;
+    diskBytes_ = std::move(bytes);
+    std::string mine = std::move(text_);
+    decode(diskBytes_);
+    text_ = std::move(mine);
+}
+
+void EditedFile::takeDisk() {
+    hasConflict_ = false;
+    std::string bytes;
+    if (!readBytes(bytes)) return;
+    diskBytes_ = std::move(bytes);
+    decode(diskBytes_);
+    recordWhole();
+}
+
+Diagnostics EditedFile::save() {
+    if (!isChanged()) return {};
+    std::string bytes;
+    if (readBytes(bytes)) {
+        hasConflict_ = bytes != diskBytes_;
+        if (hasConflict_) return {};
+    }
+    whyReadOnly_.clear();
+    const std::string written = encoded();
+    Diagnostics problems = image::writeFileAtomically(path_, std::as_bytes(std::span(written)));
+    if (!problems.empty()) return problems;
+    diskBytes_ = written;
+    savedText_ = text_;
+    return {};
+}
+
+}  // namespace glibra::view

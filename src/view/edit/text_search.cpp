@@ -1,0 +1,68 @@
+#include "view/edit/text_search.h"
+
+#include <algorithm>
+
+namespace glibra::view {
+namespace {
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool isOfWord(char c) {
+    const char letter = lower(c);
+    // Bytes of other scripts' letters count as letters.
+    return (letter >= 'a' && letter <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+           (static_cast<unsigned char>(c) & 0x80U) != 0;
+}
+
+bool standsAlone(std::string_view text, const TextRange& range) {
+    const bool beginsInWord =
+        range.begin > 0 && isOfWord(text[range.begin - 1]) && isOfWord(text[range.begin]);
+    const bool endsInWord =
+        range.end < text.size() && isOfWord(text[range.end]) && isOfWord(text[range.end - 1]);
+    return !beginsInWord && !endsInWord;
+}
+
+}  // namespace
+
+std::vector<TextRange> findAll(std::string_view text, const TextSearch& search) {
+    std::vector<TextRange> found;
+    if (search.words.empty()) return found;
+    const auto isSame = [&](char a, char b) { return search.matchesCase ? a == b : lower(a) == lower(b); };
+    for (auto at = text.begin();;) {
+        at = std::search(at, text.end(), search.words.begin(), search.words.end(), isSame);
+        if (at == text.end()) return found;
+        const auto begin = static_cast<std::size_t>(at - text.begin());
+        const TextRange range{begin, begin + search.words.size()};
+        const bool counts = !search.wholeWords || standsAlone(text, range);
+        if (counts) found.push_back(range);
+        at += counts ? static_cast<std::ptrdiff_t>(search.words.size()) : 1;
+    }
+}
+
+std::size_t nextFound(const std::vector<TextRange>& found, std::size_t from) {
+    const auto next =
+        std::find_if(found.begin(), found.end(), [&](const TextRange& each) { return each.begin >= from; });
+    return next == found.end() && !found.empty() ? 0 : static_cast<std::size_t>(next - found.begin());
+}
+
+std::size_t previousFound(const std::vector<TextRange>& found, std::size_t from) {
+    if (found.empty()) return 0;
+    const auto next =
+        std::find_if(found.begin(), found.end(), [&](const TextRange& each) { return each.begin >= from; });
+    return static_cast<std::size_t>((next == found.begin() ? found.end() : next) - found.begin()) - 1;
+}
+
+std::string replaced(std::string_view text, const std::vector<TextRange>& places, std::string_view by) {
+    std::string result;
+    std::size_t done = 0;
+    for (const TextRange& each : places) {
+        result += text.substr(done, each.begin - done);
+        result += by;
+        done = each.end;
+    }
+    return result += text.substr(done);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,51 @@
+#include "view/export/hardcopy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "suite/report/verdict_commands.h"
+#include "view/export/hardcopy_job.h"
+
+namespace glibra::view {
+std::string setArguments(const Session& session) {
+    std::string text;
+    for (const std::string& each : session.renderOptions().set)
+        text += (text.empty() ? "--set " : " --set ") + suite::shellWord(each);
+    return text;
+}
+
+std::string renderCommand(const Session& session, const Hardcopy& wanted) {
+    const RenderOptions options = session.renderOptions(wanted.width, wanted.height);
+    std::string text =
+        fmt::format("glibra render {} -o {} --size {}x{}", suite::shellWord(session.path().string()),
+                    suite::shellWord(wanted.file.string()), options.width, options.height);
+    if (options.time != 0 && session.live().isAnimated()) text += fmt::format(" --time {}", options.time);
+    if (wanted.frames > 1)
+        text += fmt::format(" --frames {} --fps {}", wanted.frames, wanted.framesPerSecond);
+    if (options.view == ViewPolicy::glman) text += " --view glman";
+    if (options.axes) text += " --axes";
+    if (!options.shim) text += " --no-shim";
+    for (const std::string& each : options.set) text += " --set " + suite::shellWord(each);
+    return text + suite::viewArguments(options.viewState);
+}
+
+bool isVideo(const std::filesystem::path& file) {
+    constexpr std::array<std::string_view, 6> kEndings{".mp4", ".webm", ".mkv", ".avi", ".mov", ".gif"};
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted) {
+    Result<HardcopyJob> job = HardcopyJob::begin(context, session, wanted);
+    Diagnostics diagnostics = std::move(job.diagnostics);
+    while (job && !job->isDone()) append(diagnostics, job->step());
+    return diagnostics;
+}
+
+}  // namespace glibra::view

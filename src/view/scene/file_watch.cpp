@@ -1,0 +1,124 @@
+#include "view/scene/file_watch.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <system_error>
+#include <utility>
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Programs that save several files, or one in several steps, are waited for that long after each event.
+constexpr int kQuietMilliseconds = 3;
+constexpr int kMostQuietWaits = 20;
+
+fs::path whole(const fs::path& path) {
+    std::error_code failure;
+    return fs::absolute(path, failure).lexically_normal();
+}
+
+bool isReadable(int descriptor, int milliseconds) {
+    pollfd wanted{descriptor, POLLIN, 0};
+    return ::poll(&wanted, 1, milliseconds) > 0;
+}
+
+}  // namespace
+
+FileWatch::FileWatch(std::function<void()> wake)
+    : wake_(std::move(wake)),
+      inotify_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      stop_(::eventfd(0, EFD_CLOEXEC)) {
+    if (isWorking()) thread_ = std::thread([this] { run(); });
+}
+
+FileWatch::~FileWatch() {
+    if (thread_.joinable()) {
+        const std::uint64_t one = 1;
+        if (::write(stop_, &one, sizeof one) == sizeof one)
+            thread_.join();
+        else
+            thread_.detach();
+    }
+    if (inotify_ >= 0) ::close(inotify_);
+    if (stop_ >= 0) ::close(stop_);
+}
+
+void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::string>& names) {
+    if (!isWorking()) return;
+    const std::scoped_lock lock(mutex_);
+    files_.clear();
+    names_ = names;
+    std::set<fs::path> folders;
+    for (const fs::path& each : files) {
+        const fs::path file = whole(each);
+        files_.insert(file);
+        folders.insert(file.parent_path());
+        std::error_code failure;
+        const fs::path target = fs::canonical(file, failure);
+        if (failure || target == file) continue;
+        files_.insert(target);
+        folders.insert(target.parent_path());
+    }
+    for (auto each = folders_.begin(); each != folders_.end();) {
+        if (folders.erase(each->second) != 0) {
+            ++each;
+        } else {
+            ::inotify_rm_watch(inotify_, each->first);
+            each = folders_.erase(each);
+        }
+    }
+    for (const fs::path& each : folders) {
+        const int descriptor = ::inotify_add_watch(inotify_, each.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO);
+        if (descriptor >= 0) folders_[descriptor] = each;
+    }
+}
+
+FileWatch::Change FileWatch::takeChanged() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(changed_, {});
+}
+
+bool FileWatch::readEvents() {
+    constexpr std::size_t kBufferBytes = 16384;
+    alignas(inotify_event) std::array<char, kBufferBytes> buffer{};
+    bool counts = false;
+    for (;;) {
+        const ssize_t length = ::read(inotify_, buffer.data(), buffer.size());
+        if (length <= 0) return counts;
+        const std::scoped_lock lock(mutex_);
+        for (ssize_t at = 0; at < length;) {
+            const auto* event = reinterpret_cast<const inotify_event*>(buffer.data() + at);
+            at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+            const auto folder = folders_.find(event->wd);
+            if (folder == folders_.end() || event->len == 0) continue;
+            const fs::path file = folder->second / event->name;
+            if (!files_.contains(file) && !names_.contains(file.filename().string())) continue;
+            if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
+            if (std::find(changed_.files.begin(), changed_.files.end(), file) == changed_.files.end())
+                changed_.files.push_back(file);
+            counts = true;
+        }
+    }
+}
+
+void FileWatch::run() {
+    for (;;) {
+        std::array<pollfd, 2> wanted{{{inotify_, POLLIN, 0}, {stop_, POLLIN, 0}}};
+        if (::poll(wanted.data(), wanted.size(), -1) < 0) continue;
+        if (wanted[1].revents != 0) return;
+        bool counts = readEvents();
+        for (int i = 0; counts && i < kMostQuietWaits && isReadable(inotify_, kQuietMilliseconds); ++i)
+            counts = readEvents() || counts;
+        if (counts) wake_();
+    }
+}
+
+}  // namespace glibra::view

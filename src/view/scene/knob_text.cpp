@@ -1,0 +1,75 @@
+// Knobs as the text of a scene and of a command line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/scene/knobs.h"
+
+namespace glibra::view {
+namespace {
+
+/// The shortest decimal that gives the value back.
+std::string exact(double value) {
+    if (value == std::trunc(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
+    return fmt::format("{}", value);
+}
+
+std::string joined(const std::vector<double>& values, std::size_t count, std::string_view between) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(count, values.size()); ++i)
+        text += (i == 0 ? "" : std::string(between)) + exact(values[i]);
+    return text;
+}
+
+bool sameValues(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [&](double each) { return each == values.front(); });
+}
+
+}  // namespace
+
+std::string valueText(const Knob& knob) {
+    switch (knob.form) {
+        case glib::UniformForm::range:
+            if (knob.widget == Widget::checkBox) return knob.current.front() != 0 ? "<true>" : "<false>";
+            if (sameValues(knob.current))
+                return fmt::format("<{} {} {}>", exact(knob.minimum), exact(knob.current.front()),
+                                   exact(knob.maximum));
+            break;
+        case glib::UniformForm::truth:
+            return knob.current.front() != 0 ? "<true>" : "<false>";
+        case glib::UniformForm::color:
+            return "{" + joined(knob.current, knob.current.size(), " ") + "}";
+        case glib::UniformForm::number:
+            if (knob.current.size() == 1) return exact(knob.current.front());
+            break;
+        case glib::UniformForm::list:
+            break;
+    }
+    return "[" + joined(knob.current, knob.current.size(), " ") + "]";
+}
+
+std::string pairText(const Knob& knob) {
+    return knob.tag + " " + valueText(knob);
+}
+
+std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs) {
+    std::string text = "Program " + scene.programs[static_cast<std::size_t>(program)].name;
+    for (const Knob& each : knobs)
+        if (each.program == program) text += " \\\n    " + pairText(each);
+    return text + "\n";
+}
+
+std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
+    const bool isShared = knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
+                              return each.tag == knob.tag && each.program != knob.program;
+                          });
+    std::string name = knob.tag;
+    if (isShared)
+        name = fmt::format("{}:{}", scene.programs[static_cast<std::size_t>(knob.program)].place.line, name);
+    if (knob.widget == Widget::checkBox) return name + (knob.current.front() != 0 ? "=true" : "=false");
+    return name + "=" + joined(knob.current, knob.current.size(), ",");
+}
+
+}  // namespace glibra::view

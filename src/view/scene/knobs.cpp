@@ -1,0 +1,163 @@
+#include "view/scene/knobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/type_table.h"
+#include "plan/uniform_names.h"
+
+namespace glibra::view {
+namespace {
+
+/// "Dots", or "Dots (2)" for the second of that name.
+std::string titleOf(const scene::Scene& scene, int program) {
+    const std::string& name = scene.programs[static_cast<std::size_t>(program)].name;
+    int sameName = 0;
+    int before = 0;
+    for (std::size_t i = 0; i < scene.programs.size(); ++i) {
+        if (scene.programs[i].name != name) continue;
+        ++sameName;
+        if (static_cast<int>(i) <= program) ++before;
+    }
+    return sameName > 1 ? fmt::format("{} ({})", name, before) : name;
+}
+
+Widget widgetOf(const glib::UniformSpec& spec, const plan::ActiveUniform& uniform,
+                const plan::Control* control) {
+    if (uniform.type.base == plan::BaseType::boolean && uniform.type.components() == 1 &&
+        uniform.arraySize == 1)
+        return Widget::checkBox;
+    if (control == nullptr) return Widget::numbers;
+    if (control->form == glib::UniformForm::color) return Widget::color;
+    if (control->form == glib::UniformForm::truth) return Widget::checkBox;
+    return spec.form == glib::UniformForm::range ? Widget::slider : Widget::numbers;
+}
+
+/// The limits of a range as the language reads it: of one value min(0, v) and max(1, v); exchanged, never
+/// equal.
+std::pair<double, double> limitsOf(const glib::UniformSpec& spec) {
+    const std::vector<double>& v = spec.values;
+    double low = v.size() == 1 ? std::min(0.0, v[0]) : v[0];
+    double high = v.size() == 1 ? std::max(1.0, v[0]) : v.size() == 2 ? std::max(v[0], v[1]) : v[2];
+    if (low > high) std::swap(low, high);
+    if (low == high) high = low + 1;
+    return {low, high};
+}
+
+Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, const glib::UniformSpec& spec,
+            const plan::NamedUniform& named, const plan::Literal& literal) {
+    const plan::ActiveUniform& uniform = planned.interface->uniforms[static_cast<std::size_t>(named.uniform)];
+    const plan::Control* control = nullptr;
+    for (const plan::Control& each : planned.controls)
+        if (each.uniform == named.uniform) control = &each;
+    Knob knob;
+    knob.program = planned.variant.program;
+    knob.title = titleOf(scene, knob.program);
+    knob.tag = spec.tag;
+    knob.type = uniform.type;
+    knob.widget = widgetOf(spec, uniform, control);
+    knob.form = spec.form;
+    knob.written = spec.values;
+    knob.initial = knob.current = literal.values;
+    knob.place = {scene.path, spec.valuePosition.line, spec.valuePosition.column};
+    knob.placeOfUniform = uniform.type.word + " " + uniform.name;
+    if (spec.form == glib::UniformForm::range && !spec.values.empty())
+        std::tie(knob.minimum, knob.maximum) = limitsOf(spec);
+    return knob;
+}
+
+/// Of equal tags the last one counts.
+std::vector<const glib::UniformSpec*> countingSpecs(const scene::Program& program) {
+    std::vector<const glib::UniformSpec*> specs;
+    for (const glib::UniformSpec& each : program.uniforms) {
+        const auto same = std::find_if(specs.begin(), specs.end(), [&](const glib::UniformSpec* known) {
+            return known->tag == each.tag;
+        });
+        if (same != specs.end())
+            *same = &each;
+        else
+            specs.push_back(&each);
+    }
+    return specs;
+}
+
+void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, int index, std::vector<Knob>& knobs) {
+    const plan::PlannedProgram& planned = plan.programs[static_cast<std::size_t>(index)];
+    const plan::UniformNames names(*planned.interface);
+    for (const glib::UniformSpec* spec :
+         countingSpecs(scene.programs[static_cast<std::size_t>(planned.variant.program)]))
+        for (const plan::NamedUniform& named : names.find(spec->tag))
+            for (std::size_t i = 0; i < planned.values.size(); ++i) {
+                const plan::UniformBinding& binding = planned.values[i];
+                const auto* literal = std::get_if<plan::Literal>(&binding.value);
+                if (literal == nullptr || binding.uniform != named.uniform ||
+                    binding.firstElement != named.element || literal->values.empty())
+                    continue;
+                const auto known = std::find_if(knobs.begin(), knobs.end(), [&](const Knob& each) {
+                    return each.program == planned.variant.program && each.tag == spec->tag;
+                });
+                Knob& knob = known != knobs.end()
+                                 ? *known
+                                 : knobs.emplace_back(knobOf(scene, planned, *spec, named, *literal));
+                knob.bindings.push_back({index, static_cast<int>(i)});
+            }
+}
+
+bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
+    return !plan::UniformNames(*program.interface).find(tag).empty();
+}
+
+}  // namespace
+
+std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan) {
+    std::vector<Knob> knobs;
+    for (std::size_t i = 0; i < plan.programs.size(); ++i)
+        if (plan.programs[i].variant.program != scene::kNone && plan.programs[i].interface->usable)
+            addKnobs(scene, plan, static_cast<int>(i), knobs);
+    for (Knob& knob : knobs)
+        knob.isShared =
+            std::any_of(plan.programs.begin(), plan.programs.end(), [&](const plan::PlannedProgram& each) {
+                return each.variant.program != scene::kNone && each.variant.program != knob.program &&
+                       hasUniform(each, knob.tag);
+            });
+    std::stable_sort(knobs.begin(), knobs.end(),
+                     [](const Knob& a, const Knob& b) { return a.program < b.program; });
+    return knobs;
+}
+
+std::vector<int> apply(const Knob& knob, plan::FramePlan& plan) {
+    std::vector<int> programs;
+    for (const Knob::Binding& each : knob.bindings) {
+        plan::PlannedProgram& planned = plan.programs[static_cast<std::size_t>(each.program)];
+        std::get<plan::Literal>(planned.values[static_cast<std::size_t>(each.value)].value).values =
+            knob.current;
+        programs.push_back(each.program);
+    }
+    return programs;
+}
+
+void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
+    for (const Knob& each : knobs) {
+        const std::tuple key(each.program, scene.programs[static_cast<std::size_t>(each.program)].name,
+                             each.tag);
+        if (each.isChanged())
+            values_[key] = {each.form, each.written, each.current};
+        else
+            values_.erase(key);
+    }
+}
+
+void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) const {
+    for (Knob& each : knobs) {
+        const auto found = values_.find(
+            {each.program, scene.programs[static_cast<std::size_t>(each.program)].name, each.tag});
+        if (found == values_.end()) continue;
+        const Kept& kept = found->second;
+        if (kept.form == each.form && kept.written == each.written &&
+            kept.current.size() == each.initial.size())
+            each.current = kept.current;
+    }
+}
+
+}  // namespace glibra::view

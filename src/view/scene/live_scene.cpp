@@ -1,0 +1,241 @@
+#include "view/scene/live_scene.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "gpu/loop_limit.h"
+#include "plan/loop_rounds.h"
+#include "render/axes.h"
+#include "render/device_scene.h"
+#include "render/programs.h"
+#include "render/scene_renderer.h"
+#include "scene/view.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr int kSamples = 1;  ///< of the pictures that a window shows
+
+bool hasTangents(const plan::PlannedMesh& mesh) {
+    return std::find(mesh.attributes.begin(), mesh.attributes.end(), geometry::kTangent) !=
+           mesh.attributes.end();
+}
+
+}  // namespace
+
+/// Everything that refers to something else here, in the order of dependence.
+struct LiveScene::State {
+    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted)
+        : context(usedContext),
+          options(std::move(usedOptions)),
+          scene(std::move(interpreted)),
+          programs(context, scene, options, false, loadStats),
+          device(context, scene, loadStats) {}
+
+    gpu::Context& context;
+    RenderOptions options;
+    scene::Scene scene;
+    render::Stats loadStats, drawStats;
+    render::ProgramLibrary programs;
+    render::DeviceScene device;
+    plan::FramePlan plan;
+    std::optional<render::FrameDrawer> drawer;
+    std::optional<render::Axes> axes;
+    render::ViewMatrices view;
+    std::optional<double> eyeAspect;  ///< for which eyeDistance holds
+    double eyeDistance = 0;
+    std::optional<int> loopLimit;
+    bool isViewSet = false;     ///< `view` is the drawer's,
+    double setEyeDistance = 0;  ///< with this
+
+    Diagnostics prepare(State* previous);
+    void prepareFallback();
+    int measuredLoopLimit();
+    void placeEye(double aspect, Diagnostics& diagnostics);
+};
+
+Diagnostics LiveScene::State::prepare(State* previous) {
+    if (previous) {
+        programs.inherit(previous->programs);
+        device.inherit(previous->device);
+    }
+    plan::PlanOptions planOptions;
+    planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.loopLimit = [this] { return measuredLoopLimit(); };
+    plan = plan::planFrame(
+        scene,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+    programs.forgetPrevious();
+    Diagnostics diagnostics = std::move(plan.diagnostics);
+    plan.diagnostics.clear();
+    for (const plan::PlannedMesh& each : plan.meshes)
+        device.bounds(each.shape, hasTangents(each), &diagnostics);
+    append(diagnostics, device.prepare(plan, programs));
+    drawer.emplace(context, scene, plan, programs, device, drawStats);
+    drawer->leaveOutOfTile(kSamples);
+    prepareFallback();
+    append(diagnostics, context.debugLog().takeDiagnostics());
+    return diagnostics;
+}
+
+void LiveScene::State::prepareFallback() {
+    const bool isNeeded =
+        std::any_of(plan.programs.begin(), plan.programs.end(),
+                    [](const plan::PlannedProgram& each) { return !each.interface->usable; });
+    if (!isNeeded) return;
+    const plan::ProgramVariant builtin{scene::kNone, false, 1};
+    programs.interfaceOf(builtin);
+    drawer->setFallback(programs.find(builtin));
+}
+
+int LiveScene::State::measuredLoopLimit() {
+    if (!loopLimit) loopLimit = gpu::measureLoopLimit(context);
+    return *loopLimit;
+}
+
+void LiveScene::State::placeEye(double aspect, Diagnostics& diagnostics) {
+    if (eyeAspect == aspect) return;
+    eyeAspect = aspect;
+    eyeDistance = 0;
+    if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
+    scene::ViewMove move = scene::autoView(
+        scene, [&](int shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
+    eyeDistance = move.distance;
+    append(diagnostics, std::move(move.diagnostics));
+}
+
+LiveScene::LiveScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LiveScene::~LiveScene() = default;
+
+LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem::path& path,
+                                   const RenderOptions& options, LiveScene* previous) {
+    render::Stats stats;
+    Result<scene::Scene> interpreted = render::interpretFile(path, options, stats);
+    Loading loading;
+    loading.diagnostics = std::move(interpreted.diagnostics);
+    if (!interpreted) return loading;
+    auto state = std::make_unique<State>(context, options, std::move(*interpreted));
+    append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
+    render::applyStrict(loading.diagnostics, false);
+    loading.scene.reset(new LiveScene(std::move(state)));
+    return loading;
+}
+
+const scene::Scene& LiveScene::scene() const {
+    return state_->scene;
+}
+const plan::FramePlan& LiveScene::plan() const {
+    return state_->plan;
+}
+std::vector<Knob> LiveScene::knobs() const {
+    return knobsOf(state_->scene, state_->plan);
+}
+
+bool LiveScene::isAnimated() const {
+    for (const plan::PlannedProgram& program : state_->plan.programs)
+        for (const plan::UniformBinding& each : program.values)
+            if (const auto* supplied = std::get_if<plan::Supplied>(&each.value))
+                if (supplied->value == glsl::Builtin::timer) return true;
+    return false;
+}
+
+bool LiveScene::showsEarlierProgram(int program) const {
+    for (const plan::PlannedProgram& each : state_->plan.programs) {
+        const render::BuiltProgram* built =
+            each.variant.program == program ? state_->programs.find(each.variant) : nullptr;
+        if (built != nullptr && built->isLastGood) return true;
+    }
+    return false;
+}
+
+std::vector<std::filesystem::path> LiveScene::files() const {
+    std::vector<std::filesystem::path> files{state_->scene.path};
+    std::set<std::filesystem::path> known{state_->scene.path};
+    const auto add = [&](const std::filesystem::path& file) {
+        if (!file.empty() && known.insert(file).second) files.push_back(file);
+    };
+    for (const scene::FileReference& each : state_->scene.files) add(each.path);
+    for (const std::filesystem::path& each : state_->programs.filesRead()) add(each);
+    return files;
+}
+
+std::vector<glsl::EmittedLine> LiveScene::translatedLines(const Place& place) const {
+    return state_->programs.refusedLines(place);
+}
+
+const render::Stats& LiveScene::loadStats() const {
+    return state_->loadStats;
+}
+
+const render::Stats& LiveScene::drawStats() const {
+    return state_->drawStats;
+}
+
+void LiveScene::drawOutOfSight(bool on) {
+    state_->drawer->leaveOutOfTile(on ? 0 : kSamples);
+}
+
+void LiveScene::setValue(const Knob& knob) {
+    for (const int program : apply(knob, state_->plan)) state_->drawer->forgetLiterals(program);
+}
+
+Diagnostics LiveScene::longLoops() {
+    Diagnostics diagnostics;
+    for (const plan::PlannedProgram& each : state_->plan.programs)
+        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->measuredLoopLimit(); }));
+    render::applyStrict(diagnostics, false);  // programs may share a file
+    return diagnostics;
+}
+
+Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, double time, bool axes) {
+    State& state = *state_;
+    Diagnostics diagnostics;
+    const double aspect = static_cast<double>(target.width()) / target.height();
+    state.placeEye(aspect, diagnostics);
+    // Copying the transforms of objects takes memory, which a frame of the same view does not need.
+    if (!state.isViewSet || view != state.view.state() || state.setEyeDistance != state.eyeDistance) {
+        state.view = render::ViewMatrices(view, state.scene.view, state.eyeDistance);
+        state.drawer->setView(state.view);
+        state.setEyeDistance = state.eyeDistance;
+        state.isViewSet = true;
+    }
+    state.drawer->setPictureSize(target.width(), target.height());
+    const render::Tile whole{0, 0, target.width(), target.height()};
+    append(diagnostics, state.drawer->draw(target, whole, time, true));
+    if (axes && !state.axes) {
+        Result<render::Axes> made = render::Axes::create(state.context);
+        append(diagnostics, std::move(made.diagnostics));
+        state.axes = std::move(made.value);
+    }
+    if (axes && state.axes) state.axes->draw(state.scene, state.view, whole, target.width(), target.height());
+    target.resolve();
+    append(diagnostics, state.context.debugLog().takeDiagnostics());
+    return diagnostics;
+}
+
+const render::ViewMatrices& LiveScene::view() const {
+    return state_->view;
+}
+double LiveScene::eyeDistance() const {
+    return state_->eyeDistance;
+}
+render::FrameDrawer& LiveScene::drawer() {
+    return *state_->drawer;
+}
+const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
+    const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
+    Diagnostics alreadyTold;
+    return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyTold);
+}
+const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
+    return state_->device.deviceMesh(draw.mesh);
+}
+const gpu::Texture* LiveScene::texture(int index) const {
+    return state_->device.texture(index);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,192 @@
+#include "view/window/panels/example_browser.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "glib/text.h"
+#include "image/read.h"
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr float kTileWidth = 168;
+constexpr float kTileHeight = kTileWidth * kThumbnailHeight / kThumbnailWidth;
+
+std::filesystem::path programFile() {
+    std::error_code failure;
+    return std::filesystem::read_symlink("/proc/self/exe", failure);
+}
+
+/// What is on the disk now; pictures that are missing are asked for.
+void list(Ui& ui) {
+    ExampleBrowser& browser = ui.shared.examples;
+    browser.isListed = true;
+    browser.maker.reset();
+    browser.tiles.clear();
+    browser.root = exampleRoot(ui.session.renderOptions().libraryRoots, ui.session.path(), programFile());
+    if (browser.root.empty()) return;
+    const std::filesystem::path cache = thumbnailFolder();
+    std::vector<std::filesystem::path> missing;
+    for (ExampleScene& each : exampleScenes(browser.root)) {
+        Thumbnail known = findThumbnail(cache, each.file);
+        if (known.state == Thumbnail::State::missing) missing.push_back(each.file);
+        browser.tiles.push_back({std::move(each), std::move(known), std::nullopt});
+    }
+    browser.wanted = missing.size();
+    browser.finished = 0;
+    if (!missing.empty() && !cache.empty())
+        browser.maker = std::make_unique<ThumbnailMaker>(cache, std::move(missing), [] { Display::wake(); });
+}
+
+void takeFinished(ExampleBrowser& browser) {
+    if (!browser.maker) return;
+    for (const std::filesystem::path& file : browser.maker->takeFinished()) {
+        ++browser.finished;
+        for (ExampleBrowser::Tile& each : browser.tiles)
+            if (each.scene.file == file) each.thumbnail = findThumbnail(thumbnailFolder(), file);
+    }
+    if (browser.finished >= browser.wanted) browser.maker.reset();
+}
+
+void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& tile) {
+    if (tile.picture || tile.thumbnail.state != Thumbnail::State::ready) return;
+    Result<image::Image> read = image::readImage(tile.thumbnail.picture, {});
+    if (!read || read->type != image::Component::u8 || read->components != 4) {
+        tile.thumbnail = {Thumbnail::State::failed, {}, "its picture cannot be read"};
+        return;
+    }
+    Result<gpu::Texture> made =
+        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+                             {read->width, read->height, 1}, {read->data, 4});
+    tile.picture = std::move(made.value);
+    if (!tile.picture) return;
+    glBindTexture(GL_TEXTURE_2D, tile.picture->id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+bool isFound(const ExampleScene& scene, std::string_view search) {
+    const std::string text = glib::lower(scene.topic + "/" + scene.name + " " + scene.summary);
+    return text.find(glib::lower(search)) != std::string::npos;
+}
+
+void tile(Ui& ui, ExampleBrowser::Tile& each) {
+    const ImVec2 size(kTileWidth * ui.scale, kTileHeight * ui.scale);
+    const std::string name = each.scene.topic + "/" + each.scene.name;
+    ImGui::PushID(name.c_str());
+    ImGui::BeginGroup();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool isClicked = ImGui::InvisibleButton("tile", size);
+    const bool isHovered = ImGui::IsItemHovered();
+    const bool inNewTab = isHovered && (ImGui::IsMouseReleased(ImGuiMouseButton_Middle) ||
+                                        (isClicked && ImGui::GetIO().KeyCtrl));
+    mark(ui, "example/" + name);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 end(at.x + size.x, at.y + size.y);
+    if (ImGui::IsRectVisible(at, end)) loadPicture(ui.context.capabilities(), each);
+    if (each.picture) {
+        draw.AddImageRounded(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(each.picture->id())), at,
+                             end, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * ui.scale);
+    } else {
+        draw.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * ui.scale);
+        const bool isComing = each.thumbnail.state == Thumbnail::State::missing && ui.shared.examples.maker;
+        const char* text = isComing ? "..." : "no picture";
+        const ImVec2 width = ImGui::CalcTextSize(text);
+        draw.AddText({at.x + (size.x - width.x) / 2, at.y + (size.y - width.y) / 2},
+                     ImGui::GetColorU32(ImGuiCol_TextDisabled), text);
+    }
+    if (isHovered) draw.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 4 * ui.scale, 0, 2);
+    draw.PushClipRect(at, {end.x, end.y + ImGui::GetTextLineHeightWithSpacing() * 2}, true);
+    ImGui::TextUnformatted(each.scene.name.c_str());
+    draw.PopClipRect();
+    ImGui::EndGroup();
+    if (isHovered) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(320 * ui.scale);
+        ImGui::TextUnformatted(each.scene.summary.empty() ? name.c_str() : each.scene.summary.c_str());
+        if (!each.thumbnail.problem.empty()) ImGui::TextDisabled("%s", each.thumbnail.problem.c_str());
+        ImGui::TextDisabled("Ctrl+click: in a new tab");
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+    if (isClicked || inNewTab) {
+        ui.requests.open = each.scene.file;
+        ui.requests.inNewTab = inNewTab;
+        if (!inNewTab) ui.shared.examples.isOpen = false;
+    }
+    ImGui::PopID();
+}
+
+void tiles(Ui& ui) {
+    ExampleBrowser& browser = ui.shared.examples;
+    const float width = kTileWidth * ui.scale + ImGui::GetStyle().ItemSpacing.x;
+    const int columns = std::max(
+        1, static_cast<int>((ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ItemSpacing.x) / width));
+    const std::string* topic = nullptr;
+    int column = 0;
+    for (ExampleBrowser::Tile& each : browser.tiles) {
+        if (!isFound(each.scene, browser.search.data())) continue;
+        if (!topic || *topic != each.scene.topic) {
+            if (topic) ImGui::Spacing();
+            topic = &each.scene.topic;
+            column = 0;
+            ImGui::TextDisabled("%s", topic->c_str());
+            ImGui::Separator();
+        } else if (column % columns != 0) {
+            ImGui::SameLine();
+        }
+        tile(ui, each);
+        ++column;
+    }
+    if (!topic) ImGui::TextDisabled("No example has that in its name or description.");
+}
+
+}  // namespace
+
+void exampleWindow(Ui& ui) {
+    ExampleBrowser& browser = ui.shared.examples;
+    takeFinished(browser);
+    if (!browser.isOpen) {
+        browser.isListed = false;
+        browser.maker.reset();
+        return;
+    }
+    if (!browser.isListed) list(ui);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSize({std::min(screen.x - 40 * ui.scale, 940 * ui.scale), screen.y * .86F},
+                             ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {.5F, .5F});
+    if (ImGui::Begin("Example scenes", &browser.isOpen, ImGuiWindowFlags_NoCollapse)) {
+        if (browser.root.empty()) {
+            ImGui::TextWrapped(
+                "No example scenes are found. They are in the folder glib of glibra's sources; "
+                "the environment variable GLIBRA_PATH can name the folder above it.");
+        } else {
+            ImGui::SetNextItemWidth(260 * ui.scale);
+            if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+            ImGui::InputTextWithHint("##search", "search", browser.search.data(), browser.search.size());
+            mark(ui, "examples/search");
+            ImGui::SameLine();
+            if (browser.maker)
+                ImGui::TextDisabled("drawing the pictures: %zu of %zu", browser.finished, browser.wanted);
+            else
+                ImGui::TextDisabled("%zu scenes", browser.tiles.size());
+            ImGui::BeginChild("tiles");
+            tiles(ui);
+            ImGui::EndChild();
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,237 @@
+#include "view/window/panels/find_bar.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+/// What the keys act on; null if no text is shown.
+EditedFile* shownFile(Ui& ui) {
+    if (ui.sourceState.file.empty()) return nullptr;
+    const auto found = ui.shared.sources.find(ui.source.chosen);
+    return found == ui.shared.sources.end() ? nullptr : &found->second;
+}
+
+CodeView& shownView(Ui& ui) {
+    return ui.source.views[ui.source.chosen];
+}
+
+/// Shows the place that is chosen; selects it if the text has the keyboard.
+void show(FindBar& bar, CodeView& view) {
+    if (bar.shown >= bar.found.size()) return;
+    const TextRange& range = bar.found[bar.shown];
+    bar.from = range.begin;
+    if (view.isActive)
+        view.select = range;
+    else
+        view.reveal = range.begin;
+}
+
+void step(FindBar& bar, CodeView& view, bool backwards) {
+    if (bar.found.empty()) return;
+    // In the text it goes from the cursor, in the bar from the place that is shown.
+    const bool isSelected = view.selection.begin != view.selection.end;
+    std::size_t at = bar.from;
+    if (view.isActive) at = view.selection.begin;
+    const bool standsOnOne = !view.isActive || isSelected;
+    bar.shown = backwards ? previousFound(bar.found, at) : nextFound(bar.found, at + (standsOnOne ? 1 : 0));
+    show(bar, view);
+}
+
+void look(FindBar& bar, const std::string& text, CodeView& view) {
+    const TextSearch search{bar.words.data(), bar.matchesCase, bar.wholeWords};
+    const bool isNew = search.words != bar.search.words || search.matchesCase != bar.search.matchesCase ||
+                       search.wholeWords != bar.search.wholeWords;
+    bar.search = search;
+    bar.found = findAll(text, search);
+    if (view.isActive) bar.from = view.selection.begin;
+    bar.shown = nextFound(bar.found, bar.from);
+    if (isNew) show(bar, view);
+}
+
+void replaceOne(FindBar& bar, const EditedFile& file, CodeView& view) {
+    if (bar.shown >= bar.found.size()) return;
+    const TextRange range = bar.found[bar.shown];
+    view.newText = replaced(file.text(), {range}, bar.by.data());
+    bar.from = range.begin + std::string_view(bar.by.data()).size();
+    bar.found = findAll(*view.newText, bar.search);
+    bar.shown = nextFound(bar.found, bar.from);
+    show(bar, view);
+}
+
+void replaceAll(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
+    file.history().endStep();
+    view.newText = replaced(file.text(), bar.found, bar.by.data());
+    ui.notice = fmt::format("{} place{} replaced", bar.found.size(), bar.found.size() == 1 ? "" : "s");
+}
+
+bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* help) {
+    const bool wasOn = on;
+    if (wasOn) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool isPressed = ImGui::Button(label);
+    if (wasOn) ImGui::PopStyleColor();
+    mark(ui, name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    if (isPressed) on = !on;
+    ImGui::SameLine();
+    return isPressed;
+}
+
+/// An entry that keeps the keyboard when Enter is pressed. True then.
+bool entry(Ui& ui, const char* hint, std::array<char, 256>& text, bool focus, float width, const char* name) {
+    ImGui::SetNextItemWidth(width);
+    if (focus) ImGui::SetKeyboardFocusHere();
+    const std::string label = fmt::format("##{}", name);
+    const bool isEntered =
+        ImGui::InputTextWithHint(label.c_str(), hint, text.data(), text.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    mark(ui, name);
+    if (isEntered) ImGui::SetKeyboardFocusHere(-1);
+    ImGui::SameLine();
+    return isEntered;
+}
+
+float widthWithout(const Ui& ui, const char* buttons, int count) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float used = ImGui::CalcTextSize(buttons).x +
+                       static_cast<float>(count) * (2 * style.FramePadding.x + style.ItemSpacing.x);
+    return std::max(70 * ui.scale, ImGui::GetContentRegionAvail().x - used);
+}
+
+void findRow(Ui& ui, FindBar& bar, CodeView& view) {
+    const float width = widthWithout(ui, "AaW0000 of 0000<>x", 6);
+    const bool isEntered =
+        entry(ui, "find", bar.words, std::exchange(bar.focus, false), width, "source/find");
+    toggle(ui, "Aa", bar.matchesCase, "source/find/case", "Capital letters matter");
+    toggle(ui, "W", bar.wholeWords, "source/find/whole", "Whole words only");
+    bool forward = isEntered && !ImGui::GetIO().KeyShift;
+    bool backwards = isEntered && ImGui::GetIO().KeyShift;
+    backwards = ImGui::Button("<") || backwards;
+    mark(ui, "source/find/previous");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shift+F3");
+    ImGui::SameLine();
+    forward = ImGui::Button(">") || forward;
+    mark(ui, "source/find/next");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("F3");
+    ImGui::SameLine();
+    if (forward || backwards) step(bar, view, backwards);
+    if (ImGui::Button("x")) bar.isOpen = false;
+    mark(ui, "source/find/close");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Esc");
+    ImGui::SameLine();
+    if (bar.found.empty())
+        ImGui::TextDisabled(bar.search.words.empty() ? "" : "none");
+    else
+        ImGui::TextDisabled("%zu of %zu", bar.shown + 1, bar.found.size());
+}
+
+void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
+    const bool isEntered =
+        entry(ui, "replace by", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
+    ImGui::BeginDisabled(bar.found.empty() || !file.whyReadOnly().empty());
+    const bool isPressed = ImGui::Button("Replace");
+    mark(ui, "source/find/replace");
+    ImGui::SameLine();
+    const bool isAll = ImGui::Button("All");
+    ImGui::EndDisabled();
+    mark(ui, "source/find/all");
+    if (bar.found.empty() || !file.whyReadOnly().empty()) return;
+    if (isEntered || isPressed) replaceOne(bar, file, view);
+    if (isAll) replaceAll(ui, bar, file, view);
+}
+
+void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
+    if (std::exchange(bar.focus, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(90 * ui.scale);
+    ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
+    const bool isEntered =
+        ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+                                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
+    markField(ui, "source/line", "go to line");
+    if (!isEntered) return;
+    view.goTo = std::max(1, bar.line);
+    bar.asksLine = false;
+}
+
+}  // namespace
+
+void findBar(Ui& ui, EditedFile& file, CodeView& view) {
+    FindBar& bar = ui.source.find;
+    if (bar.asksLine) return lineRow(ui, bar, view);
+    if (!bar.isOpen) {
+        bar.found.clear();
+        return;
+    }
+    look(bar, file.text(), view);
+    findRow(ui, bar, view);
+    if (bar.replaces) replaceRow(ui, bar, file, view);
+}
+
+void openFind(Ui& ui, bool replaces) {
+    ui.settings.showSource = true;
+    FindBar& bar = ui.source.find;
+    bar.isOpen = bar.focus = true;
+    bar.asksLine = false;
+    bar.replaces = replaces;
+    const EditedFile* file = shownFile(ui);
+    if (!file) return;
+    const CodeView& view = shownView(ui);
+    const TextRange& selected = view.selection;
+    bar.from = selected.begin;
+    if (!view.isActive || selected.begin == selected.end || selected.end > file->text().size()) return;
+    const std::string words = file->text().substr(selected.begin, selected.end - selected.begin);
+    if (words.size() < bar.words.size() && words.find('\n') == std::string::npos)
+        bar.words[words.copy(bar.words.data(), bar.words.size() - 1)] = 0;
+}
+
+void askLine(Ui& ui) {
+    if (!shownFile(ui)) return;
+    FindBar& bar = ui.source.find;
+    bar.asksLine = bar.focus = true;
+    bar.line = shownView(ui).line;
+}
+
+void findAgain(Ui& ui, bool backwards) {
+    const EditedFile* file = shownFile(ui);
+    if (!file) return;
+    FindBar& bar = ui.source.find;
+    if (bar.words[0] == 0) return openFind(ui, false);
+    CodeView& view = shownView(ui);
+    bar.isOpen = true;
+    bar.search = {bar.words.data(), bar.matchesCase, bar.wholeWords};
+    bar.found = findAll(file->text(), bar.search);
+    step(bar, view, backwards);
+}
+
+bool closeFind(Ui& ui) {
+    FindBar& bar = ui.source.find;
+    if (!shownFile(ui) || (!bar.isOpen && !bar.asksLine)) return false;
+    const bool isSearch = bar.isOpen && !bar.asksLine;
+    CodeView& view = shownView(ui);
+    if (bar.asksLine)
+        bar.asksLine = false;
+    else
+        bar.isOpen = false;
+    if (!view.isActive)
+        view.select = isSearch && bar.shown < bar.found.size() ? bar.found[bar.shown] : view.selection;
+    return true;
+}
+
+void undoTyping(Ui& ui, bool again) {
+    EditedFile* file = shownFile(ui);
+    if (!file || !ui.sourceState.isActive || !file->whyReadOnly().empty()) return;
+    TextHistory& history = file->history();
+    if (again ? !history.canRedo() : !history.canUndo()) return;
+    const TextHistory::State state = again ? history.redo() : history.undo();
+    CodeView& view = shownView(ui);
+    view.newText = state.text;
+    view.select = TextRange{state.cursor, state.cursor};
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,137 @@
+// The graph in the noise window: the curve over one period, its points, and the chosen point's gradient, to
+// be dragged.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "view/window/panels/noise_window.h"
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr float kReachPixels = 9;     ///< how near the mouse has to be to take hold of something
+constexpr double kTangentCells = .3;  ///< from the point to either end of its gradient's line
+constexpr double kSteepest = 8;       ///< gradients that can be dragged, height a cell
+
+/// Where the graph stands on the screen.
+struct Frame {
+    const noise::GraphOptions& options;
+    ImVec2 at, size;
+    double range;
+
+    [[nodiscard]] ImVec2 screen(double x, double value) const {
+        const double low = options.turbulence ? 0 : -range;
+        return {at.x + static_cast<float>(x / options.cells) * size.x,
+                at.y + static_cast<float>(1 - (value - low) / (range - low)) * size.y};
+    }
+    [[nodiscard]] double cellOf(float x) const {
+        return static_cast<double>(x - at.x) / static_cast<double>(size.x) * options.cells;
+    }
+    [[nodiscard]] double valueOf(float y) const {
+        const double low = options.turbulence ? 0 : -range;
+        return low + (1 - static_cast<double>(y - at.y) / static_cast<double>(size.y)) * (range - low);
+    }
+};
+
+float distance(const ImVec2& a, const ImVec2& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+bool hasGradients(const noise::GraphOptions& options) {
+    return options.lattice != noise::Lattice::value;
+}
+bool hasHeights(const noise::GraphOptions& options) {
+    return options.lattice != noise::Lattice::gradient;
+}
+
+/// One end of the line that shows the chosen point's gradient: on the right, or on the left of the last
+/// point.
+ImVec2 tangentEnd(const Frame& frame, int point, double side) {
+    const double gradient = noise::graphPoint(frame.options, point).gradient;
+    return frame.screen(point + side * kTangentCells,
+                        noise::graphNoise(frame.options, point) + side * kTangentCells * gradient);
+}
+
+void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
+    window.drag = NoiseWindow::Drag::none;
+    if (hasGradients(frame.options) &&
+        (distance(mouse, tangentEnd(frame, window.chosen, 1)) < kReachPixels ||
+         distance(mouse, tangentEnd(frame, window.chosen, -1)) < kReachPixels)) {
+        window.drag = NoiseWindow::Drag::gradient;
+        return;
+    }
+    // The last point of the period is the first.
+    const int nearest = static_cast<int>(std::lround(frame.cellOf(mouse.x)));
+    window.chosen = ((nearest % frame.options.cells) + frame.options.cells) % frame.options.cells;
+    const ImVec2 point = frame.screen(nearest, noise::graphNoise(frame.options, nearest));
+    if (hasHeights(frame.options) && distance(mouse, point) < kReachPixels)
+        window.drag = NoiseWindow::Drag::height;
+}
+
+void pull(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
+    noise::GraphOptions& options = window.noise.options;
+    if (window.drag == NoiseWindow::Drag::height) {
+        const double change = frame.valueOf(mouse.y) - frame.valueOf(mouse.y - moved.y);
+        const double height = noise::graphPoint(options, window.chosen).height;
+        options.heights[window.chosen] =
+            std::clamp(height + (options.turbulence && height < 0 ? -change : change), -1.0, 1.0);
+    } else if (window.drag == NoiseWindow::Drag::gradient) {
+        const double across = frame.cellOf(mouse.x) - window.chosen;
+        if (std::abs(across) < kTangentCells / 4) return;
+        const double rise = frame.valueOf(mouse.y) - noise::graphNoise(options, window.chosen);
+        options.gradients[window.chosen] = std::clamp(rise / across, -kSteepest, kSteepest);
+    }
+}
+
+void draw(const NoiseWindow& window, const Frame& frame, ImDrawList& list) {
+    const noise::GraphOptions& options = frame.options;
+    list.AddRectFilled(frame.at, {frame.at.x + frame.size.x, frame.at.y + frame.size.y},
+                       IM_COL32(250, 250, 250, 255));
+    list.PushClipRect(frame.at, {frame.at.x + frame.size.x, frame.at.y + frame.size.y}, true);
+    const ImVec2 zero = frame.screen(0, 0);
+    list.AddLine({frame.at.x, zero.y}, {frame.at.x + frame.size.x, zero.y}, IM_COL32(150, 150, 150, 255));
+    std::vector<ImVec2> curve;
+    for (int column = 0; column <= static_cast<int>(frame.size.x); ++column) {
+        const double cell = frame.cellOf(frame.at.x + static_cast<float>(column));
+        curve.push_back(frame.screen(cell, noise::graphNoise(options, cell)));
+    }
+    list.AddPolyline(curve.data(), static_cast<int>(curve.size()), IM_COL32(31, 78, 156, 255), 0, 2);
+    if (hasGradients(options))
+        list.AddLine(tangentEnd(frame, window.chosen, -1), tangentEnd(frame, window.chosen, 1),
+                     IM_COL32(30, 150, 60, 255), 2);
+    for (int i = 0; i <= options.cells; ++i) {
+        const bool isChosen = i % options.cells == window.chosen;
+        list.AddCircleFilled(frame.screen(i, noise::graphNoise(options, i)), isChosen ? 6 : 4,
+                             isChosen ? IM_COL32(30, 150, 60, 255) : IM_COL32(204, 51, 51, 255));
+    }
+    if (hasGradients(options))
+        for (const double side : {-1.0, 1.0})
+            list.AddCircleFilled(tangentEnd(frame, window.chosen, side), 4, IM_COL32(30, 150, 60, 255));
+    list.PopClipRect();
+}
+
+}  // namespace
+
+void noiseGraph(Ui& ui, float width, float height) {
+    NoiseWindow& window = ui.shared.noise;
+    ImGui::InvisibleButton("graph", {width, height});
+    mark(ui, "noise/graph");
+    const Frame frame{window.noise.options,
+                      ImGui::GetItemRectMin(),
+                      {width, height},
+                      noise::graphRange(window.noise.options)};
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated()) {
+        take(window, frame, io.MousePos);
+    } else if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+        pull(window, frame, io.MousePos, io.MouseDelta);
+    }
+    if (!ImGui::IsItemActive()) window.drag = NoiseWindow::Drag::none;
+    draw(window, frame, *ImGui::GetWindowDrawList());
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,196 @@
+#include "view/window/panels/noise_window.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr int kPictureSide = 160;  ///< pixels of the picture in the window
+constexpr float kPanelWidth = 300;
+
+template <std::size_t N, class Enumerator>
+void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, Enumerator& value) {
+    if (!ImGui::BeginCombo(label, words.at(static_cast<std::size_t>(value)))) {
+        markField(ui, fmt::format("noise/{}", label), label);
+        return;
+    }
+    markField(ui, fmt::format("noise/{}", label), label);
+    for (std::size_t i = 0; i < N; ++i) {
+        if (ImGui::Selectable(words.at(i), static_cast<std::size_t>(value) == i))
+            value = static_cast<Enumerator>(i);
+        mark(ui, "noise/{}/{}", label, words.at(i));
+    }
+    ImGui::EndCombo();
+}
+
+void functionControls(Ui& ui) {
+    noise::GraphOptions& options = ui.shared.noise.noise.options;
+    choice(ui, "Lattice", kLatticeWords, options.lattice);
+    choice(ui, "Smoothness", kSmoothnessWords, options.smoothness);
+    ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
+    choice(ui, "Gradients", kSlopesWords, options.slopes);
+    ImGui::EndDisabled();
+    ImGui::SliderInt("Octaves", &options.octaves, 1, noise::kMostGraphOctaves, "%d",
+                     ImGuiSliderFlags_AlwaysClamp);
+    markField(ui, "noise/Octaves", "Octaves");
+    constexpr int kMostShownPoints = 64;
+    if (ImGui::SliderInt("Points", &options.cells, 2, kMostShownPoints, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+        const auto isGone = [&](const auto& each) { return each.first >= options.cells; };
+        std::erase_if(options.heights, isGone);
+        std::erase_if(options.gradients, isGone);
+        std::erase_if(options.curvatures, isGone);
+        ui.shared.noise.chosen = std::min(ui.shared.noise.chosen, options.cells - 1);
+    }
+    markField(ui, "noise/Points", "Points");
+    ImGui::Checkbox("Turbulence", &options.turbulence);
+    mark(ui, "noise/Turbulence");
+    ImGui::SameLine();
+    if (ImGui::Button("Other random numbers")) ++options.seed;
+    mark(ui, "noise/Seed");
+}
+
+void pointSlider(Ui& ui, const char* label, double value, double limit, std::map<int, double>& values) {
+    auto shown = static_cast<float>(value);
+    const auto most = static_cast<float>(limit);
+    if (ImGui::SliderFloat(label, &shown, -most, most, "%.3f")) values[ui.shared.noise.chosen] = shown;
+    markField(ui, fmt::format("noise/{}", label), label);
+}
+
+void pointControls(Ui& ui) {
+    NoiseWindow& window = ui.shared.noise;
+    noise::GraphOptions& options = window.noise.options;
+    const noise::GraphPoint point = noise::graphPoint(options, window.chosen);
+    ImGui::Text("Point %d", window.chosen);
+    ImGui::BeginDisabled(options.lattice == noise::Lattice::gradient);
+    pointSlider(ui, "Height", point.height, 1, options.heights);
+    ImGui::EndDisabled();
+    ImGui::BeginDisabled(options.lattice == noise::Lattice::value);
+    constexpr double kSteepest = 8;
+    pointSlider(ui, "Gradient", point.gradient, kSteepest, options.gradients);
+    ImGui::EndDisabled();
+    ImGui::BeginDisabled(options.smoothness == noise::Smoothness::cubic);
+    constexpr double kMostCurved = 40;
+    pointSlider(ui, "Curvature", point.curvature, kMostCurved, options.curvatures);
+    ImGui::EndDisabled();
+    if (ImGui::Button("Reset point")) {
+        options.heights.erase(window.chosen);
+        options.gradients.erase(window.chosen);
+        options.curvatures.erase(window.chosen);
+    }
+    mark(ui, "noise/ResetPoint");
+    ImGui::SameLine();
+    if (ImGui::Button("Reset all")) {
+        options.heights.clear();
+        options.gradients.clear();
+        options.curvatures.clear();
+    }
+    mark(ui, "noise/ResetAll");
+}
+
+void write(NoiseWindow& window, int dimensions) {
+    window.noise.options.dimensions = dimensions;
+    window.noise.width = std::clamp(window.noise.width, 1, 16384);
+    window.noise.height = std::clamp(window.noise.height, 1, 16384);
+    const std::string file = window.file.data();
+    if (dimensions == 2 && endingOf(file) == ".svg") {
+        window.message = "an SVG file holds a graph; choose another ending";
+        window.failed = true;
+        return;
+    }
+    const Diagnostics problems = writeNoise(window.noise, file);
+    window.failed = hasError(problems);
+    window.message = problems.empty() ? "written: " + file : problems.front().text;
+}
+
+void fileControls(Ui& ui) {
+    NoiseWindow& window = ui.shared.noise;
+    ImGui::InputText("File", window.file.data(), window.file.size());
+    markField(ui, "noise/File", "File");
+    std::array<int, 2> size{window.noise.width, window.noise.height};
+    if (ImGui::InputInt2("Size", size.data())) {
+        window.noise.width = std::clamp(size[0], 1, 16384);
+        window.noise.height = std::clamp(size[1], 1, 16384);
+    }
+    markField(ui, "noise/Size", "Size");
+    if (ImGui::Button("Write graph")) write(window, 1);
+    mark(ui, "noise/WriteGraph");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png or .svg, or .tex: a raw texture of one dimension");
+    ImGui::SameLine();
+    if (ImGui::Button("Write picture")) write(window, 2);
+    mark(ui, "noise/WritePicture");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png, or .tex: a raw texture of two dimensions");
+    if (ImGui::Button("Copy command"))
+        ImGui::SetClipboardText(noiseCommand(window.noise, window.file.data()).c_str());
+    mark(ui, "noise/Copy");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The command that writes the same as the button pressed last");
+    if (window.failed)
+        ImGui::TextColored({1, .45F, .4F, 1}, "%s", window.message.c_str());
+    else
+        ImGui::TextDisabled("%s", window.message.c_str());
+}
+
+/// The coloured noise, drawn again only when something changed.
+void picture(Ui& ui, float side) {
+    NoiseWindow& window = ui.shared.noise;
+    noise::GraphOptions plane = window.noise.options;
+    plane.dimensions = 2;
+    if (!window.picture || window.drawn != plane || window.drawnColors != window.noise.colors) {
+        const std::vector<std::uint8_t> pixels =
+            noise::noisePixels(plane, window.noise.colors, kPictureSide, kPictureSide);
+        Result<gpu::Texture> made = gpu::Texture::create(
+            ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+            {kPictureSide, kPictureSide, 1}, {std::as_bytes(std::span(pixels)), 3});
+        window.picture = std::move(made.value);
+        window.drawn = plane;
+        window.drawnColors = window.noise.colors;
+        if (window.picture) {
+            glBindTexture(GL_TEXTURE_2D, window.picture->id());
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        }
+    }
+    if (!window.picture) return;
+    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(window.picture->id())), {side, side});
+    mark(ui, "noise/picture");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Two dimensions; the lower edge is the graph");
+}
+
+}  // namespace
+
+void noiseWindow(Ui& ui) {
+    if (!ui.shared.noise.isOpen) return;
+    placeFloating(ui, 40, 30, 820, 560);
+    if (ImGui::Begin("Noise", &ui.shared.noise.isOpen, ImGuiWindowFlags_NoCollapse)) {
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        const float panel = std::min(kPanelWidth * ui.scale, room.x / 2);
+        ImGui::BeginChild("noise graphs", {room.x - panel - 8, 0});
+        const float side = std::max(16.F, std::min(room.x - panel - 8, room.y / 2));
+        noiseGraph(ui, std::max(16.F, room.x - panel - 8), std::max(16.F, room.y - side - 8));
+        picture(ui, side);
+        ImGui::EndChild();
+        ImGui::SameLine();
+        ImGui::BeginChild("noise controls");
+        ImGui::PushItemWidth(-ImGui::CalcTextSize("Smoothness ").x);
+        functionControls(ui);
+        ImGui::Separator();
+        pointControls(ui);
+        ImGui::Separator();
+        choice(ui, "Colours", kColorWords, ui.shared.noise.noise.colors);
+        fileControls(ui);
+        ImGui::PopItemWidth();
+        ImGui::EndChild();
+    }
+    ImGui::End();
+}
+
+}  // namespace glibra::view

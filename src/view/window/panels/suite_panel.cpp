@@ -1,0 +1,80 @@
+// The present state as a shot of a suite.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "view/export/suite_shot.h"
+#include "view/window/ui.h"
+
+namespace glibra::view {
+namespace {
+
+template <std::size_t size>
+void put(std::array<char, size>& field, std::string_view text) {
+    field[text.copy(field.data(), size - 1)] = 0;
+}
+
+/// A suite of the scene's own folder, and a name that it does not have yet.
+void propose(Ui& ui) {
+    SuiteEntries& entries = ui.suite;
+    if (entries.scene == ui.session.path()) return;
+    entries.scene = ui.session.path();
+    entries.message.clear();
+    put(entries.file, (ui.session.path().parent_path() / "pictures.toml").string());
+    put(entries.name, freeShotName(entries.file.data(), ui.session));
+}
+
+void append(Ui& ui) {
+    SuiteEntries& entries = ui.suite;
+    const std::filesystem::path file = entries.file.data();
+    const std::string name = entries.name.data();
+    const Diagnostics problems = appendShot(file, name, ui.session);
+    entries.failed = !problems.empty();
+    entries.message = entries.failed ? toString(problems.front())
+                                     : fmt::format(
+                                           "'{}' is a shot of {} now; `glibra test --update` makes its "
+                                           "golden picture",
+                                           name, file.filename().string());
+    if (const std::string without = ui.session.onlyOnScreen(); !entries.failed && !without.empty())
+        entries.message += "; it shows the picture without " + without;
+    if (!entries.failed) put(entries.name, freeShotName(file, ui.session));
+}
+
+}  // namespace
+
+void suitePanel(Ui& ui) {
+    const bool isOpen = ImGui::CollapsingHeader("Suite shot");
+    mark(ui, "suite");
+    if (!isOpen) return;
+    SuiteEntries& entries = ui.suite;
+    propose(ui);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("Suite ").x);
+    ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
+    markField(ui, "suite/file", "Suite");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("A suite file for `glibra test`; it is made if it is not there\n%s",
+                          entries.file.data());
+    ImGui::InputText("Shot", entries.name.data(), entries.name.size());
+    markField(ui, "suite/name", "Shot");
+    ImGui::PopItemWidth();
+    ImGui::BeginDisabled(entries.file[0] == 0 || entries.name[0] == 0);
+    if (ImGui::Button("Add shot")) append(ui);
+    ImGui::EndDisabled();
+    mark(ui, "suite/add");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("Values, time, view and size (%d x %d) as they are now", ui.session.width(),
+                          ui.session.height());
+    ImGui::SameLine();
+    if (ImGui::Button("Copy as TOML"))
+        ImGui::SetClipboardText(shotText(ui.session, entries.name.data(),
+                                         std::filesystem::path(entries.file.data()).parent_path())
+                                    .c_str());
+    mark(ui, "suite/copy");
+    if (!entries.message.empty()) ImGui::TextWrapped("%s", entries.message.c_str());
+}
+
+}  // namespace glibra::view
