@@ -5,26 +5,52 @@
 
 #include "geometry/shapes/arrow.h"
 #include "geometry/shapes/box.h"
+#include "geometry/shapes/capsule.h"
 #include "geometry/shapes/clouds.h"
 #include "geometry/shapes/cone.h"
 #include "geometry/shapes/cylinder.h"
 #include "geometry/shapes/disk.h"
 #include "geometry/shapes/primitive.h"
+#include "geometry/shapes/pyramid.h"
 #include "geometry/shapes/quads.h"
 #include "geometry/shapes/soccerball.h"
 #include "geometry/shapes/sphere.h"
 #include "geometry/shapes/teapot.h"
+#include "geometry/shapes/tetrahedron.h"
 #include "geometry/shapes/torus.h"
 
 namespace glibra::geometry {
 namespace {
 
+// clang-format off
 constexpr const PrimitiveSpec* kPrimitives[] = {
-    &kBoxRow,        &kSphereRow,     &kCylinderRow,    &kConeRow,       &kTorusRow,     &kTeapotRow,
-    &kSoccerballRow, &kDiskXYRow,     &kQuadXYRow,      &kQuadXZRow,     &kQuadYZRow,    &kQuadBoxRow,
-    &kXarrowRow,     &kPointCloudRow, &kJitterCloudRow, &kWireSphereRow, &kWireTorusRow, &kWireCylinderRow,
-    &kWireConeRow,   &kWireCubeRow,   &kWireBoxRow,     &kWireTeapotRow,
+    &kBoxRow,
+    &kSphereRow,
+    &kCylinderRow,
+    &kConeRow,
+    &kTorusRow,
+    &kTeapotRow,
+    &kSoccerballRow,
+    &kDiskXYRow,
+    &kQuadXYRow,
+    &kQuadXZRow,
+    &kQuadYZRow,
+    &kQuadBoxRow,
+    &kXarrowRow,
+    &kPointCloudRow,
+    &kJitterCloudRow,
+    &kWireSphereRow,
+    &kWireTorusRow,
+    &kWireCylinderRow,
+    &kWireConeRow,
+    &kWireCubeRow,
+    &kWireBoxRow,
+    &kWireTeapotRow,
+    &kCapsuleRow,
+    &kPyramidRow,
+    &kTetrahedronRow,
 };
+// clang-format on
 
 double complete(const ShapeArgument& argument, double given) {
     switch (argument.kind) {
