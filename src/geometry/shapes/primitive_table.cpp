@@ -10,6 +10,7 @@
 #include "geometry/shapes/cone.h"
 #include "geometry/shapes/cylinder.h"
 #include "geometry/shapes/disk.h"
+#include "geometry/shapes/half_sphere.h"
 #include "geometry/shapes/primitive.h"
 #include "geometry/shapes/pyramid.h"
 #include "geometry/shapes/quads.h"
@@ -49,6 +50,7 @@ constexpr const PrimitiveSpec* kPrimitives[] = {
     &kCapsuleRow,
     &kPyramidRow,
     &kTetrahedronRow,
+    &kHalfSphereRow,
 };
 // clang-format on
 
