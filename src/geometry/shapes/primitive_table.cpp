@@ -11,6 +11,7 @@
 #include "geometry/shapes/cylinder.h"
 #include "geometry/shapes/disk.h"
 #include "geometry/shapes/half_sphere.h"
+#include "geometry/shapes/plane.h"
 #include "geometry/shapes/primitive.h"
 #include "geometry/shapes/pyramid.h"
 #include "geometry/shapes/quads.h"
@@ -51,6 +52,7 @@ constexpr const PrimitiveSpec* kPrimitives[] = {
     &kPyramidRow,
     &kTetrahedronRow,
     &kHalfSphereRow,
+    &kPlaneRow,
 };
 // clang-format on
 
