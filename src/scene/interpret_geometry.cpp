@@ -135,7 +135,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
                 : fmt::format("program '{}'",
                               in.scene.programs[static_cast<std::size_t>(state.program)].name);
         in.report(
-            note("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
+            diagnose("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
     }
     currentPass(in).steps.emplace_back(std::move(made));
 }

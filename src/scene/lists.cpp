@@ -131,7 +131,7 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
 }
 
 void checkList(Interpreter& in) {
-    if (in.list) in.report(error("glib-E07", "glBegin without glEnd", in.list->place));
+    if (in.list) in.report(diagnose("glib-E07", "glBegin without glEnd", in.list->place));
 }
 
 }  // namespace glibra::scene
