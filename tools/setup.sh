@@ -3,7 +3,7 @@
 
 # What building and running needs.
 build_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
- nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libisal-dev libspng-dev libxxhash-dev libopenimageio-dev libegl1
+ nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libopenimageio-dev libegl1
  libegl-mesa0 libgl1-mesa-dri libosmesa6 libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libboost-dev"
 # What testing needs besides.
 test_packages="libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev glslang-tools clang-format clang-tidy python3
