@@ -15,6 +15,7 @@
 #include "bench/report/html_report.h"
 #include "bench/report/json_report.h"
 #include "bench/report/text_report.h"
+#include "bench/subjects/subjects.h"
 #include "cli/commands.h"
 #include "glib/suggest.h"
 #include "image/file.h"
@@ -71,7 +72,7 @@ Diagnostics writeText(const std::filesystem::path& file, const std::string& text
 
 /// Writes the files of --csv, --json and --html, and the three files of -o.
 Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
-                       const Comparison* comparison) {
+                       const RunComparison* comparison) {
     Diagnostics problems;
     const std::filesystem::path folder = arguments.folder;
     if (!folder.empty()) {
@@ -120,7 +121,7 @@ int measure(const MeasureArguments& arguments) {
         fmt::print("\n{}", textReport(each));
         append(problems, each.diagnostics);
     }
-    std::optional<Comparison> comparison;
+    std::optional<RunComparison> comparison;
     if (earlier) {
         comparison = compare(*earlier, report, arguments.comparison);
         fmt::print("\nagainst {}\n{}", arguments.against, comparisonText(*comparison));
