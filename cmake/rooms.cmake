@@ -36,7 +36,7 @@ function(glibra_room room)
     cmake_parse_arguments(arg "" "" "ROOMS;LINK" ${ARGN})
     # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/src/${room}/((module|window)/|main\\.cpp$)")
+    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
     set(rooms ${arg_ROOMS})
     list(TRANSFORM rooms PREPEND glibra_)
 
