@@ -1,4 +1,4 @@
-#include "glsl/rules/builtins.h"
+#include "glsl/program/builtins.h"
 
 #include <algorithm>
 #include <array>
