@@ -2,7 +2,8 @@
 """Checks that no include runs upward.
 
 The rooms and their order are declared in CMakeLists.txt and cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
-itself, the rooms that it names, and the rooms that those name. The command line (cli) may include every room. Inside glsl the sub-folders have an order of their own. Prints
+itself, the rooms that it names, and the rooms that those name. Programs (src/cli and a room's folder program) may
+include every room and the command line, and no room may include them. Inside glsl the sub-folders have an order of their own. Prints
 each include that breaks the order, as file:line, and exits with status 1 if there is one.
 
     tools/layers.py
@@ -17,13 +18,13 @@ SOURCE = ROOT / "src"
 
 # The sub-folders of glsl: what each may include besides itself. "" holds the contract, glsl/translate.h.
 GLSL = {
-    "program": set(),
-    "read": {"program"},
-    "parse": {"program", "read"},
-    "rules": {"program", "read", "parse"},
-    "facts": {"program", "read", "parse"},
-    "emit": {"program", "read", "parse", "rules", "facts"},
-    "": {"program", "read", "parse", "rules", "facts", "emit"},
+    "types": set(),
+    "read": {"types"},
+    "parse": {"types", "read"},
+    "rules": {"types", "read", "parse"},
+    "facts": {"types", "read", "parse"},
+    "emit": {"types", "read", "parse", "rules", "facts"},
+    "": {"types", "read", "parse", "rules", "facts", "emit"},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
@@ -42,8 +43,12 @@ def declared_rooms():
                 if each not in rooms:
                     sys.exit(f"{file.name}: room {words[0]} names {each}, which is not declared before it")
             rooms[words[0]] = set(named).union(*(rooms[each] for each in named))
-    rooms["cli"] = set(rooms)
     return rooms
+
+
+def is_program(path):
+    """True for files that belong to a program rather than to a room."""
+    return path.parts[0] == "cli" or path.parts[1] == "program"
 
 
 def includes():
@@ -66,6 +71,10 @@ def problem_of(file, included, rooms):
     """What is wrong with an include, or None."""
     if not (SOURCE / included).is_file():
         return None  # another project's, or generated
+    if is_program(file):
+        return None
+    if is_program(included):
+        return "no room may include a program"
     room, other = file.parts[0], included.parts[0]
     if room not in rooms:
         return f"room {room} is not declared with glibra_room()"

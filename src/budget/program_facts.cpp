@@ -1,7 +1,7 @@
 #include "budget/program_facts.h"
 
 #include "geometry/mesh.h"
-#include "glsl/program/builtins.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::budget {
 

@@ -2,8 +2,8 @@
 // Translates GLSL dialects (1.10 to 4.60, core, compatibility, EXT_geometry_shader4, GSTAP names) to one core
 // version (language, 7). It needs no GL.
 
-#include "glsl/program/request.h"
-#include "glsl/program/translated_program.h"
+#include "glsl/types/request.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "glsl/program/builtins.h"
+#include "glsl/types/builtins.h"
 #include "plan/program_interface.h"
 
 namespace glibra::plan {

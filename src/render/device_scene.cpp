@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "glsl/program/builtins.h"
+#include "glsl/types/builtins.h"
 #include "render/reuse.h"
 #include "scene/primitives.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "glsl/emit/emitted_lines.h"
-#include "glsl/program/request.h"
+#include "glsl/types/request.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "gpu/reflection.h"

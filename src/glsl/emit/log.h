@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "glsl/program/translated_program.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "glsl/program/translated_program.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

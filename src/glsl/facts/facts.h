@@ -1,6 +1,6 @@
 #pragma once
 // What the stages say about themselves, read from their tokens. Each fact is a field of the translation's
-// result (program/translated_program.h) and has a file of its own. A search that is not sure gives up rather
+// result (types/translated_program.h) and has a file of its own. A search that is not sure gives up rather
 // than guesses.
 
 #include <set>

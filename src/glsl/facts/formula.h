@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "glsl/parse/unit.h"
-#include "glsl/program/counted_loop.h"
+#include "glsl/types/counted_loop.h"
 
 namespace glibra::glsl {
 

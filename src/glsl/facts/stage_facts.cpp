@@ -6,8 +6,8 @@
 #include <unordered_set>
 
 #include "glsl/facts/facts.h"
-#include "glsl/program/builtins.h"
 #include "glsl/read/words.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {

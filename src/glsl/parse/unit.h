@@ -11,10 +11,10 @@
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/syntax.h"
 #include "glsl/parse/variables.h"
-#include "glsl/program/request.h"
-#include "glsl/program/translated_program.h"
 #include "glsl/read/report.h"
 #include "glsl/read/stage_text.h"
+#include "glsl/types/request.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

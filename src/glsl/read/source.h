@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "glsl/program/request.h"
 #include "glsl/read/report.h"
 #include "glsl/read/stage_text.h"
+#include "glsl/types/request.h"
 
 namespace glibra::glsl {
 

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/program/request.h"
 #include "glsl/read/edits.h"
 #include "glsl/read/macros.h"
 #include "glsl/read/token.h"
 #include "glsl/read/version.h"
+#include "glsl/types/request.h"
 
 namespace glibra::glsl {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "glsl/program/builtins.h"
 #include "glsl/read/words.h"
 #include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {

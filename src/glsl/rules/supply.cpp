@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "glsl/program/builtins.h"
 #include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {

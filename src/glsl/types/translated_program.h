@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "glsl/program/counted_loop.h"
-#include "glsl/program/stage.h"
+#include "glsl/types/counted_loop.h"
+#include "glsl/types/stage.h"
 
 namespace glibra::glsl {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/program/stage.h"
+#include "glsl/types/stage.h"
 
 namespace glibra::glsl {
 

@@ -1,4 +1,4 @@
-#include "glsl/program/counted_loop.h"
+#include "glsl/types/counted_loop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "glsl/program/builtins.h"
+#include "glsl/types/builtins.h"
 
 #include <algorithm>
 #include <array>
