@@ -1,5 +1,5 @@
 #pragma once
-// Changes to a stage's tokens. Line ends are never part of a change, so the line structure stays the user's.
+// Changes to a stage's tokens. A change never contains a line end, so the user's line structure stays.
 
 #include <string>
 #include <string_view>
@@ -11,9 +11,9 @@ namespace glibra::glsl {
 
 struct Edit {
     bool replaced = false;
-    std::string text;    ///< instead of the token, if `replaced`
-    std::string before;  ///< written in front of it
-    std::string after;   ///< written behind it
+    std::string text;    ///< in place of the token, if `replaced`
+    std::string before;  ///< written before the token
+    std::string after;   ///< written after the token
 };
 
 /// Edits of the tokens 0 ... n-1.
@@ -27,19 +27,14 @@ class Edits {
         edit.text = std::move(text);
     }
     void remove(std::uint32_t token) { replace(token, {}); }
-    /// In front of what is already in front: the outermost comes last.
+    /// Puts text before the token and before what is already there, so call it for the outermost text last.
     void before(std::uint32_t token, std::string_view text) { of(token).before.insert(0, text); }
-    /// Behind what is already behind.
+    /// Puts text after the token and after what is already there.
     void after(std::uint32_t token, std::string_view text) { of(token).after += text; }
 
     /// The edit of a token, or null.
     [[nodiscard]] const Edit* find(std::uint32_t token) const {
         return index_[token] < 0 ? nullptr : &edits_[static_cast<std::size_t>(index_[token])];
-    }
-    /// True if the token is gone.
-    [[nodiscard]] bool isRemoved(std::uint32_t token) const {
-        const Edit* edit = find(token);
-        return edit && edit->replaced && edit->text.empty();
     }
 
   private:

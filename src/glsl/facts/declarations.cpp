@@ -1,7 +1,8 @@
-#include "glsl/facts/facts.h"
+// What the stages declare: uniforms, texture bindings, vertex inputs and the names of all interfaces.
 
 #include <fmt/format.h>
 
+#include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/words.h"
 
@@ -44,7 +45,7 @@ void blockFacts(const Unit& unit, const Declaration& block, TranslatedProgram& r
 
 }  // namespace
 
-void collectFacts(ProgramUnits& program) {
+void collectDeclarations(ProgramUnits& program) {
     for (const Unit& unit : program.units) {
         for (const Variable& each : unit.variables) variableFacts(unit, each, *program.result);
         for (const Declaration& each : unit.syntax.declarations)

@@ -1,4 +1,4 @@
-#include "glsl/facts/counted_loop.h"
+#include "glsl/types/counted_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 namespace glibra::glsl {
 namespace {
 
-/// Mesa writes out loops of constant bounds up to this many rounds.
-constexpr double kWrittenOut = 32;
+/// Mesa unrolls loops with constant bounds up to this number of rounds.
+constexpr double kUnrolled = 32;
 constexpr double kMostRounds = 1e18;
 
 std::optional<double> applied(Operation operation, double a, double b) {
@@ -81,9 +81,9 @@ double totalRounds(const CountedLoop& loop, const UniformValue& uniform) {
     const double rounds = roundsOf(loop, uniform);
     double inside = 0;
     for (const CountedLoop& each : loop.inside) inside += totalRounds(each, uniform);
-    const bool isWrittenOut = inside == 0 && rounds <= kWrittenOut && isConstant(loop.first) &&
-                              isConstant(loop.bound) && isConstant(loop.step);
-    if (isWrittenOut) return 0;
+    const bool isUnrolled = inside == 0 && rounds <= kUnrolled && isConstant(loop.first) &&
+                            isConstant(loop.bound) && isConstant(loop.step);
+    if (isUnrolled) return 0;
     return std::min(kMostRounds, std::max(rounds * (1 + inside), inside));
 }
 

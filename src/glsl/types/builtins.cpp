@@ -1,4 +1,4 @@
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 
 #include <algorithm>
 #include <array>

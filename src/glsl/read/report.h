@@ -1,5 +1,5 @@
 #pragma once
-// Collects the messages of one translation: each text once a place, and a bounded number of them.
+// Collects the messages of one translation, up to a limit.
 
 #include <glibra/diagnostic.h>
 
@@ -17,7 +17,7 @@ class Report {
     void warning(std::string id, std::string text, Place place) {
         add({Severity::warning, std::move(id), std::move(text), std::move(place)});
     }
-    /// Once for `key`, however often it comes.
+    /// Reports it only the first time for this `key`.
     void warningOnce(const std::string& key, std::string id, std::string text, Place place) {
         if (seen_.insert(id + key).second) warning(std::move(id), std::move(text), std::move(place));
     }
@@ -30,7 +30,7 @@ class Report {
   private:
     void add(Diagnostic diagnostic) {
         const bool isError = diagnostic.severity == Severity::error;
-        // A source can hold a million mistakes of one kind; the first error is kept in any case.
+        // A source can contain a million mistakes of one kind. The first error is always kept.
         if (diagnostics_.size() < kMost || (isError && !failed_))
             diagnostics_.push_back(std::move(diagnostic));
         failed_ = failed_ || isError;
