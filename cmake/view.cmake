@@ -2,8 +2,8 @@
 # that the program glibra stays free of GLFW and ImGui.
 glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
 
-file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/shaders/*)
-glibra_embed(glibra_view_objects lens_shaders ${lens_shaders})
+file(GLOB debug_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/debug_view/shaders/*)
+glibra_embed(glibra_view_objects debug_shaders ${debug_shaders})
 
 pkg_check_modules(glfw IMPORTED_TARGET glfw3)
 pkg_check_modules(imgui IMPORTED_TARGET imgui)
