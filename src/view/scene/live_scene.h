@@ -5,7 +5,6 @@
 #include <glibra/render.h>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>

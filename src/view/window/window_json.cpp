@@ -93,7 +93,7 @@ void addPanels(Json& state, const Ui& ui) {
     state["suiteMessage"] = ui.suite.message;
     state["debugViewText"] = ui.debugViewText;
     if (const NoiseWindow& noise = ui.shared.noise; noise.isOpen)
-        state["noise"] = {{"command", noiseCommand(noise.noise, noise.file.data())},
+        state["noise"] = {{"command", noise::noiseCommand(noise.noise, noise.file.data())},
                           {"point", noise.chosen},
                           {"message", noise.message}};
     if (ui.cost) addCost(state, *ui.cost);

@@ -34,10 +34,10 @@ void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, 
 
 void functionControls(Ui& ui) {
     noise::GraphOptions& options = ui.shared.noise.noise.options;
-    choice(ui, "Lattice", kLatticeWords, options.lattice);
-    choice(ui, "Smoothness", kSmoothnessWords, options.smoothness);
+    choice(ui, "Lattice", noise::kLatticeWords, options.lattice);
+    choice(ui, "Smoothness", noise::kSmoothnessWords, options.smoothness);
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
-    choice(ui, "Gradients", kSlopesWords, options.slopes);
+    choice(ui, "Gradients", noise::kSlopesWords, options.slopes);
     ImGui::EndDisabled();
     ImGui::SliderInt("Octaves", &options.octaves, 1, noise::kMostGraphOctaves, "%d",
                      ImGuiSliderFlags_AlwaysClamp);
@@ -101,12 +101,12 @@ void write(NoiseWindow& window, int dimensions) {
     window.noise.width = std::clamp(window.noise.width, 1, 16384);
     window.noise.height = std::clamp(window.noise.height, 1, 16384);
     const std::string file = window.file.data();
-    if (dimensions == 2 && endingOf(file) == ".svg") {
+    if (dimensions == 2 && noise::endingOf(file) == ".svg") {
         window.message = "an SVG file can only hold a graph; choose .png or .tex";
         window.failed = true;
         return;
     }
-    const Diagnostics problems = writeNoise(window.noise, file);
+    const Diagnostics problems = noise::writeNoise(window.noise, file);
     window.failed = hasError(problems);
     window.message = problems.empty() ? "wrote " + file : problems.front().text;
 }
@@ -131,7 +131,7 @@ void fileControls(Ui& ui) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The file name ends in .png, or .tex for a raw two-dimensional texture");
     if (ImGui::Button("Copy command"))
-        ImGui::SetClipboardText(noiseCommand(window.noise, window.file.data()).c_str());
+        ImGui::SetClipboardText(noise::noiseCommand(window.noise, window.file.data()).c_str());
     mark(ui, "noise/Copy");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Copy the command line that writes the same file as the last button");
@@ -187,7 +187,7 @@ void noiseWindow(Ui& ui) {
         ImGui::Separator();
         pointControls(ui);
         ImGui::Separator();
-        choice(ui, "Colours", kColorWords, ui.shared.noise.noise.colors);
+        choice(ui, "Colours", noise::kColorWords, ui.shared.noise.noise.colors);
         fileControls(ui);
         ImGui::PopItemWidth();
         ImGui::EndChild();

@@ -1,4 +1,4 @@
-#include "bench/draw/pixel_filter.h"
+#include "bench/reference/pixel_filter.h"
 
 #include <algorithm>
 #include <cmath>

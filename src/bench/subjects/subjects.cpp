@@ -1,6 +1,7 @@
+#include "bench/subjects/subjects.h"
+
 #include <vector>
 
-#include "bench/core/subject.h"
 #include "bench/subjects/antialiasing.h"
 #include "bench/subjects/budget.h"
 #include "bench/subjects/builtins.h"

@@ -9,12 +9,12 @@
 
 #include "noise/graph.h"
 
-namespace glibra::view {
+namespace glibra::noise {
 
 struct NoiseFile {
-    noise::GraphOptions options;
-    noise::ColorScale colors = noise::ColorScale::grey;  ///< for two dimensions
-    int width = 600, height = 300;                       ///< pixels or texels, 1 to 16384
+    GraphOptions options;
+    ColorScale colors = ColorScale::grey;  ///< for two dimensions
+    int width = 600, height = 300;         ///< pixels or texels, 1 to 16384
 };
 
 /// The extension selects the content: .svg a graph, .tex a raw float texture, any other a picture of the
@@ -36,4 +36,4 @@ inline constexpr std::array<const char*, 2> kSmoothnessWords{"cubic", "quintic"}
 inline constexpr std::array<const char*, 2> kSlopesWords{"zero", "catmull-rom"};
 inline constexpr std::array<const char*, 4> kColorWords{"grey", "rainbow", "heated", "uniform"};
 
-}  // namespace glibra::view
+}  // namespace glibra::noise

@@ -1,4 +1,4 @@
-#include "bench/reference/patterns.h"
+#include "bench/draw/patterns.h"
 
 #include <array>
 #include <cmath>
