@@ -9,19 +9,19 @@ namespace glibra::view::test {
 namespace {
 
 /// The pieces that are not plain, as text: "keyword:in type:vec3".
-std::string shown(std::string_view line, Dialect dialect, bool& inComment) {
+std::string shown(std::string_view line, CodeLanguage language, bool& inComment) {
     constexpr std::array<const char*, 7> kNames{"plain",   "keyword",   "type",   "number",
                                                 "comment", "directive", "builtin"};
     std::string all;
-    for (const SyntaxPiece& each : syntaxOf(line, dialect, inComment))
+    for (const SyntaxPiece& each : syntaxOf(line, language, inComment))
         all += (all.empty() ? "" : " ") + std::string(kNames.at(static_cast<std::size_t>(each.kind))) + ":" +
                std::string(line.substr(each.begin, each.end - each.begin));
     return all;
 }
 
-std::string shown(std::string_view line, Dialect dialect = Dialect::glsl) {
+std::string shown(std::string_view line, CodeLanguage language = CodeLanguage::glsl) {
     bool inComment = false;
-    return shown(line, dialect, inComment);
+    return shown(line, language, inComment);
 }
 
 TEST(Syntax, KnowsTheWordsOfShaders) {
@@ -37,21 +37,21 @@ TEST(Syntax, KnowsTheWordsOfShaders) {
 
 TEST(Syntax, FollowsCommentsOverLines) {
     bool inComment = false;
-    EXPECT_EQ(shown("int a; /* one", Dialect::glsl, inComment), "type:int comment:/* one");
+    EXPECT_EQ(shown("int a; /* one", CodeLanguage::glsl, inComment), "type:int comment:/* one");
     EXPECT_TRUE(inComment);
-    EXPECT_EQ(shown("int b;", Dialect::glsl, inComment), "comment:int b;");
-    EXPECT_EQ(shown("two */ int c; /* three */ int", Dialect::glsl, inComment),
+    EXPECT_EQ(shown("int b;", CodeLanguage::glsl, inComment), "comment:int b;");
+    EXPECT_EQ(shown("two */ int c; /* three */ int", CodeLanguage::glsl, inComment),
               "comment:two */ type:int comment:/* three */ type:int");
     EXPECT_FALSE(inComment);
-    EXPECT_EQ(shown("/*/ still open", Dialect::glsl, inComment), "comment:/*/ still open");
+    EXPECT_EQ(shown("/*/ still open", CodeLanguage::glsl, inComment), "comment:/*/ still open");
     EXPECT_TRUE(inComment);
 }
 
 TEST(Syntax, KnowsTheCommandsOfScenes) {
-    EXPECT_EQ(shown("Sphere 1. -2 # a Sphere", Dialect::glib),
+    EXPECT_EQ(shown("Sphere 1. -2 # a Sphere", CodeLanguage::glib),
               "keyword:Sphere number:1. number:-2 comment:# a Sphere");
-    EXPECT_EQ(shown("  uKd <0. .5 1.>", Dialect::glib), "number:0. number:.5 number:1.");
-    EXPECT_EQ(shown("Vertex Sphere.vert", Dialect::glib), "keyword:Vertex");
+    EXPECT_EQ(shown("  uKd <0. .5 1.>", CodeLanguage::glib), "number:0. number:.5 number:1.");
+    EXPECT_EQ(shown("Vertex Sphere.vert", CodeLanguage::glib), "keyword:Vertex");
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ bool isType(std::string_view word) {
     return word == "samplerCube" || word == "samplerCubeShadow" || word == "imageCube";
 }
 
-SyntaxKind kindOf(std::string_view word, Dialect dialect, bool isFirst) {
-    if (dialect == Dialect::glib)
+SyntaxKind kindOf(std::string_view word, CodeLanguage language, bool isFirst) {
+    if (language == CodeLanguage::glib)
         return isFirst && glib::findCommand(word) ? SyntaxKind::keyword : SyntaxKind::plain;
     if (std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end()) return SyntaxKind::keyword;
     if (isType(word)) return SyntaxKind::type;
@@ -46,7 +46,7 @@ SyntaxKind kindOf(std::string_view word, Dialect dialect, bool isFirst) {
 
 class Scanner {
   public:
-    Scanner(std::string_view line, Dialect dialect) : line_(line), dialect_(dialect) {}
+    Scanner(std::string_view line, CodeLanguage language) : line_(line), language_(language) {}
 
     std::vector<SyntaxPiece> scan(bool& inComment) {
         if (inComment) comment(0, inComment);
@@ -75,16 +75,16 @@ class Scanner {
     void step(bool& inComment) {
         const std::string_view rest = line_.substr(at_);
         const char c = rest.front();
-        if (dialect_ == Dialect::glib && c == '#') return add(line_.size(), SyntaxKind::comment);
-        if (dialect_ == Dialect::glsl && rest.starts_with("//"))
+        if (language_ == CodeLanguage::glib && c == '#') return add(line_.size(), SyntaxKind::comment);
+        if (language_ == CodeLanguage::glsl && rest.starts_with("//"))
             return add(line_.size(), SyntaxKind::comment);
-        if (dialect_ == Dialect::glsl && rest.starts_with("/*")) return comment(at_ + 2, inComment);
+        if (language_ == CodeLanguage::glsl && rest.starts_with("/*")) return comment(at_ + 2, inComment);
         const bool isFirst = line_.find_first_not_of(" \t") == at_;
         if (c == '#' && isFirst) {
             const std::size_t end = std::min(line_.find("//", at_), line_.size());
             return add(end, SyntaxKind::directive);
         }
-        const bool isNumber = isDigit(c) || ((c == '.' || (c == '-' && dialect_ == Dialect::glib)) &&
+        const bool isNumber = isDigit(c) || ((c == '.' || (c == '-' && language_ == CodeLanguage::glib)) &&
                                              rest.size() > 1 && (isDigit(rest[1]) || rest[1] == '.'));
         if (isNumber) {
             ++at_;
@@ -94,21 +94,21 @@ class Scanner {
         }
         if (glib::isLetter(c) || c == '_') {
             const std::size_t end = endOf(isWord);
-            return add(end, kindOf(line_.substr(at_, end - at_), dialect_, isFirst));
+            return add(end, kindOf(line_.substr(at_, end - at_), language_, isFirst));
         }
         ++at_;
     }
 
     std::string_view line_;
-    Dialect dialect_;
+    CodeLanguage language_;
     std::size_t at_ = 0;
     std::vector<SyntaxPiece> pieces_;
 };
 
 }  // namespace
 
-std::vector<SyntaxPiece> syntaxOf(std::string_view line, Dialect dialect, bool& inComment) {
-    return Scanner(line, dialect).scan(inComment);
+std::vector<SyntaxPiece> syntaxOf(std::string_view line, CodeLanguage language, bool& inComment) {
+    return Scanner(line, language).scan(inComment);
 }
 
 }  // namespace glibra::view

@@ -6,7 +6,7 @@
 
 namespace glibra::view {
 
-enum class Dialect { glsl, glib };
+enum class CodeLanguage { glsl, glib };
 enum class SyntaxKind { plain, keyword, type, number, comment, directive, builtin };
 
 /// A piece of a line, as byte offsets in it.
@@ -17,6 +17,6 @@ struct SyntaxPiece {
 
 /// The pieces of a line that are not plain, in order. `inComment` is true if a comment over several lines is
 /// open at the beginning of the line; it is updated for the next line.
-std::vector<SyntaxPiece> syntaxOf(std::string_view line, Dialect dialect, bool& inComment);
+std::vector<SyntaxPiece> syntaxOf(std::string_view line, CodeLanguage language, bool& inComment);
 
 }  // namespace glibra::view

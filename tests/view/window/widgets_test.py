@@ -84,7 +84,7 @@ class Widgets(WindowTest):
         window.settle()
                 # Only the window can read its clipboard. Paste it into the path field and open that: the error message has
         # the text.
-        window.click("uniforms/copyArguments")
+        window.click("uniforms/copyValues")
         window.click("scene/open")
         window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.key("ctrl+v")

@@ -64,12 +64,13 @@ void drawFound(const CodeLayout& layout, std::string_view text, const LineStarts
     }
 }
 
-void drawText(const CodeLayout& layout, std::string_view text, const LineStarts& starts, Dialect dialect) {
+void drawText(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
+              CodeLanguage language) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     bool inComment = false;
     for (int line = 1; line <= layout.lastLine; ++line) {
         const std::string_view words = lineText(text, starts, line);
-        const std::vector<SyntaxPiece> pieces = syntaxOf(words, dialect, inComment);
+        const std::vector<SyntaxPiece> pieces = syntaxOf(words, language, inComment);
         if (line < layout.firstLine) continue;
         ImVec2 at(layout.origin.x, layout.top(line));
         std::size_t drawn = 0;
@@ -157,7 +158,7 @@ CodeLayout layoutOf(std::string_view text, const LineStarts& starts) {
 }
 
 void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts& starts, const CodeView& view,
-              const CodeMarks& marks, Dialect dialect) {
+              const CodeMarks& marks, CodeLanguage language) {
     drawMarks(layout, text, starts, marks.lines);
     drawGutter(layout, view, marks.lines);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -165,7 +166,7 @@ void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts&
     draw.PushClipRect({window.x + layout.gutter - 2, window.y},
                       {window.x + ImGui::GetWindowWidth(), window.y + ImGui::GetWindowHeight()}, true);
     drawFound(layout, text, starts, marks);
-    drawText(layout, text, starts, dialect);
+    drawText(layout, text, starts, language);
     if (view.isActive) drawCursor(layout, text, starts, view);
     draw.PopClipRect();
 }

@@ -36,6 +36,6 @@ CodeLayout layoutOf(std::string_view text, const LineStarts& starts);
 
 /// Draws the visible lines into the current window.
 void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts& starts, const CodeView& view,
-              const CodeMarks& marks, Dialect dialect);
+              const CodeMarks& marks, CodeLanguage language);
 
 }  // namespace glibra::view

@@ -163,8 +163,8 @@ void scroll(CodeView& view, const CodeLayout& layout, std::string_view text, con
 }
 
 /// The widget in its child window. Returns true if the text has changed.
-bool editInChild(const char* name, std::string& text, CodeView& view, const CodeMarks& marks, Dialect dialect,
-                 bool isReadOnly) {
+bool editInChild(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
+                 CodeLanguage language, bool isReadOnly) {
     // While the widget has the keyboard focus it holds a copy of the text, which onEdit() changes.
     const bool isReplaced = view.newText && !view.isActive;
     if (isReplaced) text = *std::exchange(view.newText, std::nullopt);
@@ -178,7 +178,7 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
     }
     const int cursorBefore = view.cursor;
     // The text is drawn before the widget, below its selection.
-    drawCode(layout, text, starts, view, marks, dialect);
+    drawCode(layout, text, starts, view, marks, language);
     ImGui::SetCursorScreenPos(layout.origin);
     const bool isChanged = edit(name, {text, view, std::max(1, layout.rows - 1)}, layout.size, isReadOnly);
     view.isActive = ImGui::IsItemActive();
@@ -193,13 +193,13 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
 
 }  // namespace
 
-bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks, Dialect dialect,
-                bool isReadOnly, float below) {
+bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
+                CodeLanguage language, bool isReadOnly, float below) {
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild(name, {0, -below}, false,
                       ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
-    const bool isChanged = editInChild(name, text, view, marks, dialect, isReadOnly);
+    const bool isChanged = editInChild(name, text, view, marks, language, isReadOnly);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopFont();

@@ -50,7 +50,7 @@ struct CodeMarks {
 
 /// Draws the widget in the rest of the current window, except for `below` pixels at its lower edge. `name`
 /// must be unique in the window. Returns true if the text has changed.
-bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks, Dialect dialect,
-                bool isReadOnly, float below);
+bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
+                CodeLanguage language, bool isReadOnly, float below);
 
 }  // namespace glibra::view

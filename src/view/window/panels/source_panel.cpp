@@ -188,13 +188,13 @@ void content(Ui& ui) {
     const float below = about.empty() ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
                                                  line * (2 * static_cast<float>(about.size()) + .5F));
-    const Dialect dialect =
-        glib::sameWord(file.path().extension().string(), ".glib") ? Dialect::glib : Dialect::glsl;
+    const CodeLanguage language =
+        glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
     const int cursorBefore = view.cursor;
     const bool isChanged =
-        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown}, dialect,
-                   !file.whyReadOnly().empty(), below);
+        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
+                   language, !file.whyReadOnly().empty(), below);
     mark(ui, "source/text");
     if (isChanged)
         file.history().record(file.text());

@@ -227,8 +227,8 @@ void uniformsPanel(Ui& ui) {
     if (ImGui::Button("Reset all")) ui.session.resetValues();
     mark(ui, "uniforms/reset");
     ImGui::SameLine();
-    if (ImGui::Button("Copy arguments")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
-    mark(ui, "uniforms/copyArguments");
+    if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
+    mark(ui, "uniforms/copyValues");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
     ImGui::SameLine();
