@@ -52,16 +52,16 @@ class Window {
   private:
     Ui& ui() { return tabs_.shown().ui; }
     Session& session() { return tabs_.shown().session; }
-    void openFirst();
+    void openInitialScenes();
     void setSize();
     void openScene(const std::filesystem::path& path, bool inNewTab);
     void showScene(const std::filesystem::path& path);
     void closeTab(std::size_t tab);
-    void followTab();
-    void takeChanges();
-    void takeDropped();
-    void takeRequests();
-    void takeAnswer();
+    void updateForShownScene();
+    void reloadIfNeeded();
+    void handleDropped();
+    void handleRequests();
+    void handleAnswer();
     void quit();
     bool hasWork();
     void waitForWork();
@@ -70,7 +70,7 @@ class Window {
     void drawFrame();
     void present();
     void writeState();
-    void remember();
+    void saveSettings();
 
     const WindowArguments& arguments_;
     Display& display_;
@@ -112,7 +112,7 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
 }
 
 /// Updates the title and the watched files after another scene is shown.
-void Window::followTab() {
+void Window::updateForShownScene() {
     const std::string name = session().hasScene() ? session().path().filename().string() : "";
     display_.setTitle(name.empty() ? "glibra" : name + " - glibra");
     tabs_.watch(watch_);
@@ -125,13 +125,13 @@ void Window::showScene(const std::filesystem::path& path) {
         ui().history.clear();
         ui().history.record(session());
     }
-    followTab();
+    updateForShownScene();
 }
 
 void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
     if (const std::size_t known = tabs_.find(path); known < tabs_.count() && known != tabs_.shownIndex()) {
         tabs_.show(known);
-        return followTab();
+        return updateForShownScene();
     }
     if (inNewTab && session().hasScene()) {
         tabs_.add();
@@ -150,7 +150,7 @@ void Window::closeTab(std::size_t tab) {
         return;
     }
     tabs_.close(tab);
-    followTab();
+    updateForShownScene();
 }
 
 void Window::quit() {
@@ -161,7 +161,7 @@ void Window::quit() {
     framesWanted_ = kFramesAfterEvent;
 }
 
-void Window::takeAnswer() {
+void Window::handleAnswer() {
     const auto answer = std::exchange(shared_.answer, std::nullopt);
     if (!answer || !answer->isConfirmed) return;
     switch (answer->question.about) {
@@ -169,13 +169,13 @@ void Window::takeAnswer() {
             return showScene(answer->question.scene);
         case Question::About::closeTab:
             tabs_.close(answer->question.tab);
-            return followTab();
+            return updateForShownScene();
         case Question::About::quit:
             return display_.close();
     }
 }
 
-void Window::takeChanges() {
+void Window::reloadIfNeeded() {
     const FileWatch::Change change = watch_.takeChanged();
     if (!change.files.empty()) tabs_.markOutdated(change.files);
     Tab& tab = tabs_.shown();
@@ -192,7 +192,7 @@ void Window::takeChanges() {
 }
 
 /// Opens each dropped scene in a tab. Other files are shown where an open scene uses them.
-void Window::takeDropped() {
+void Window::handleDropped() {
     for (const std::filesystem::path& each : display_.takeDropped()) dropped_.push_back(each.string());
     std::string notice;
     for (const std::string& each : dropped_) {
@@ -200,7 +200,7 @@ void Window::takeDropped() {
         if (dropped.isScene) openScene(each, true);
         if (dropped.tab && *dropped.tab != tabs_.shownIndex()) {
             tabs_.show(*dropped.tab);
-            followTab();
+            updateForShownScene();
         }
         notice += (notice.empty() || dropped.notice.empty() ? "" : "\n") + dropped.notice;
     }
@@ -209,15 +209,15 @@ void Window::takeDropped() {
     dropped_.clear();
 }
 
-void Window::takeRequests() {
-    takeDropped();
-    takeAnswer();
+void Window::handleRequests() {
+    handleDropped();
+    handleAnswer();
     Requests requests = std::exchange(ui().requests, {});
-    // takeChanges() reads this flag.
+    // reloadIfNeeded() reads this flag.
     ui().requests.reload = requests.reload || (requests.saved && !watch_.isWorking());
     if (requests.showTab && *requests.showTab != tabs_.shownIndex()) {
         tabs_.show(*requests.showTab);
-        followTab();
+        updateForShownScene();
     }
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
@@ -354,16 +354,16 @@ void Window::writeState() {
     writtenState_ = std::move(text);
 }
 
-void Window::remember() {
+void Window::saveSettings() {
     std::tie(shared_.settings.windowWidth, shared_.settings.windowHeight) = display_.size();
     shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
     writeSettings(shared_.settings, settingsFile());
 }
 
-void Window::openFirst() {
+void Window::openInitialScenes() {
     for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
     tabs_.show(0);
-    followTab();
+    updateForShownScene();
     shared_.examples.isOpen = arguments_.scenes.empty() && replay_.empty();
     if (!session().hasScene()) return;
     for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
@@ -389,17 +389,17 @@ void Window::setSize() {
 }
 
 Diagnostics Window::run() {
-    openFirst();
+    openInitialScenes();
     setSize();
     while (display_.isOpen()) {
         waitForWork();
-        takeRequests();
-        takeChanges();
+        handleRequests();
+        reloadIfNeeded();
         if (hasWork()) drawFrame();
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }
-    remember();
+    saveSettings();
     return std::move(setProblems_);
 }
 

@@ -34,7 +34,7 @@ void openAndClose(Ui& ui, const fs::path& file) {
 }
 
 /// Shows the typed folder or opens the typed file. Paths are relative to the shown folder.
-void take(Ui& ui) {
+void openEntry(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     const std::string text = dialog.entry.data();
     if (text.empty()) return;
@@ -46,7 +46,7 @@ void take(Ui& ui) {
     openAndClose(ui, path);
 }
 
-void place(Ui& ui, const char* label, const fs::path& folder) {
+void folderLink(Ui& ui, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
     if (ImGui::Selectable(label)) showFolder(ui.shared.dialog, folder);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
@@ -54,10 +54,10 @@ void place(Ui& ui, const char* label, const fs::path& folder) {
 
 void places(Ui& ui) {
     ImGui::TextDisabled("Folders");
-    place(ui, "Home", homeFolder());
+    folderLink(ui, "Home", homeFolder());
     std::error_code failure;
-    place(ui, "Current folder", fs::current_path(failure));
-    if (ui.session.hasScene()) place(ui, "Folder of this scene", ui.session.path().parent_path() / ".");
+    folderLink(ui, "Current folder", fs::current_path(failure));
+    if (ui.session.hasScene()) folderLink(ui, "Folder of this scene", ui.session.path().parent_path() / ".");
     ImGui::Spacing();
     ImGui::TextDisabled("Recent scenes");
     int index = 0;
@@ -121,7 +121,7 @@ void entry(Ui& ui) {
     mark(ui, "dialog/openInTab");
     ImGui::EndDisabled();
     if (isOpenedInTab) dialog.inNewTab = true;
-    if (isEntered || isOpened || isOpenedInTab) take(ui);
+    if (isEntered || isOpened || isOpenedInTab) openEntry(ui);
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
         ImGui::CloseCurrentPopup();

@@ -44,7 +44,7 @@ void step(FindBar& bar, CodeView& view, bool backwards) {
     show(bar, view);
 }
 
-void look(FindBar& bar, const std::string& text, CodeView& view) {
+void updateMatches(FindBar& bar, const std::string& text, CodeView& view) {
     const TextSearch search{bar.words.data(), bar.matchesCase, bar.wholeWords};
     const bool isNew = search.words != bar.search.words || search.matchesCase != bar.search.matchesCase ||
                        search.wholeWords != bar.search.wholeWords;
@@ -168,7 +168,7 @@ void findBar(Ui& ui, EditedFile& file, CodeView& view) {
         bar.found.clear();
         return;
     }
-    look(bar, file.text(), view);
+    updateMatches(bar, file.text(), view);
     findRow(ui, bar, view);
     if (bar.replaces) replaceRow(ui, bar, file, view);
 }

@@ -55,7 +55,7 @@ ImVec2 tangentEnd(const Frame& frame, int point, double side) {
                         noise::graphNoise(frame.options, point) + side * kTangentCells * gradient);
 }
 
-void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
+void grab(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
     window.drag = NoiseWindow::Drag::none;
     if (hasGradients(frame.options) &&
         (distance(mouse, tangentEnd(frame, window.chosen, 1)) < kReachPixels ||
@@ -71,7 +71,7 @@ void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
         window.drag = NoiseWindow::Drag::height;
 }
 
-void pull(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
+void dragTo(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
     noise::GraphOptions& options = window.noise.options;
     if (window.drag == NoiseWindow::Drag::height) {
         const double change = frame.valueOf(mouse.y) - frame.valueOf(mouse.y - moved.y);
@@ -125,9 +125,9 @@ void noiseGraph(Ui& ui, float width, float height) {
                       noise::graphRange(window.noise.options)};
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated()) {
-        take(window, frame, io.MousePos);
+        grab(window, frame, io.MousePos);
     } else if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-        pull(window, frame, io.MousePos, io.MouseDelta);
+        dragTo(window, frame, io.MousePos, io.MouseDelta);
     }
     if (!ImGui::IsItemActive()) window.drag = NoiseWindow::Drag::none;
     draw(window, frame, *ImGui::GetWindowDrawList());
