@@ -204,13 +204,12 @@ constexpr CatalogueRow kRows[] = {
     {"bench-E01", Severity::error, "there is no subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", Severity::error, "this is no run of glibra bench; --against takes its bench.json"},
     // The window
-    {"view-E01", Severity::error, "the value of 'uKd' cannot be found in the scene any more"},
+    {"view-E01", Severity::error, "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02", Severity::error,
-     "no display to open a window on (X11: The DISPLAY environment variable is missing); `glibra render "
-     "SCENE` "
-     "makes a picture without one"},
+     "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
+     "picture without one"},
     {"view-W01", Severity::warning,
-     "Sphere is left out of the view 'texture coordinates': its stages pass no vST on to the fragment "
+     "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
 };
 
