@@ -128,7 +128,7 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     gpu::clearErrors();
     const gpu::VertexArray none{{}};
     none.bind();
-    program.use();  // not allowed while feedback runs
+    program.use();  // before the feedback starts, which forbids it
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
     glEnable(GL_RASTERIZER_DISCARD);
     glBeginQuery(GL_PRIMITIVES_GENERATED, made.get());

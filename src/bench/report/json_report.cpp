@@ -94,7 +94,7 @@ Json written(const Machine& machine) {
             {"renderer", machine.renderer},   {"version", machine.version}};
 }
 
-// Reading. Wrong types are told by nlohmann's exceptions, which name the member.
+// Reading. nlohmann's exceptions, which name the member, report wrong types.
 
 double numberOf(const Json& json) {
     if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
@@ -201,7 +201,7 @@ Place placeOfByte(std::string_view text, std::size_t byte, const std::string& fi
     return {file, static_cast<int>(line) + 1, static_cast<int>(before.size() - lineStart) + 1};
 }
 
-/// nlohmann's text without its "[json.exception.NAME.NUMBER] ".
+/// The text of nlohmann's exception without its "[json.exception.NAME.NUMBER] ".
 std::string plainText(const Json::exception& problem) {
     const std::string text = problem.what();
     const std::size_t end = text.find("] ");

@@ -30,8 +30,8 @@ std::vector<double> triedGaps(bool isQuick) {
     return gaps;
 }
 
-/// The smallest gap, as a share of z, from which on every larger one is told apart at all distances from
-/// .7 z to z, which meet the buffer's steps in every phase; NaN if not even the largest is.
+/// The smallest gap, as a share of z, such that every gap from there on is resolved at all distances from .7
+/// z to z, which meet the steps of the buffer in every phase; NaN if not even the largest is.
 Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double far, double z, bool isQuick) {
     const std::vector<double> gaps = triedGaps(isQuick);
     const std::size_t jitters = isQuick ? 32 : 96;
@@ -49,16 +49,16 @@ Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double fa
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 
-/// Of a pixel: 24 bits are kept in 32.
+/// Bits per pixel: 24 bits are stored in 32.
 double bitsKept(const DepthKind& kind) {
     return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
 }
-/// Of a buffer with so many pixels a side.
+/// Bytes of a buffer with `side` x `side` pixels.
 double bytesOf(const DepthKind& kind, int side) {
     return bitsKept(kind) / 8 * side * side;
 }
 
-/// Where a gap is measured.
+/// The place where a gap is measured.
 struct Place {
     double setting = 0, far = 0, z = 0;
     std::string label;
@@ -77,7 +77,7 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
                        least, most);
 }
 
-/// A measured curve and one of theory for each kind.
+/// A measured curve and a theoretical one for each kind.
 Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& capabilities,
                   const std::vector<Place>& places) {
     std::vector<Curve> theories;
@@ -116,7 +116,7 @@ std::vector<double> ratios(bool isQuick) {
     return values;
 }
 
-/// Geometric mean of one curve's errors over another's, where both have one.
+/// The geometric mean of one curve's errors over another's, at the points where both have one.
 double meanRatio(const Curve& above, const Curve& below) {
     double sum = 0;
     int count = 0;

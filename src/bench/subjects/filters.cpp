@@ -12,9 +12,9 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kBytes = 255;  ///< errors are told in steps of a byte
+constexpr double kBytes = 255;  ///< errors are in steps of a byte
 
-/// A way to filter: its passes for a setting, and the texels between them.
+/// A way to filter: its passes for a setting, and the format of the texels between them.
 struct Method {
     std::string name;
     std::function<std::vector<std::string>(int setting)> fragments;
@@ -32,7 +32,7 @@ constexpr std::array<Format, 4> kFormats{{{gpu::TexelFormat::rgba32f, "float"},
 
 struct Measured {
     Point point;
-    double shift = 0;  ///< mean of the signed differences, 255ths
+    double shift = 0;  ///< mean of the signed differences, in 255ths
 };
 
 double meanDifference(const Plane& a, const Plane& b) {
@@ -175,7 +175,7 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .alternatives = Alternatives::setting};
     std::vector<Method> methods{{"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
     for (const Format& each : kFormats) {
-        // Normalised texels hold 0..1: the smoothed column is 0..4, its difference -1..1.
+        // Normalised texels hold 0..1. The smoothed column is in 0..4, its difference in -1..1.
         const bool isFloat = gpu::isFloat(each.format);
         const double scale = isFloat ? 1 : 1. / 5, bias = isFloat ? 0 : 1. / 5;
         methods.push_back(

@@ -33,7 +33,7 @@ std::vector<int> sidesOf(const Bench& bench) {
     return bench.isQuick() ? std::vector{16, 32, 64} : std::vector{16, 32, 64, 128, 256};
 }
 
-/// Exact texels by size, made once; 268 MB for the largest.
+/// Exact texels by size, computed once; the largest take 268 MB.
 class ExactTexels {
   public:
     const std::vector<float>& of(int side) {
@@ -68,7 +68,7 @@ std::string texelsLabel(int side) {
     return fmt::format("{0} x {0} x {0}", side);
 }
 
-/// Interpolation on the CPU, for the sum and for each octave.
+/// Interpolates on the CPU, for the sum and for each octave.
 std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     Figure sum{.name = "texels",
                .title = "Noise texture: sum of four octaves, interpolated in double (time: 4096 places)",
@@ -149,7 +149,7 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     return {std::move(sum), std::move(octaves)};
 }
 
-/// Root mean square of the sum's error over a picture, in 255ths.
+/// The root mean square of the error of the sum over a picture, in 255ths.
 Result<double> pictureError(const NoisePicture& picture, const NoisePlane& plane) {
     Result<std::vector<float>> pixels = picture.pixels();
     if (!pixels) return std::move(pixels.diagnostics);
@@ -177,7 +177,7 @@ Result<Point> drawn(const Bench& bench, const NoisePicture& picture, const Noise
     return point;
 }
 
-/// The driver's filter on the bytes that scenes get, in each size.
+/// The driver's filter on the bytes of scenes, for each size.
 Result<std::vector<Point>> filteredBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
     Result<NoisePicture> picture = NoisePicture::create(capabilities, NoiseShader::driverFilter, kSide);
     if (!picture) return std::move(picture.diagnostics);
@@ -254,7 +254,7 @@ Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& 
     return figure;
 }
 
-/// The largest error of any octave in a picture of what lies within half a texel of x = `middle`, in 255ths.
+/// The largest error of any octave within half a texel of x = `middle`, in 255ths.
 Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, gpu::Wrap wrap,
                      double middle) {
     const double half = .5 / texture.size().width;
@@ -286,7 +286,7 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, E
         gpu::Wrap wrap;
         double middle;
     };
-    // The last texel of a row is n - 1; between it and the next period's first lies the border.
+    // The last texel of a row is n - 1; the border is between it and the first texel of the next period.
     for (const int side : sidesOf(bench)) {
         const NoiseVolume volume(side, NoiseFormat::single, exact.of(side));
         Result<gpu::Texture> texture = volume.upload(capabilities);
