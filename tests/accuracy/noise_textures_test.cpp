@@ -79,13 +79,13 @@ class Noise : public testing::Test {
 };
 
 TEST_F(Noise, InterpolationOfASmoothOctaveIsOfSecondOrder) {
-    EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells a period")), -2, .1);
+    EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells per period")), -2, .1);
 }
 
 TEST_F(Noise, OneTexelACellHoldsNothingOfAnOctave) {
     // Every texel lies on a lattice point, where the noise is 1/2.
-    EXPECT_NEAR(curve("octaves", "16 cells a period").points.front().error, 1, 1e-9);
-    EXPECT_NEAR(curve("octaves", "32 cells a period").points[1].error, 1, 1e-9);
+    EXPECT_NEAR(curve("octaves", "16 cells per period").points.front().error, 1, 1e-9);
+    EXPECT_NEAR(curve("octaves", "32 cells per period").points[1].error, 1, 1e-9);
 }
 
 TEST_F(Noise, RoundingToBytesAddsTheNoiseOfRounding) {

@@ -147,9 +147,9 @@ Result<std::vector<Pattern>> patterns(const gpu::Capabilities& capabilities) {
     }};
     constexpr std::array<std::array<std::string_view, 2>, 4> kNames{{
         {"edges", "A star of 17 narrow triangles"},
-        {"checkerboard", "A checkerboard of .83 x .61 pixels a square"},
+        {"checkerboard", "A checkerboard of .83 x .61 pixels per square"},
         {"checkerboard-plane", "A checkerboard on a plane in perspective"},
-        {"stripes", "Stripes of 24 to 1.3 pixels a period"},
+        {"stripes", "Stripes of 24 to 1.3 pixels per period"},
     }};
     std::vector<Pattern> all;
     for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -112,9 +112,9 @@ std::string_view frontNote(const Figure& figure) {
         case Alternatives::curve:
             return " Each curve has a front of its own.";
         case Alternatives::setting:
-            return " Each setting has a front of its own: it is a difficulty, no price.";
+            return " Each setting has a front of its own: it is a difficulty, not a cost.";
         case Alternatives::none:
-            return " There is no front, for no setting costs more than another.";
+            return " There is no front, because all settings cost the same.";
         case Alternatives::figure:
             break;
     }

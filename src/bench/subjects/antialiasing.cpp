@@ -166,7 +166,7 @@ Result<Figure> measurePattern(const Bench& bench, const gpu::Capabilities& capab
     const int side = bench.isQuick() ? 64 : 128;
     Figure figure{.name = std::string(pattern.name),
                   .title = fmt::format("{}, {} x {} pixels", pattern.title, side, side),
-                  .settingName = "samples a pixel",
+                  .settingName = "samples per pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = pattern.exact

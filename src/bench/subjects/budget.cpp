@@ -124,7 +124,7 @@ std::string finding(const std::vector<SceneRow>& rows, std::string_view name, Me
     for (const SceneRow& each : rows)
         if ((each.*which).off > kBound && !(each.*which).isTold) silent.push_back(each.name);
     if (isBounded && kept < std::ssize(rows))
-        text += silent.empty() ? "; of all others the program says so"
+        text += silent.empty() ? "; the program reports all others"
                                : fmt::format("; without a word: {}", fmt::join(silent, ", "));
     return text + fmt::format("; all together {}", secondsText(total(rows, which)));
 }

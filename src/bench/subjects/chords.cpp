@@ -56,12 +56,12 @@ struct Shape {
 
 constexpr Shape kBezier{
     "chords", "A Bézier curve with a narrow bend, as line segments",
-    "de Casteljau's scheme in double at 32 points of every segment; a length is that from end to end",
+    "de Casteljau's algorithm in double at 32 points of every segment; a length is that from end to end",
     powerForm, deCasteljau};
 constexpr Shape kStep{
     "chords-step", "A graph with a steep step, as line segments",
-    "the step by exponentials in double at 32 points of every segment; a length is that of the t axis", step,
-    stepByExponentials};
+    "the step from exponentials in double at 32 points of every segment; a length is that of the t axis",
+    step, stepByExponentials};
 
 struct Vertex {
     double t = 0;

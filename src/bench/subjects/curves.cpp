@@ -174,7 +174,7 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
     if (shader) figure.curves.push_back(std::move(*shader));
     for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "steps", 100));
     const Point &sum = figure.curves[0].points.back(), &quotient = figure.curves[3].points.back();
-    figure.findings.push_back(fmt::format("{}: t is {} off when summed up, {} when computed as i / n",
+    figure.findings.push_back(fmt::format("{}: t is {} off when accumulated, {} when computed as i / n",
                                           sum.label, numberText(sum.error), numberText(quotient.error)));
     figure.findings.push_back(
         fmt::format("of the 999 loops for (t = 0; t <= 1; t += 1 / n) with n from 2 to "

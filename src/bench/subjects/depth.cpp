@@ -72,7 +72,7 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
         least = std::min(least, steps);
         most = std::max(most, steps);
     }
-    if (most == 0) return fmt::format("{}: nothing is told apart", measured.name);
+    if (most == 0) return fmt::format("{}: nothing is resolved", measured.name);
     return fmt::format("{}: the smallest gap is {:.2g} to {:.2g} times one step in theory", measured.name,
                        least, most);
 }
@@ -131,9 +131,9 @@ double meanRatio(const Curve& above, const Curve& below) {
 
 Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "gap-by-range",
-                  .title = "Smallest gap told apart at half the far distance",
+                  .title = "Smallest gap resolved at half the far distance",
                   .settingName = "far / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -149,9 +149,8 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
         double widest = 0;
         for (const Point& point : curve.points)
             if (point.error <= .001) widest = std::max(widest, point.setting);
-        figure.findings.push_back(
-            fmt::format("{}: a gap of 1/1000 of the distance is told apart up to far / near = {:.3g}",
-                        curve.name, widest));
+        figure.findings.push_back(fmt::format(
+            "{}: a gap of 1/1000 of the distance is resolved up to far / near = {:.3g}", curve.name, widest));
     }
     figure.findings.push_back(
         fmt::format("floats that are not reversed: their smallest gaps are {:.3g} times those of 24 bits "
@@ -163,9 +162,9 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
 Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4;
     Figure figure{.name = "gap-by-distance",
-                  .title = "Smallest gap told apart, far / near = 10000",
+                  .title = "Smallest gap resolved, far / near = 10000",
                   .settingName = "distance / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -191,7 +190,7 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
         .settingName = "steps of the buffer between them",
         .errorName = "pixels in which the farther one wins",
         .errorUnit = "",
-        .reference = "the nearer plane, which has to be seen in every pixel",
+        .reference = "the nearer plane, which must be visible in every pixel",
 
     };
     for (const DepthKind& kind : usableKinds(capabilities)) {
@@ -226,8 +225,8 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{
         .name = "cost",
         .title = "Eight layers of 512 x 512 pixels; gap at half the far distance, far / near = 10000",
-        .settingName = "bits a pixel",
-        .errorName = "smallest gap that is always told apart",
+        .settingName = "bits per pixel",
+        .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
         .reference = kReference,
 
@@ -248,7 +247,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     const Point& standard = figure.curves[1].points.front();
     const Point& last = figure.curves.back().points.front();
     figure.findings.push_back(fmt::format(
-        "{} takes {:.2f} times the time of {} and tells gaps apart that are {:.3g} times smaller", last.label,
+        "{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller", last.label,
         last.time->median / standard.time->median, standard.label, standard.error / last.error));
     return figure;
 }

@@ -79,7 +79,7 @@ std::vector<Method> blurMethods() {
 
 Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "blur",
-                  .title = "Gaussian blur: direct and separable, and what lies between the passes",
+                  .title = "Gaussian blur: direct and separable, by the texels between the passes",
                   .settingName = "radius, pixels",
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
@@ -115,7 +115,7 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
 
 Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "repeated",
-                  .title = "Blur of radius 2, again and again: what the texels between the passes cost",
+                  .title = "Repeated blur of radius 2: the error from the texels between the passes",
                   .settingName = "blurs",
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
@@ -165,7 +165,7 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
 
 Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "sobel",
-                  .title = "Sobel gradient: direct and separable, and what lies between the passes",
+                  .title = "Sobel gradient: direct and separable, by the texels between the passes",
                   .settingName = "side of the picture, pixels",
                   .errorName = "root mean square of the gradient's length",
                   .errorUnit = "1/255",

@@ -172,7 +172,7 @@ std::string bestFactor(const Curve& curve) {
 
 Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "half-vector",
-                  .title = "Highlight by the half vector: which exponent stands for the reflection's",
+                  .title = "Highlight by the half vector: which exponent matches the reflection",
                   .settingName = "factor on the exponent",
                   .errorName = "root mean square over the sphere",
                   .errorUnit = "of the highlight",

@@ -19,7 +19,7 @@ namespace {
 constexpr int kReferenceFactor = 16;
 constexpr double kByte = 255;
 constexpr const char* kReference =
-    "16 x 16 bilinear samples a pixel of the texture itself, in double on the CPU";
+    "16 x 16 bilinear samples per pixel of the texture itself, in double on the CPU";
 
 /// The mapping of the picture to the texture: a plane in perspective, or one seen from the front.
 struct View {
@@ -212,9 +212,9 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
     if (!picture) return std::move(picture.diagnostics);
     Figure figure{.name = "plane",
-                  .title = fmt::format("A plane in perspective, .3 to 32 texels a pixel, {0} x {0} pixels",
+                  .title = fmt::format("A plane in perspective, .3 to 32 texels per pixel, {0} x {0} pixels",
                                        picture->side()),
-                  .settingName = "texels read a pixel, at most",
+                  .settingName = "texels read per pixel, at most",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference};
@@ -260,7 +260,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
     if (!picture) return std::move(picture.diagnostics);
     Figure figure{.name = "front",
                   .title = "A surface seen from the front, by its distance",
-                  .settingName = "texels a pixel",
+                  .settingName = "texels per pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference,
@@ -278,7 +278,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
             Result<Point> point = measure(bench, *picture, view, filter, wanted);
             if (!point) return std::move(point.diagnostics);
             point->setting = ratio;
-            point->label = fmt::format("{:g} texels a pixel", ratio);
+            point->label = fmt::format("{:g} texels per pixel", ratio);
             addTo(figure, filter.curve, std::move(*point));
         }
     }
@@ -309,7 +309,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
         for (std::size_t i = 0; i < wanted.size(); ++i)
             largest = std::max(largest, std::abs((*drawn)[i] - wanted[i]));
         Point point{.setting = static_cast<double>(pixels),
-                    .label = fmt::format("{} pixels a texel", pixels),
+                    .label = fmt::format("{} pixels per texel", pixels),
                     .error = kByte * largest};
         point.time = timing;
         point.memory = bytesOf(linear, *target);
@@ -321,7 +321,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
 Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
     Figure figure{.name = "arithmetic",
                   .title = "The driver's linear filter, magnifying bytes, 256 x 256 pixels",
-                  .settingName = "pixels a texel",
+                  .settingName = "pixels per texel",
                   .errorName = "largest error",
                   .errorUnit = "1/255",
                   .reference = "bilinear interpolation of the same texels at the same places, in double",
@@ -343,7 +343,7 @@ Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
             figure.curves[1].points.back().time->median / figure.curves[0].points.back().time->median,
             figure.curves[0].points.back().label));
     else
-        figure.findings.emplace_back("no second way of filtering bytes was measured");
+        figure.findings.emplace_back("only one way of filtering bytes was measured");
     return figure;
 }
 

@@ -72,13 +72,13 @@ std::string texelsLabel(int side) {
 std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     Figure sum{.name = "texels",
                .title = "Noise texture: sum of four octaves, interpolated in double (time: 4096 places)",
-               .settingName = "texels a side",
+               .settingName = "texels per side",
                .errorName = "root mean square error",
                .errorUnit = "1/255",
                .reference = kReference};
     Figure octaves{.name = "octaves",
                    .title = "Noise texture of floats: each octave, interpolated in double",
-                   .settingName = "texels a side",
+                   .settingName = "texels per side",
                    .errorName = "root mean square error, of the octave's own root mean square",
                    .errorUnit = "",
                    .reference = kReference,
@@ -116,7 +116,7 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
             for (int i = 0; i < noise::kOctaves; ++i) {
                 const auto octave = static_cast<std::size_t>(i);
                 point.error = std::sqrt(errors[octave] / strength[octave]);
-                curveNamed(octaves, fmt::format("{} cells a period", noise::cellsOf(i)))
+                curveNamed(octaves, fmt::format("{} cells per period", noise::cellsOf(i)))
                     .points.push_back(point);
             }
         }
@@ -144,7 +144,7 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
             octaves.findings.push_back(orderSentence(curve, "texels", from));
     }
     for (const Point& point : octaves.curves.front().points)
-        octaves.findings.push_back(fmt::format("{:g} texels a cell leave {} of the octave wrong",
+        octaves.findings.push_back(fmt::format("{:g} texels per cell leave {} of the octave wrong",
                                                point.setting / noise::cellsOf(0), numberText(point.error)));
     return {std::move(sum), std::move(octaves)};
 }
@@ -211,11 +211,12 @@ void compareDrawn(Figure& figure) {
     for (const Curve& curve : figure.curves) {
         if (curve.name != "driver's filter in bytes, 8 bit, cut off") continue;
         const Point& fast = curve.points.back();
-        figure.findings.push_back(fmt::format(
-            "{}: filtering bytes in bytes takes {:.2f} times the time of filtering them in float, with {} "
-            "instead of {}/255",
-            fast.label, fast.time->median / bytes.time->median, numberText(fast.error),
-            numberText(bytes.error)));
+        figure.findings.push_back(
+            fmt::format("{}: filtering bytes with byte arithmetic takes {:.2f} times the time of float "
+                        "arithmetic, with {} "
+                        "instead of {}/255",
+                        fast.label, fast.time->median / bytes.time->median, numberText(fast.error),
+                        numberText(bytes.error)));
     }
 }
 
@@ -223,7 +224,7 @@ Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& 
     const gpu::Capabilities& capabilities = context.capabilities();
     Figure figure{.name = "drawn",
                   .title = fmt::format("Noise in a picture of {0} x {0} pixels, sum of four octaves", kSide),
-                  .settingName = "texels a side",
+                  .settingName = "texels per side",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference};
@@ -275,7 +276,7 @@ Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, g
 Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, ExactTexels& exact) {
     Figure figure{.name = "seam",
                   .title = "Noise texture of floats: within half a texel of the period's border",
-                  .settingName = "texels a side",
+                  .settingName = "texels per side",
                   .errorName = "largest error of an octave",
                   .errorUnit = "1/255",
                   .reference = kReference};

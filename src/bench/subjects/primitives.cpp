@@ -219,9 +219,8 @@ Result<Figure> drawnFigure(Bench& bench) {
     figure.errorName = "mean distance of the outlines";
     figure.errorUnit = "pixels";
     figure.reference = fmt::format(
-        "the disc's area, pi r^2 with r = {} pixels; covered pixels are counted, their lack is divided by "
-        "the "
-        "circumference. Time: upload and drawing",
+        "the disc's area, pi r^2 with r = {} pixels; covered pixels are counted, and the missing area is "
+        "divided by the circumference. Time: upload and drawing",
         kPictureRadius);
     Curve curve{"sphere", {}};
     for (const int slices : sliceCounts(bench)) {

@@ -232,7 +232,7 @@ Figure hitFigure(Bench& bench, Diagnostics& problems) {
     figure.errorName = "largest error along the ray";
     figure.errorUnit = "radii";
     figure.reference =
-        "the exact root for the very same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
+        "the exact root for the same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
         "the inner .9 of the sphere";
     figure.alternatives = Alternatives::setting;
     addCurves(figure, bench, byDistance(bench, 0, .9), &Outcome::distance, problems);
@@ -246,7 +246,7 @@ Figure hitFigure(Bench& bench, Diagnostics& problems) {
 Figure decisionFigure(Bench& bench, Diagnostics& problems) {
     Figure figure;
     figure.name = "decision";
-    figure.title = "Rays that hit or miss wrongly, near the outline";
+    figure.title = "Rays near the outline that hit or miss wrongly";
     figure.settingName = "distance of the ray's origin in radii";
     figure.errorName = "share of wrong rays";
     figure.reference =
@@ -263,9 +263,9 @@ Figure decisionFigure(Bench& bench, Diagnostics& problems) {
                 ? fmt::format("{}: no ray is wrong up to {}", curve.name, curve.points.back().label)
                 : fmt::format("{}: the first wrong rays at {}", curve.name, first->label));
     }
-    figure.findings.push_back(
-        fmt::format("at {}: {:.1f} % of the rays are wrong by the textbook, {:.1f} % by the stable form",
-                    bad.label, 100 * bad.error, 100 * good.error));
+    figure.findings.push_back(fmt::format(
+        "at {}: {:.1f} % of the rays are wrong with the textbook formula, {:.1f} % with the stable one",
+        bad.label, 100 * bad.error, 100 * good.error));
     return figure;
 }
 

@@ -144,11 +144,10 @@ std::vector<std::string> overall(const std::vector<Measured>& all) {
     const auto slowest =
         std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
     return {
-        fmt::format(
-            "{} scenes; of half of them the picture takes less than {} (parse, plan, upload, draw, read), "
-            "the longest takes {}: {}",
-            all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
-            slowest->scene->name),
+        fmt::format("{} scenes; half of the pictures take less than {} (parse, plan, upload, draw, read), "
+                    "the longest takes {}: {}",
+                    all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
+                    slowest->scene->name),
         comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
 }
 
@@ -163,7 +162,7 @@ std::string slowOnes(const std::vector<Measured>& all) {
             fewest = each.referenceSamples;
         }
     if (names.empty()) return {};
-    return fmt::format("the reference has {} samples a pixel instead of {} for {}", fewest, most,
+    return fmt::format("the reference has {} samples per pixel instead of {} for {}", fewest, most,
                        fmt::join(names, ", "));
 }
 

@@ -120,11 +120,12 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
     Figure position;
     position.name = "teapot-position";
     position.title = "Teapot: distance of the mesh from the patches";
-    position.settingName = "cells a side of a patch";
+    position.settingName = "cells per side of a patch";
     position.errorName = "largest distance";
     position.errorUnit = "radii";
     position.reference =
-        "the 32 bicubic patches by de Casteljau's scheme in double, at the nearest point that Gauss-Newton "
+        "the 32 bicubic patches by de Casteljau's algorithm in double, at the nearest point that "
+        "Gauss-Newton "
         "steps find";
     Figure normal = position;
     normal.name = "teapot-normal";

@@ -47,7 +47,7 @@ Analytic bezierPatch() {
         .title = "A bicubic patch (the teapot's spout)",
         .unit = "teapot units",
         .reference =
-            "the nearest point of the patch in double, by de Casteljau's scheme and Gauss-Newton "
+            "the nearest point of the patch in double, by de Casteljau's algorithm and Gauss-Newton "
             "steps",
         .evaluation = Evaluation::bernstein,
         .points = std::move(points),
@@ -80,7 +80,7 @@ Analytic pnTriangle() {
             .title = "A PN triangle on an octant of a sphere",
             .unit = "radii",
             .reference =
-                "the nearest point of the cubic triangle in double, by de Casteljau's scheme and "
+                "the nearest point of the cubic triangle in double, by de Casteljau's algorithm and "
                 "Gauss-Newton steps",
             .evaluation = Evaluation::pnTriangle,
             .points = std::move(points),

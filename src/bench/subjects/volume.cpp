@@ -211,7 +211,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
     const int most = bench.isQuick() ? 128 : 1024;
     const std::vector<float> wanted = reference(volume, kStrength, 8 * most);
     const std::vector<Casting> castings{{.name = "all steps"},
-                                        {.name = "sampled at the begin of each step", .offset = 0},
+                                        {.name = "sampled at the start of each step", .offset = 0},
                                         {.name = "opacity of a step linear in its length", .isLinear = true},
                                         {.name = "ends below 1/100 of the light", .threshold = .01},
                                         {.name = "skips empty blocks", .skipsEmpty = true},
