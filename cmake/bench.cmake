@@ -1,20 +1,15 @@
 # The measurements of run time against error: a room (src/bench), and a program of their own that `glibra bench` and
 # `glibra info --precision` start, so that the program glibra needs neither the room nor Boost.
-option(GLIBRA_BENCH_PROGRAM "Build glibra-bench, the program that `glibra bench` starts (needs Boost)" ON)
 if(NOT GLIBRA_BENCH_PROGRAM)
     return()
 endif()
-find_package(Boost 1.74 QUIET)  # headers: Multiprecision, for references with 100 digits
-if(NOT TARGET Boost::headers)
-    message(STATUS "Boost is missing: glibra-bench is not built")
-    return()
-endif()
+find_package(Boost 1.74 REQUIRED)  # headers: Multiprecision, for references with 100 digits
 
 glibra_room(bench ROOMS render LINK Boost::headers nlohmann_json::nlohmann_json)
 
 set(bench_page_files page.html bench.css bench.js)
 list(TRANSFORM bench_page_files PREPEND ${PROJECT_SOURCE_DIR}/src/bench/report/page/)
-glibra_embed(glibra_bench_objects bench_page ${bench_page_files})
+glibra_embed(glibra_bench bench_page ${bench_page_files})
 
 # The files of src/cli are those that it shares with glibra.
 file(GLOB bench_program_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/bench/program/*.cpp)

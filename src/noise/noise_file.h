@@ -9,11 +9,11 @@
 
 #include "noise/graph.h"
 
-namespace glibra::view {
+namespace glibra::noise {
 
 struct NoiseFile {
-    noise::GraphOptions options;
-    noise::ColorScale colors = noise::ColorScale::grey;  ///< of two dimensions
+    GraphOptions options;
+    ColorScale colors = ColorScale::grey;  ///< of two dimensions
     int width = 600, height = 300;                       ///< pixels or texels, 1 to 16384
 };
 
@@ -35,4 +35,4 @@ inline constexpr std::array<const char*, 2> kSmoothnessWords{"cubic", "quintic"}
 inline constexpr std::array<const char*, 2> kSlopesWords{"zero", "catmull-rom"};
 inline constexpr std::array<const char*, 4> kColorWords{"grey", "rainbow", "heated", "uniform"};
 
-}  // namespace glibra::view
+}  // namespace glibra::noise

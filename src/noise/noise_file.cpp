@@ -1,4 +1,4 @@
-#include "view/export/noise_file.h"
+#include "noise/noise_file.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "image/file.h"
 #include "image/write.h"
 
-namespace glibra::view {
+namespace glibra::noise {
 namespace {
 
 template <std::size_t N, class Enumerator>
@@ -65,8 +65,8 @@ Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file
 }
 
 std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
-    const noise::GraphOptions& options = noise.options;
-    const noise::GraphOptions usual;
+    const GraphOptions& options = noise.options;
+    const GraphOptions usual;
     std::string text = fmt::format("glibra noise {}", options.dimensions);
     if (options.lattice != usual.lattice)
         text += fmt::format(" --lattice {}", wordOf(kLatticeWords, options.lattice));
@@ -74,7 +74,7 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
         text += fmt::format(" --smooth {}", wordOf(kSmoothnessWords, options.smoothness));
     if (options.slopes != usual.slopes)
         text += fmt::format(" --gradients {}", wordOf(kSlopesWords, options.slopes));
-    if (options.dimensions == 2 && noise.colors != noise::ColorScale::grey)
+    if (options.dimensions == 2 && noise.colors != ColorScale::grey)
         text += fmt::format(" --colors {}", wordOf(kColorWords, noise.colors));
     if (options.octaves != usual.octaves) text += fmt::format(" --octaves {}", options.octaves);
     if (options.cells != usual.cells) text += fmt::format(" --points {}", options.cells);
@@ -87,4 +87,4 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
     return text + fmt::format(" --size {}x{} -o {}", noise.width, noise.height, quoted(file));
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::noise
