@@ -260,13 +260,13 @@ def tell(mutants, results, options):
     visible = sum(could_be_seen(results[each.name]) for each in missed)
     all_caught = sum(caught.values())
     share = all_caught / (all_caught + visible)
-    text = [f"{all_caught + len(missed)} mutants, {all_caught} caught. Of the {len(missed)} others nobody sees",
-            f"{len(missed) - visible}, and {visible} are seen only by switching between the pictures. Of those that can be",
-            f"seen in any way {100 * share:.1f} % are caught. ({same} more changed no pixel.)", "",
+    text = [f"{all_caught + len(missed)} mutants, {all_caught} caught. Of the other {len(missed)}, {len(missed) - visible} cannot",
+            f"be seen and {visible} are visible only by switching between the pictures. {100 * share:.1f} % of the mutants that are visible",
+            f"in any way are caught. ({same} more changed no pixel.)", "",
             "| kind | mutants | caught |", "|---|---|---|"]
     text += [f"| {kind} | {caught[kind] + of_kind[kind]} | {caught[kind]} |"
              for kind in dict.fromkeys(each.kind for each in mutants)]
-    text += ["", "Not caught, first those that are seen by switching:", "",
+    text += ["", "Not caught, those that are visible by switching first:", "",
              "| kind | scene | change | pixels that differ | largest | pixels beyond 3/255 | bias of a block |",
              "|---|---|---|---|---|---|---|"]
     for mutant in sorted(missed, key=lambda each: not could_be_seen(results[each.name])):
