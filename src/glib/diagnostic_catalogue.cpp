@@ -82,7 +82,7 @@ constexpr CatalogueRow kRows[] = {
     {"draw-W06", Severity::warning,
      "12 components of the picture are NaN, 0 infinite; the first at pixel 31, 8"},
     {"draw-W07", Severity::warning,
-     "the driver has 4 samples a pixel, with which edges are up to 0.25 px off; the bound is 0.1 px"},
+     "the driver has 4 samples per pixel, with which edges are up to 0.25 px off; the bound is 0.1 px"},
     {"draw-W08", Severity::warning,
      "this loop runs up to 100,000 rounds, but the driver ends a shader's loops after 65,535; the picture "
      "may "
@@ -201,8 +201,8 @@ constexpr CatalogueRow kRows[] = {
     {"result-W02", Severity::warning, "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", Severity::note, "the last line is torn, its shot is not counted"},
     // Run time against error
-    {"bench-E01", Severity::error, "there is no subject 'primitve'; did you mean 'primitives'?"},
-    {"bench-E02", Severity::error, "this is no run of glibra bench; --against takes its bench.json"},
+    {"bench-E01", Severity::error, "unknown subject 'primitve'; did you mean 'primitives'?"},
+    {"bench-E02", Severity::error, "this is not a run of glibra bench; --against takes its bench.json"},
     // The window
     {"view-E01", Severity::error, "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02", Severity::error,
