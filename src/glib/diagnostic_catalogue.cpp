@@ -93,8 +93,9 @@ constexpr CatalogueRow kRows[] = {
      "no LookAt: eye moved back by 4.125 along z (use --view glman to switch this off)"},
     {"draw-N02", Severity::note, "the picture has only one colour"},
     {"draw-N03", Severity::note,
-     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; --override-counts chooses "
-     "for it"},
+     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
+     "choose "
+     "finer ones"},
     // Shaders
     {"glsl-E01", Severity::error, "'vMC' : undeclared identifier"},
     {"glsl-E02", Severity::error, "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},

@@ -12,7 +12,7 @@
 
 namespace glibra::view {
 
-/// The stages with which a draw is drawn with in a debug view.
+/// The stages that draw a scene in a debug view.
 enum class DebugStages {
     numbers,      ///< the scene's stages; colour output 7 (kDebugOutput) gets the number
     normalLines,  ///< the scene's stages up to the tessellation, and lines along the normals (output 0)
