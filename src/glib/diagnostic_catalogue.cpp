@@ -184,16 +184,15 @@ constexpr CatalogueRow kRows[] = {
     {"result-W02", "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", "the last line is torn, its shot is not counted"},
     // Run time against error
-    {"bench-E01", "there is no subject 'primitve'; did you mean 'primitives'?"},
-    {"bench-E02", "this is no run of glibra bench; --against takes its bench.json"},
+    {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
+    {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},
     // The window
-    {"view-E01", "the value of 'uKd' cannot be found in the scene any more"},
+    {"view-E01", "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02",
-     "no display to open a window on (X11: The DISPLAY environment variable is missing); `glibra render "
-     "SCENE` "
-     "makes a picture without one"},
+     "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
+     "picture without one"},
     {"view-W01",
-     "Sphere is left out of the view 'texture coordinates': its stages pass no vST on to the fragment "
+     "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
 };
 
