@@ -1,6 +1,6 @@
 # The program, and the objects of the library: all rooms but the command line.
 
-set(glibra_library_rooms glib geometry noise glsl image scene plan budget gpu render)
+set(glibra_library_rooms base glib geometry noise glsl image scene plan budget gpu render)
 set(glibra_objects)
 foreach(room ${glibra_library_rooms})
     if(TARGET glibra_${room}_objects)

@@ -168,7 +168,7 @@ void addBench(CLI::App& app, int& status) {
                      "with --against: status 1 too if a time grew by more, beyond its spread")
         ->check(CLI::Range(1., 1e6));
     command->add_option("--driver", to.options.driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->callback([arguments, &status] { status = run(*arguments); });
 }
 

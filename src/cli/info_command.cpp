@@ -80,7 +80,7 @@ void addInfo(CLI::App& app, int& status) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* command = app.add_subcommand("info", "the driver, its limits and capabilities");
     command->add_option("--driver", arguments->driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->add_flag("--precision", arguments->precision,
                       "measure the error of GLSL's functions against what the specification allows");
     command->add_flag("--json", arguments->json, "as JSON");

@@ -11,6 +11,9 @@
 
 namespace glibra::glib {
 
+/// The clear colour until a scene sets one, and that of a Background without numbers.
+inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
+
 enum class ArgumentType { number, integer, file, word, text, name, pointGroups, uniforms };
 
 /// What happens to a number that an argument cannot take as it is (language, 1.7).

@@ -8,13 +8,14 @@
 
 #include "geometry/counts.h"
 #include "geometry/mesh.h"
+#include "glib/limits.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
 
 /// Largest numbers of vertices: of one command, of all commands of a scene, of one glBegin list (language,
 /// 11).
-inline constexpr std::uint64_t kMostCommandVertices = 8'388'608;
+inline constexpr auto kMostCommandVertices = static_cast<std::uint64_t>(glib::kMostVertices);
 inline constexpr std::uint64_t kMostSceneVertices = 67'108'864;
 inline constexpr std::uint64_t kMostListVertices = 1'048'576;
 

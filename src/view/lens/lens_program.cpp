@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/reflection.h"
 #include "gpu/uniform.h"
 #include "render/derived_program.h"
 #include "render/gl_names.h"
@@ -130,8 +131,8 @@ std::optional<LensProgram> link(const gpu::Context& context,
     gpu::BuildOutcome built = gpu::buildProgram(
         context.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     if (!built.program) return std::nullopt;
-    gpu::ProgramInterface reflected = gpu::reflect(*built.program);
-    return LensProgram{std::move(*built.program), std::move(reflected)};
+    base::ActiveResources resources = gpu::reflect(*built.program);
+    return LensProgram{std::move(*built.program), std::move(resources)};
 }
 
 }  // namespace
@@ -179,12 +180,12 @@ std::optional<LensProgram> makeLensProgram(const gpu::Context& context, const re
 }
 
 void LensProgram::set(std::string_view uniform, std::span<const double> values) const {
-    for (const gpu::ActiveUniform& each : reflected.uniforms)
+    for (const base::ActiveUniform& each : resources.uniforms)
         if (each.name == uniform) gpu::setUniform(program, each, values);
 }
 
 void LensProgram::copyUniforms(const render::BuiltProgram& from) const {
-    render::copyUniforms(from, program, reflected);
+    render::copyUniforms(from, program, resources);
 }
 
 }  // namespace glibra::view
