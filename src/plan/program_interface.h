@@ -2,7 +2,7 @@
 // A linked program as the plan sees it: plain values, without GL.
 
 #include "base/program_resources.h"
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::plan {
 

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "glsl/emit/emitted_lines.h"
+#include "glsl/types/request.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "plan/frame_plan.h"
@@ -53,7 +55,7 @@ class ProgramLibrary {
     const glsl::TranslatedProgram* translated(const plan::ProgramVariant& variant) {
         return translationOf(variant).program.get();
     }
-    /// True if a source of the variant mentions tangents.
+    /// True if the variant may read tangents.
     bool mayReadTangents(const plan::ProgramVariant& variant);
     /// The translation of a source line, from the first stage that has the line in a program that the driver
     /// refused. Empty if no refused program has it.

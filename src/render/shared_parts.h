@@ -15,7 +15,7 @@
 
 #include "base/program_resources.h"
 #include "geometry/mesh.h"
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
 #include "render/sight.h"

@@ -19,7 +19,7 @@
 #include "base/program_resources.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
-#include "glsl/translate.h"
+#include "glsl/types/stage.h"
 
 namespace glibra::scene {
 

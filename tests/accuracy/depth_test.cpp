@@ -6,6 +6,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/depth_target.h"
+#include "bench/reference/depth_kinds.h"
 
 namespace glibra::bench {
 namespace {

@@ -109,7 +109,7 @@ TEST(Json, EveryCutIsRefused) {
 }
 
 TEST(Against, TheSameRunReportsNothing) {
-    const Comparison same = compare(sampleReport(), sampleReport());
+    const RunComparison same = compare(sampleReport(), sampleReport());
     EXPECT_EQ(same.points.size(), 5U);
     EXPECT_FALSE(isWorse(same));
     EXPECT_TRUE(same.sameMachine);
@@ -124,7 +124,7 @@ TEST(Against, AGrownErrorIsWorseBeyondTheTolerance) {
     error *= 1.04;
     EXPECT_FALSE(isWorse(compare(sampleReport(), now)));
     error *= 1.04;
-    const Comparison worse = compare(sampleReport(), now);
+    const RunComparison worse = compare(sampleReport(), now);
     EXPECT_TRUE(isWorse(worse));
     EXPECT_NE(
         comparisonText(worse).find("worse   primitives/position, float, \"textbook\" <1>, 16: error 0.025"),
@@ -159,7 +159,7 @@ TEST(Against, NamesMissingPointsAndOtherMachines) {
     Report now = sampleReport();
     now.subjects[0].figures[0].curves[1].points.pop_back();
     now.machine.renderer = "other";
-    const Comparison comparison = compare(sampleReport(), now);
+    const RunComparison comparison = compare(sampleReport(), now);
     EXPECT_EQ(comparison.missing, (std::vector<std::string>{"primitives/position/double 32"}));
     EXPECT_FALSE(comparison.sameMachine);
     now.quick = false;
@@ -189,7 +189,7 @@ std::string firstImbalance(const std::string& page) {
 
 TEST(Html, IsWellFormedAndNeedsNothingElse) {
     Report report = sampleReport();
-    const Comparison comparison = compare(report, report);
+    const RunComparison comparison = compare(report, report);
     const std::string page = htmlReport(report, &comparison);
     EXPECT_EQ(firstImbalance(page), "");
     for (const char* outside : {"http:", "https:", "src=", "@import", "url("})

@@ -11,6 +11,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/report/log_axis.h"
+#include "bench/subjects/subjects.h"
 #include "samples.h"
 
 namespace glibra::bench::test {

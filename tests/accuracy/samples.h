@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/core/report.h"
 #include "bench/core/subject.h"
-#include "bench/report/report.h"
 
 namespace glibra::bench::test {
 

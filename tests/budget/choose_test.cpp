@@ -111,9 +111,7 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
         each->request.maxError = 50;
         each->program.inputs.push_back({"aNormal", 1});
     }
-    plain.program.facts.stages[1].source = "void main() { float s = pow(reflect(vLight, vNormal).z, 9.); }";
-    mirror.program.facts.stages[1].source =
-        "uniform samplerCube u; void main() { vec4 c = texture(u, reflect(vSight, vNormal)); }";
+    mirror.program.facts.stages[1].facts.magnifiesNormals = true;
     plain.choose();
     mirror.choose();
     EXPECT_EQ(plain.numbers(0), (std::vector<double>{1, 36, 18}));
@@ -124,7 +122,7 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
 class LitBudget : public Budget {
   public:
     LitBudget(const std::string& sphere, double slices) : Budget(kEye + kProgram + sphere) {
-        program.facts.stages[0].source = "void main() { vLight = pow(dot(n, l), 40.); }";
+        program.facts.stages[0].facts.callsFunctions = true;
         request.maxError = 5;
         request.contourShift = [this, slices](const Choice& from, const Choice& to) {
             ++asked;
@@ -184,9 +182,6 @@ TEST(Choose, SaysWhereFinerMeshesDoNotHelp) {
 
 TEST(Choose, MeasuresNothingOfProgramsThatOnlyPlace) {
     Budget budget(kEye + kProgram + "Sphere\n");
-    budget.program.facts.stages[0].source =
-        "layout(location = 0) in vec4 aVertex;\nvoid main() { vN = normalize(uNormalMatrix * aNormal);\n"
-        "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.); }";
     budget.request.contourShift = [](const Choice&, const Choice&) {
         ADD_FAILURE() << "no picture is needed";
         return std::optional<ContourShifts>();
@@ -211,14 +206,12 @@ TEST(Choose, KeepsWhatShowsItsTriangles) {
         EXPECT_EQ(budget.numbers(0), (std::vector<double>{1, 60, 60}));
         return budget.decision("Sphere");
     };
-    EXPECT_NE(kept([](Budget& b) {
-                  b.program.facts.stages[1].source = "flat in vec3 vN; void main() {}";
-              }).find("triangles"),
-              std::string::npos);
-    kept([](Budget& b) { b.program.facts.stages[1].source = "n = cross(dFdx(p), dFdy(p));"; });
+    EXPECT_NE(
+        kept([](Budget& b) { b.program.facts.stages[1].facts.showsPrimitives = true; }).find("triangles"),
+        std::string::npos);
     kept([](Budget&) {}, "Flat\n");
     EXPECT_NE(kept([](Budget& b) {
-                  b.program.facts.stages.push_back({glsl::Stage::geometry, "", {}, "a.geom", {}});
+                  b.program.facts.stages.push_back({glsl::Stage::geometry, "", {}, "a.geom", {}, {}});
               }).find("geometry stage"),
               std::string::npos);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/report/report.h"
+#include "bench/core/report.h"
 
 namespace glibra::bench {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <span>
 
+#include "bench/core/report.h"
 #include "bench/core/subject.h"
-#include "bench/report/report.h"
 
 namespace glibra::bench {
 

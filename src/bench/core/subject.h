@@ -1,9 +1,8 @@
 #pragma once
-// The subjects of `glibra bench`: one file each, one row each in the table.
+// What a subject of `glibra bench` is. The table of all subjects is in bench/subjects/subjects.h.
 
 #include <glibra/result.h>
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,8 +17,5 @@ struct Subject {
     /// Figures in the order of the page. Errors: the driver, or a file of the library that is missing.
     Result<std::vector<Figure>> (*measure)(Bench& bench);
 };
-
-/// All subjects in the order of the page.
-std::span<const Subject> subjects();
 
 }  // namespace glibra::bench

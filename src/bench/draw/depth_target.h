@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bench/subjects/depth.h"
+#include "bench/reference/depth_kinds.h"
 #include "gpu/framebuffer.h"
 #include "gpu/program.h"
 

@@ -79,8 +79,8 @@ std::string line(const PointChange& change, std::string_view word, const std::st
 
 }  // namespace
 
-Comparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options) {
-    Comparison comparison;
+RunComparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options) {
+    RunComparison comparison;
     const Machine &then = earlier.machine, &machine = now.machine;
     comparison.sameMachine = then.processor == machine.processor && then.cores == machine.cores &&
                              then.renderer == machine.renderer && then.version == machine.version;
@@ -103,12 +103,12 @@ Comparison compare(const Report& earlier, const Report& now, const ComparisonOpt
     return comparison;
 }
 
-bool isWorse(const Comparison& comparison) {
+bool isWorse(const RunComparison& comparison) {
     return std::ranges::any_of(comparison.points,
                                [](const PointChange& each) { return each.errorIsWorse || each.timeFails; });
 }
 
-std::string comparisonText(const Comparison& comparison) {
+std::string comparisonText(const RunComparison& comparison) {
     std::string errorLines, timeLines;
     std::size_t worse = 0, better = 0, slower = 0, faster = 0;
     std::vector<double> ratios;

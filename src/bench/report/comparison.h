@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/report.h"
+#include "bench/core/report.h"
 
 namespace glibra::bench {
 
@@ -26,19 +26,19 @@ struct PointChange {
     bool timeFails = false;                ///< timeIsWorse, and beyond ComparisonOptions::timeFactor
 };
 
-struct Comparison {
+struct RunComparison {
     std::vector<PointChange> points;
     std::vector<std::string> missing;  ///< "subject/figure/curve label" of measured subjects, in one run only
     bool sameMachine = true;           ///< processor, cores, renderer and version are the same
 };
 
 /// Subjects that only one of them measured are left out; so are missing points if one run was quick.
-Comparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options = {});
+RunComparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options = {});
 
 /// True if an error got worse or a time fails.
-bool isWorse(const Comparison& comparison);
+bool isWorse(const RunComparison& comparison);
 
 /// Lines for a terminal: a line on each point that got worse or better, then a summary.
-std::string comparisonText(const Comparison& comparison);
+std::string comparisonText(const RunComparison& comparison);
 
 }  // namespace glibra::bench

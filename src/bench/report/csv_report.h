@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bench/report/report.h"
+#include "bench/core/report.h"
 
 namespace glibra::bench {
 

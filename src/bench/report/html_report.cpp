@@ -156,7 +156,7 @@ std::string contents(const Report& report) {
     return html;
 }
 
-std::string comparisonSection(const Comparison& comparison) {
+std::string comparisonSection(const RunComparison& comparison) {
     return fmt::format(
         "<section id=\"comparison\"><h2>Against the earlier run: {}</h2><pre>{}</pre></section>\n",
         isWorse(comparison) ? "worse" : "nothing is worse", escapeHtml(comparisonText(comparison)));
@@ -183,7 +183,7 @@ std::string filled(std::string_view page, std::span<const Slot> slots) {
 
 }  // namespace
 
-std::string htmlReport(const Report& report, const Comparison* comparison) {
+std::string htmlReport(const Report& report, const RunComparison* comparison) {
     std::string body = comparison ? comparisonSection(*comparison) : std::string();
     std::size_t figures = 0, points = 0;
     for (const SubjectRun& subject : report.subjects) {

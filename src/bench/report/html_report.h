@@ -2,14 +2,14 @@
 
 #include <string>
 
+#include "bench/core/report.h"
 #include "bench/report/comparison.h"
-#include "bench/report/report.h"
 
 namespace glibra::bench {
 
 /// One page that needs nothing else, no network either: each figure as two diagrams (error against setting
 /// and against time), its findings, and a table of all its points. With a comparison, what changed comes
 /// first.
-std::string htmlReport(const Report& report, const Comparison* comparison = nullptr);
+std::string htmlReport(const Report& report, const RunComparison* comparison = nullptr);
 
 }  // namespace glibra::bench

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/report/report.h"
+#include "bench/core/report.h"
 
 namespace glibra::bench {
 

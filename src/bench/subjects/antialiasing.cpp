@@ -9,8 +9,8 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
-#include "bench/draw/pixel_filter.h"
-#include "bench/reference/patterns.h"
+#include "bench/draw/patterns.h"
+#include "bench/reference/pixel_filter.h"
 
 namespace glibra::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/byte_filter.h"
 #include "bench/draw/offscreen.h"
-#include "bench/draw/pixel_filter.h"
+#include "bench/reference/pixel_filter.h"
 #include "bench/reference/test_card.h"
 
 namespace glibra::bench {

@@ -104,13 +104,13 @@ std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t s
     return static_cast<std::uint32_t>(b << 16U | a);
 }
 
-/// Rows of so many bytes at a time, so that they are packed while they are in the processor's cache.
+/// Packs a piece of 128 KiB at a time, which stays in the processor's cache.
 std::vector<std::byte> packAtOnce(const Image& image) {
     constexpr std::size_t kPieceBytes = std::size_t{128} << 10;
     const std::size_t rowSize = 1 + image.rowBytes();
     const int rows = static_cast<int>(std::clamp<std::size_t>(kPieceBytes / rowSize, 1, 65536));
     std::vector<std::uint8_t> piece(rowSize * static_cast<std::size_t>(std::min(rows, image.height)));
-    QuickPacker packer;
+    QuickPacker packer(static_cast<std::size_t>(image.components) * bytesOf(image.type));
     for (int y = 0; y < image.height; y += rows) {
         const int count = std::min(rows, image.height - y);
         filterRows(image, y, count, PngFiltering::up, piece.data());

@@ -11,8 +11,8 @@
 namespace glibra::image {
 
 struct PngOptions {
-    /// libdeflate's, 1 (fast) to 12 (smallest); 0: as quickly as possible, for files a quarter larger than
-    /// those of 1.
+    /// libdeflate's levels, 1 (fast) to 12 (smallest). 0: as quickly as possible, which suits the frames of
+    /// animations; the files are larger.
     int level = 4;
     /// Keyword and text (UTF-8), stored as tEXt, or as iTXt where the text is not plain ASCII. Keywords
     /// are 1..79 printable ASCII characters; others are left out.

@@ -2,10 +2,10 @@
 
 #include <embedded/lens_shaders.h>
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
+#include "glsl/emit/wrapped_main.h"
 #include "gpu/reflection.h"
 #include "gpu/uniform.h"
 #include "render/derived_program.h"
@@ -20,43 +20,6 @@ bool hasStage(const render::BuiltProgram& built, glsl::Stage stage) {
                        [&](const glsl::TranslatedStage& each) { return each.stage == stage; });
 }
 
-/// True if the source has that name as a word of its own.
-bool hasWord(std::string_view source, std::string_view word) {
-    const auto isPart = [&](std::size_t at) {
-        return at < source.size() &&
-               (std::isalnum(static_cast<unsigned char>(source[at])) != 0 || source[at] == '_');
-    };
-    for (std::size_t at = source.find(word); at != std::string_view::npos; at = source.find(word, at + 1))
-        if ((at == 0 || !isPart(at - 1)) && !isPart(at + word.size())) return true;
-    return false;
-}
-
-/// "#version 450 core\n" of the source.
-std::string versionLine(std::string_view source) {
-    const std::size_t at = source.find("#version");
-    if (at == std::string_view::npos) return "#version 410 core\n";
-    return std::string(source.substr(at, source.find('\n', at) - at)) + "\n";
-}
-
-/// The source with its main under another name, which `main` calls between `before` and `after`.
-std::string wrapped(std::string_view source, std::string_view declarations, std::string_view before,
-                    std::string_view after) {
-    const std::size_t at = source.find("#version");
-    const std::size_t behind =
-        at == std::string_view::npos ? 0 : std::min(source.size(), source.find('\n', at) + 1);
-    std::string text(source.substr(0, behind));
-    text += "#define main glibra_sceneMain\n";
-    text += source.substr(behind);
-    text += "\n#undef main\n";
-    text += declarations;
-    text += "void main() {\n";
-    text += before;
-    text += "    glibra_sceneMain();\n";
-    text += after;
-    text += "}\n";
-    return text;
-}
-
 constexpr std::string_view kEyeOfFragment =
     "uniform mat4 glibra_lensProjectionInverse;\nuniform vec2 glibra_lensSize;\n"
     "vec3 glibra_lensEye(float depth) {\n"
@@ -64,13 +27,13 @@ constexpr std::string_view kEyeOfFragment =
     "               vec4(2. * gl_FragCoord.xy / glibra_lensSize - 1., 2. * depth - 1., 1.);\n"
     "    return eye.xyz / eye.w;\n}\n";
 
-/// What is added to a fragment stage.
+/// GLSL that is added to a fragment stage.
 struct Addition {
     std::string declarations = "layout(location = 7) out vec4 glibra_lens;\n";
     std::string before, body;
 };
 
-Addition fragmentAddition(std::string_view source, Lens lens, LensStages stages, bool isVertexAlone) {
+Addition fragmentAddition(bool maySetDepth, Lens lens, LensStages stages, bool isVertexAlone) {
     Addition add;
     if (stages == LensStages::flatNormals) {
         add.declarations += kEyeOfFragment;
@@ -89,9 +52,8 @@ Addition fragmentAddition(std::string_view source, Lens lens, LensStages stages,
             add.body = "    glibra_lens = vec4(gl_FrontFacing ? 1. : 0., 0., 0., 1.);\n";
             break;
         case Lens::depth: {
-            // It may be written under a condition.
-            const bool maySetDepth = hasWord(source, "gl_FragDepth");
             add.declarations += kEyeOfFragment;
+            // The stage may write the depth under a condition, so it gets its value first.
             if (maySetDepth) add.before = "    gl_FragDepth = gl_FragCoord.z;\n";
             add.body = std::string("    float depth = ") + (maySetDepth ? "gl_FragDepth" : "gl_FragCoord.z") +
                        ";\n    glibra_lens = vec4(depth, -glibra_lensEye(depth).z, 0., 1.);\n";
@@ -103,7 +65,7 @@ Addition fragmentAddition(std::string_view source, Lens lens, LensStages stages,
     return add;
 }
 
-/// Vertices whose stage moves them elsewhere than the matrices do have no normal that anybody knows.
+/// The normal of a vertex is unknown if the vertex stage moves the vertex elsewhere than the matrices do.
 constexpr std::string_view kNormalDeclarations =
     "in vec4 glibra_lensPosition;\nin vec3 glibra_lensNormal;\n"
     "uniform mat4 glibra_lensModelViewProjection;\nuniform mat3 glibra_lensNormalMatrix;\n"
@@ -152,22 +114,22 @@ std::optional<LensProgram> makeLensProgram(const gpu::Context& context, const re
     if (asLines && (hasGeometryStage(built) || !(isVertexAlone || tessellated == "triangles")))
         return std::nullopt;
     std::vector<std::pair<GLenum, std::string>> sources;
-    std::string ownFragment;  // if the scene's does not link with ours
+    std::string ownFragment;  // used if the scene's does not link with the additions
     for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
         std::string source = each.source;
-        const std::string version = versionLine(source);
+        const std::string version = glsl::versionLine(each);
         if (each.stage == glsl::Stage::vertex && isVertexAlone && asLines)
-            source = wrapped(source, kNormalDeclarations, "", kNormalBody);
+            source = glsl::wrappedMain(each, {kNormalDeclarations, "", kNormalBody});
         if (each.stage == glsl::Stage::vertex && isVertexAlone && !asLines && lens == Lens::coordinates)
-            source = wrapped(source, "in vec4 glibra_lensCoordinates;\nout vec4 glibra_lensST;\n", "",
-                             "    glibra_lensST = glibra_lensCoordinates;\n");
+            source = glsl::wrappedMain(each, {"in vec4 glibra_lensCoordinates;\nout vec4 glibra_lensST;\n",
+                                              "", "    glibra_lensST = glibra_lensCoordinates;\n"});
         if (each.stage == glsl::Stage::fragment && asLines) {
             sources.emplace_back(GL_GEOMETRY_SHADER, normalsGeometry(version, isVertexAlone));
             source = version + std::string(lens_shaders::normals_frag());
         } else if (each.stage == glsl::Stage::fragment) {
-            const Addition add = fragmentAddition(source, lens, stages, isVertexAlone);
-            source = wrapped(source, add.declarations, add.before, add.body);
-            const Addition alone = fragmentAddition("", lens, stages, isVertexAlone);
+            const Addition add = fragmentAddition(each.facts.mayWriteDepth, lens, stages, isVertexAlone);
+            source = glsl::wrappedMain(each, {add.declarations, add.before, add.body});
+            const Addition alone = fragmentAddition(false, lens, stages, isVertexAlone);
             ownFragment = version + alone.declarations + "void main() {\n" + alone.body + "}\n";
         }
         sources.emplace_back(render::glStage(each.stage), std::move(source));

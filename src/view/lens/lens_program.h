@@ -1,5 +1,5 @@
 #pragma once
-// A program that shows something of the pipeline: a scene's own stages, their main wrapped in one of ours.
+// Programs that show what the pipeline does: a scene's own stages, whose main is called from another main.
 
 #include <optional>
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace glibra::view {
 
-/// What a draw is drawn with while a lens is on.
+/// The stages with which a draw is drawn while a lens is on.
 enum class LensStages {
-    numbers,      ///< the scene's stages; color output 7 (kLensOutput) gets the lens's number
-    normalLines,  ///< the scene's stages up to the tessellation, then lines along the normals (output 0)
-    flatNormals   ///< the scene's stages; output 7 gets the direction a surface faces, as a colour
+    numbers,      ///< the scene's stages; colour output 7 (kLensOutput) gets the lens's number
+    normalLines,  ///< the scene's stages up to the tessellation, and lines along the normals (output 0)
+    flatNormals   ///< the scene's stages; output 7 gets the direction that a surface faces, as a colour
 };
-/// No scene for a window writes to it, so that all it does write can be left aside.
+/// The colour output for the lens. No scene in a window uses it.
 inline constexpr int kLensOutput = 7;
 
 struct LensProgram {
@@ -27,7 +27,7 @@ struct LensProgram {
 
     /// Does nothing if the program has no such uniform.
     void set(std::string_view uniform, std::span<const double> values) const;
-    /// Gives every uniform, sampler and block the value it has in the program this was made from.
+    /// Gives every uniform, sampler and block its value in the program that this one was made from.
     void copyUniforms(const render::BuiltProgram& from) const;
 };
 
@@ -36,9 +36,10 @@ inline constexpr std::string_view kLensPosition = "glibra_lensPosition";
 inline constexpr std::string_view kLensNormal = "glibra_lensNormal";
 inline constexpr std::string_view kLensCoordinates = "glibra_lensCoordinates";
 
-/// Nothing if it cannot be made: texture coordinates that a tessellation or geometry stage does not pass on
-/// as vST, lines of what is no triangle. Fragments that the scene's fragment stage discards stay discarded,
-/// and depths that it writes are kept, unless the driver does not link it with ours.
+/// Nothing if it cannot be made: for texture coordinates that a tessellation or geometry stage does not pass
+/// on as vST, and for normal lines of primitives other than triangles. Fragments that the scene's fragment
+/// stage discards stay discarded, and depths that it writes are kept, unless the driver does not link it with
+/// the additions.
 std::optional<LensProgram> makeLensProgram(const gpu::Context& context, const render::BuiltProgram& built,
                                            Lens lens, LensStages stages);
 

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 #include "scene/matrices.h"
 
 namespace glibra::view {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "glsl/emit/emitted_lines.h"
 #include "gpu/context.h"
 #include "gpu/target.h"
 #include "plan/frame_plan.h"

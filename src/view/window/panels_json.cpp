@@ -41,7 +41,7 @@ void addPanels(nlohmann::ordered_json& state, const Ui& ui) {
     state["suiteMessage"] = ui.suite.message;
     state["lensWords"] = ui.lensWords;
     if (const NoiseWindow& noise = ui.shared.noise; noise.isOpen)
-        state["noise"] = {{"command", noiseCommand(noise.noise, noise.file.data())},
+        state["noise"] = {{"command", noise::noiseCommand(noise.noise, noise.file.data())},
                           {"point", noise.chosen},
                           {"message", noise.message}};
     if (!ui.cost) return;

@@ -34,10 +34,10 @@ void choice(Ui& ui, const char* label, const std::array<const char*, N>& words, 
 
 void functionControls(Ui& ui) {
     noise::GraphOptions& options = ui.shared.noise.noise.options;
-    choice(ui, "Lattice", kLatticeWords, options.lattice);
-    choice(ui, "Smoothness", kSmoothnessWords, options.smoothness);
+    choice(ui, "Lattice", noise::kLatticeWords, options.lattice);
+    choice(ui, "Smoothness", noise::kSmoothnessWords, options.smoothness);
     ImGui::BeginDisabled(options.lattice != noise::Lattice::value);
-    choice(ui, "Gradients", kSlopesWords, options.slopes);
+    choice(ui, "Gradients", noise::kSlopesWords, options.slopes);
     ImGui::EndDisabled();
     ImGui::SliderInt("Octaves", &options.octaves, 1, noise::kMostGraphOctaves, "%d",
                      ImGuiSliderFlags_AlwaysClamp);
@@ -101,12 +101,12 @@ void write(NoiseWindow& window, int dimensions) {
     window.noise.width = std::clamp(window.noise.width, 1, 16384);
     window.noise.height = std::clamp(window.noise.height, 1, 16384);
     const std::string file = window.file.data();
-    if (dimensions == 2 && endingOf(file) == ".svg") {
+    if (dimensions == 2 && noise::endingOf(file) == ".svg") {
         window.message = "an SVG file holds a graph; choose another ending";
         window.failed = true;
         return;
     }
-    const Diagnostics problems = writeNoise(window.noise, file);
+    const Diagnostics problems = noise::writeNoise(window.noise, file);
     window.failed = hasError(problems);
     window.message = problems.empty() ? "written: " + file : problems.front().text;
 }
@@ -129,7 +129,7 @@ void fileControls(Ui& ui) {
     mark(ui, "noise/WritePicture");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png, or .tex: a raw texture of two dimensions");
     if (ImGui::Button("Copy command"))
-        ImGui::SetClipboardText(noiseCommand(window.noise, window.file.data()).c_str());
+        ImGui::SetClipboardText(noise::noiseCommand(window.noise, window.file.data()).c_str());
     mark(ui, "noise/Copy");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The command that writes the same as the button pressed last");
@@ -185,7 +185,7 @@ void noiseWindow(Ui& ui) {
         ImGui::Separator();
         pointControls(ui);
         ImGui::Separator();
-        choice(ui, "Colours", kColorWords, ui.shared.noise.noise.colors);
+        choice(ui, "Colours", noise::kColorWords, ui.shared.noise.noise.colors);
         fileControls(ui);
         ImGui::PopItemWidth();
         ImGui::EndChild();

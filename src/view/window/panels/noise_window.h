@@ -6,13 +6,13 @@
 #include <string>
 
 #include "gpu/texture.h"
-#include "view/export/noise_file.h"
+#include "noise/noise_file.h"
 
 namespace glibra::view {
 
 struct NoiseWindow {
     bool isOpen = false;
-    NoiseFile noise;
+    noise::NoiseFile noise;
     int chosen = 2;  ///< a point of the first octave
     enum class Drag { none, height, gradient } drag = Drag::none;
     std::array<char, 1024> file{"noise.png"};
