@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/program_resources.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
@@ -48,7 +49,7 @@ struct Shape {
         list;  ///< the mesh itself where the scene's text gives the vertices
 };
 
-enum class TextureTarget { texture1D, texture2D, texture3D, cube };
+using base::TextureTarget;
 enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
@@ -86,6 +87,10 @@ struct Texture {
 struct Sampling {
     bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
 };
+
+/// Units that hold the noise textures until a scene fills them; Noise2 and Noise3 without a tag read them.
+inline constexpr int kNoise2Unit = 2;
+inline constexpr int kNoise3Unit = 3;
 
 /// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and
 /// [1] (3D, unit 3).

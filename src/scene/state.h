@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/list_mesh.h"
+#include "glib/command_table.h"
 #include "glib/script.h"
 #include "scene/file_lookup.h"
 #include "scene/interpret.h"
@@ -20,9 +21,8 @@
 
 namespace glibra::scene {
 
-inline constexpr glm::dvec4 kInitialBackground{18 / 255., 27 / 255., 33 / 255., 1};
-inline constexpr int kNoise2Unit = 2;
-inline constexpr int kNoise3Unit = 3;
+inline constexpr glm::dvec4 kInitialBackground{glib::kDefaultBackground[0], glib::kDefaultBackground[1],
+                                               glib::kDefaultBackground[2], 1};
 
 struct SavedMatrix {
     glm::dmat4 modelView;
