@@ -99,7 +99,7 @@ std::optional<DebugProgram> link(const gpu::Context& context,
 
 }  // namespace
 
-bool hasStagesBehindVertices(const render::BuiltProgram& built) {
+bool hasStagesAfterVertices(const render::BuiltProgram& built) {
     return hasGeometryStage(built) || hasStage(built, glsl::Stage::tessEvaluation);
 }
 bool hasGeometryStage(const render::BuiltProgram& built) {
@@ -108,7 +108,7 @@ bool hasGeometryStage(const render::BuiltProgram& built) {
 
 std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
                                              DebugView kind, DebugStages stages) {
-    const bool isVertexAlone = !hasStagesBehindVertices(built);
+    const bool isVertexAlone = !hasStagesAfterVertices(built);
     const bool asLines = stages == DebugStages::normalLines;
     const std::string& tessellated = built.interface.facts.tessellationOutput;
     if (asLines && (hasGeometryStage(built) || !(isVertexAlone || tessellated == "triangles")))

@@ -44,7 +44,7 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
                                              DebugView kind, DebugStages stages);
 
 /// True if that program has a tessellation or geometry stage.
-bool hasStagesBehindVertices(const render::BuiltProgram& built);
+bool hasStagesAfterVertices(const render::BuiltProgram& built);
 bool hasGeometryStage(const render::BuiltProgram& built);
 
 }  // namespace glibra::view

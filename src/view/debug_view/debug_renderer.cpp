@@ -94,7 +94,7 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
     if (entry->second.program) connect(draw, entry->second);
     if (!entry->second.program && kind != DebugView::normals &&
         told_.try_emplace({kind, draw.program}, true).second) {
-        const char* why = kind == DebugView::coordinates && hasStagesBehindVertices(*built)
+        const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
                               ? "its stages pass no vST to the fragment stage"
                               : "the driver cannot link its stages with those of the debug view";
         remarks_.push_back(warning(
