@@ -93,8 +93,9 @@ constexpr CatalogueRow kRows[] = {
      "no LookAt: eye moved back by 4.125 along z (use --view glman to switch this off)"},
     {"draw-N02", Severity::note, "the picture has only one colour"},
     {"draw-N03", Severity::note,
-     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; --override-counts chooses "
-     "for it"},
+     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
+     "choose "
+     "finer ones"},
     // Shaders
     {"glsl-E01", Severity::error, "'vMC' : undeclared identifier"},
     {"glsl-E02", Severity::error, "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},
@@ -206,13 +207,12 @@ constexpr CatalogueRow kRows[] = {
     {"bench-E01", Severity::error, "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", Severity::error, "this is not a run of glibra bench; --against takes its bench.json"},
     // The window
-    {"view-E01", Severity::error, "the value of 'uKd' cannot be found in the scene any more"},
+    {"view-E01", Severity::error, "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02", Severity::error,
-     "no display to open a window on (X11: The DISPLAY environment variable is missing); `glibra render "
-     "SCENE` "
-     "makes a picture without one"},
+     "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
+     "picture without one"},
     {"view-W01", Severity::warning,
-     "Sphere is left out of the view 'texture coordinates': its stages pass no vST on to the fragment "
+     "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check.h"
+#include "glsl/emit/log.h"
 #include "glsl/translate.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
