@@ -1,5 +1,5 @@
 #pragma once
-// What glibra tells a user about a scene: one message with a place, a severity and an id that never changes
+// A diagnostic is a message to a user about a scene: it has a place, a severity, and an id that never changes
 // meaning.
 
 #include <string>
@@ -10,7 +10,7 @@ namespace glibra {
 
 enum class Severity { note, warning, error };
 
-/// A place in a file. Line and column count from 1; columns count bytes, a tab is one column.
+/// A place in a file. Lines and columns count from 1; a column is a byte, and a tab is one column.
 struct Place {
     std::string file;
     int line = 1;
@@ -19,7 +19,7 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// One message. `id` is the catalogue's id without brackets, for example "glib-W04".
+/// One message. `id` is an id of the catalogue without brackets, for example "glib-W04".
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string id;
@@ -64,7 +64,8 @@ inline const char* name(Severity severity) {
     return "error";
 }
 
-/// `file:line:col: severity: text [id]`, without a line end. A place without a file is left out.
+/// Formats a diagnostic as `file:line:col: severity: text [id]`, without a line end. A place without a file
+/// is omitted.
 inline std::string toString(const Diagnostic& diagnostic) {
     std::string line;
     if (!diagnostic.place.file.empty())

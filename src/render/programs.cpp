@@ -15,8 +15,6 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
 /// The bytes as text, without a UTF-8 byte order mark.
 std::string asText(const std::vector<std::byte>& bytes) {
     std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
