@@ -8,8 +8,8 @@ pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 
 glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
 
-file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/shaders/*)
-glibra_embed(glibra_view lens_shaders ${lens_shaders})
+file(GLOB debug_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/debug_view/shaders/*)
+glibra_embed(glibra_view debug_shaders ${debug_shaders})
 
 file(GLOB_RECURSE window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/window/*.cpp)
 add_executable(glibra_window ${window_sources})

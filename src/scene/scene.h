@@ -40,8 +40,9 @@ struct FileReference {
 /// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
 struct Shape {
     glib::CommandId command{};
-    /// Arguments, defaults filled in. Behind them may stand a count that the language fixes and no scene
-    /// states: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an Xarrow.
+    /// Arguments, defaults filled in. A count that the language fixes and no scene
+    /// states may follow: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an
+    /// Xarrow.
     std::vector<double> numbers;
     int file = kNone;  ///< index into Scene::files
     std::shared_ptr<const geometry::Mesh>

@@ -36,13 +36,13 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
 };
 
-/// A stripe's DEFLATE stream, and the checksum of what is packed in it.
+/// The DEFLATE stream of a stripe, and the checksum of the packed bytes.
 struct PackedStripe {
     std::vector<std::byte> stream;
     std::uint32_t adler = 1;
 };
 
-/// What one thread needs, used for one stripe after another.
+/// The buffers of one thread, used for one stripe after another.
 class StripePacker {
   public:
     StripePacker(const Image& image, int level, std::size_t mostBytes)
@@ -74,7 +74,7 @@ class StripePacker {
     std::size_t bound_ = 0;
 };
 
-/// All stripes; nothing if there is not enough memory.
+/// Packs all stripes, with this thread and others; empty if there is not enough memory.
 std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stripe>& stripes, int level,
                                       int threads) {
     std::vector<PackedStripe> packed(stripes.size());
@@ -92,8 +92,8 @@ std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stri
     return packed;
 }
 
-/// The Adler-32 checksum of two texts one behind the other, from those of both (RFC 1950, section 9: a is 1
-/// plus the sum of the bytes, b is the sum of all a on the way).
+/// The Adler-32 checksum of two consecutive texts from the checksums of both (RFC 1950, section 9: a is 1
+/// plus the sum of the bytes, b is the sum of all intermediate values of a).
 std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t secondSize) {
     constexpr std::uint64_t kPrime = 65521;
     const std::uint64_t firstA = first & 0xffffU, firstB = first >> 16U;
@@ -128,7 +128,7 @@ std::vector<std::byte> packPngData(const Image& image, int level, unsigned threa
     const auto packed = packStripes(image, stripes, level, static_cast<int>(threads));
     if (packed.empty()) return {};
 
-    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // a window of 32 KiB, quickly packed
+    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // window of 32 KiB, packed fast
     std::size_t size = stream.size() + 4;
     for (const PackedStripe& each : packed) size += each.stream.size();
     stream.reserve(size);
