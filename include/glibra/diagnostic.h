@@ -10,7 +10,7 @@ namespace glibra {
 
 enum class Severity { note, warning, error };
 
-/// A place in a file. Line and column count from 1; columns count bytes, a tab is one column.
+/// A place in a file. Lines and columns count from 1; a column is a byte, and a tab is one column.
 struct Place {
     std::string file;
     int line = 1;

@@ -46,7 +46,7 @@ struct RenderArguments {
     bool explain = false;
 };
 
-/// "WxH", both 1..65536.
+/// "WxH", both 1..kLargestPictureSide.
 std::optional<std::pair<int, int>> parseSize(const std::string& text) {
     int width = 0;
     int height = 0;
@@ -54,7 +54,8 @@ std::optional<std::pair<int, int>> parseSize(const std::string& text) {
     // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is
     // bounded
     if (std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) != 2) return std::nullopt;
-    if (width < 1 || height < 1 || width > 65536 || height > 65536) return std::nullopt;
+    if (width < 1 || height < 1 || width > kLargestPictureSide || height > kLargestPictureSide)
+        return std::nullopt;
     return std::pair(width, height);
 }
 

@@ -15,7 +15,7 @@ using base::ValueType;
 /// What a program reads, with the translator's facts about its stages. The names of uniforms are the user's.
 struct ProgramInterface : base::ActiveResources {
     glsl::TranslatedProgram facts;  ///< stages' sources may be empty; diagnostics of translating and linking
-    bool usable = false;            ///< it linked; if not, `facts.diagnostics` says why
+    bool usable = false;            ///< it linked; otherwise `facts.diagnostics` says why
     bool isBuiltin = false;         ///< glibra's own flat-colour program
 };
 

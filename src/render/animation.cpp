@@ -15,8 +15,6 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
 /// Searches shader files for one word.
 class TimerSearch {
   public:

@@ -1,6 +1,8 @@
 #include "render/device_scene.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "glsl/types/builtins.h"
 #include "render/reuse.h"
@@ -53,6 +55,42 @@ std::size_t bytesOf(const DeviceMesh& mesh) {
     for (const DeviceMesh::Attribute& each : mesh.attributes)
         bytes += each.floats.size() + (each.integers ? each.integers->size() : 0);
     return bytes;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The indices and the wanted attributes of a mesh on the device; `isInteger` says which attributes are also
+/// needed as ints.
+template <class IsInteger>
+Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<std::string>& wanted,
+                                const IsInteger& isInteger) {
+    DeviceMesh copy;
+    copy.vertexCount = source.vertexCount();
+    copy.indexCount = static_cast<int>(source.indices.size());
+    Diagnostics diagnostics;
+    const auto upload = [&](auto values) {
+        Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(values));
+        append(diagnostics, std::move(buffer.diagnostics));
+        return std::move(buffer.value);
+    };
+    copy.indices = upload(std::span(source.indices));
+    if (!copy.indices) return diagnostics;
+    for (const geometry::Attribute& each : source.attributes) {
+        if (!contains(wanted, each.name)) continue;
+        std::optional<gpu::Buffer> floats = upload(std::span(each.values));
+        if (!floats) return diagnostics;
+        DeviceMesh::Attribute attribute{each.name, each.components, std::move(*floats), std::nullopt};
+        if (isInteger(each.name)) {
+            std::vector<std::int32_t> values(each.values.size());
+            std::transform(each.values.begin(), each.values.end(), values.begin(),
+                           [](float value) { return static_cast<std::int32_t>(value); });
+            attribute.integers = upload(std::span(std::as_const(values)));
+        }
+        copy.attributes.push_back(std::move(attribute));
+    }
+    return {std::move(copy), std::move(diagnostics)};
 }
 
 }  // namespace
@@ -163,51 +201,31 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
 
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
                                 const ProgramLibrary& programs) {
-    Diagnostics diagnostics;
     const plan::PlannedMesh& wanted = plan.meshes[planned];
-    const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(),
-                                        geometry::kTangent) != wanted.attributes.end();
+    const auto isInteger = [&](std::string_view attribute) {
+        return wantsIntegers(plan, planned, attribute, programs);
+    };
     std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(wanted.shape)]);
     if (!key.empty())
-        for (const std::string& each : wanted.attributes)
-            key += (wantsIntegers(plan, planned, each, programs) ? " i" : " ") + each;
+        for (const std::string& each : wanted.attributes) key += (isInteger(each) ? " i" : " ") + each;
     deviceMeshKeys_[planned] = key;
     deviceMeshes_[planned] = earlierDeviceMesh(key, plan, planned);
-    if (deviceMeshes_[planned]) return diagnostics;
-    const geometry::Mesh* source = mesh(wanted.shape, withTangents, &diagnostics);
+    if (deviceMeshes_[planned]) return {};
+    Diagnostics diagnostics;
+    const geometry::Mesh* source =
+        mesh(wanted.shape, contains(wanted.attributes, geometry::kTangent), &diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     const StageTimer timer(stats_, "upload");
-    auto uploaded = std::make_shared<DeviceMesh>();
-    uploaded->vertexCount = source->vertexCount();
-    uploaded->indexCount = static_cast<int>(source->indices.size());
-    Result<gpu::Buffer> indices = gpu::Buffer::create(std::as_bytes(std::span(source->indices)));
-    append(diagnostics, std::move(indices.diagnostics));
-    if (!indices) return diagnostics;
-    uploaded->indices = std::move(indices.value);
-    for (const geometry::Attribute& each : source->attributes) {
-        if (std::find(wanted.attributes.begin(), wanted.attributes.end(), each.name) ==
-            wanted.attributes.end())
-            continue;
-        Result<gpu::Buffer> floats = gpu::Buffer::create(std::as_bytes(std::span(each.values)));
-        append(diagnostics, std::move(floats.diagnostics));
-        if (!floats) return diagnostics;
-        DeviceMesh::Attribute attribute{each.name, each.components, std::move(*floats), std::nullopt};
-        if (wantsIntegers(plan, planned, each.name, programs)) {
-            std::vector<std::int32_t> values(each.values.size());
-            std::transform(each.values.begin(), each.values.end(), values.begin(),
-                           [](float value) { return static_cast<std::int32_t>(value); });
-            Result<gpu::Buffer> integers = gpu::Buffer::create(std::as_bytes(std::span(values)));
-            append(diagnostics, std::move(integers.diagnostics));
-            attribute.integers = std::move(integers.value);
-        }
-        uploaded->attributes.push_back(std::move(attribute));
-    }
+    Result<DeviceMesh> made = copyToDevice(*source, wanted.attributes, isInteger);
+    append(diagnostics, std::move(made.diagnostics));
+    if (!made) return diagnostics;
+    const auto uploaded = std::make_shared<const DeviceMesh>(std::move(*made));
     stats_.add("meshes", 1);
     stats_.add("vertices stored", uploaded->vertexCount);
     if (shared_ && !key.empty() && meshes_.at(wanted.shape).remarks.empty())
         shared_->deviceMeshes.add(key, uploaded, bytesOf(*uploaded));
-    deviceMeshes_[planned] = std::move(uploaded);
+    deviceMeshes_[planned] = uploaded;
     return diagnostics;
 }
 

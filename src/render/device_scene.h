@@ -40,12 +40,11 @@ struct DeviceMesh {
 
 class DeviceScene {
   public:
-    /// `shared`: parts of other scenes, or null.
+    /// `shared`: parts of other scenes, or null. `sharesTextures`: statements that name the same files share
+    /// one texture.
     DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats,
-                SharedParts* shared = nullptr)
-        : context_(context), scene_(scene), stats_(stats), shared_(shared) {}
-    /// From now on statements that name the same files do not share a texture.
-    void separateTextures() { sharesPictures_ = false; }
+                SharedParts* shared = nullptr, bool sharesTextures = true)
+        : context_(context), scene_(scene), stats_(stats), shared_(shared), sharesTextures_(sharesTextures) {}
 
     /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
     /// unchanged meshes and textures.
@@ -110,8 +109,8 @@ class DeviceScene {
     const scene::Scene& scene_;
     Stats& stats_;
     SharedParts* shared_;
+    bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
-    bool sharesPictures_ = true;
     std::map<int, MadeMesh> meshes_;
     std::map<int, VertexBox> bounds_;
     std::vector<std::string> deviceMeshKeys_;

@@ -148,7 +148,7 @@ void DeviceScene::readAhead(int index) {
 Diagnostics DeviceScene::makeTexture(int index) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
-    if (picture && sharesPictures_) {
+    if (picture && sharesTextures_) {
         // Files used twice are read once: statements that name the same files share one texture.
         std::vector<int> key = picture->files;
         key.push_back(static_cast<int>(texture.target));

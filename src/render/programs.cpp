@@ -15,8 +15,6 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
 /// The bytes as text, without a UTF-8 byte order mark.
 std::string asText(const std::vector<std::byte>& bytes) {
     std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -152,12 +150,12 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     gpu::BuildOutcome outcome = gpu::buildProgram(
         context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
-        Diagnostics said = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
-        if (!outcome.stages[i].compiled && !hasError(said))
-            said.push_back(error("glsl-E01",
-                                 "the driver does not compile the shader: " + outcome.stages[i].log,
-                                 {translated.stages[i].path, 1, 1}));
-        append(diagnostics, std::move(said));
+        Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+        if (!outcome.stages[i].compiled && !hasError(found))
+            found.push_back(error("glsl-E01",
+                                  "the driver does not compile the shader: " + outcome.stages[i].log,
+                                  {translated.stages[i].path, 1, 1}));
+        append(diagnostics, std::move(found));
     }
     if (!outcome.program && !hasError(diagnostics)) {
         append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));

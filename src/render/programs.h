@@ -23,6 +23,9 @@
 
 namespace glibra::render {
 
+/// The largest shader file, in bytes (language, 11).
+inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
+
 /// A program of the driver and what it reads.
 struct BuiltProgram {
     std::optional<gpu::Program> program;  ///< nothing if it failed to translate, compile or link

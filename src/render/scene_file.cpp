@@ -3,6 +3,7 @@
 #include <set>
 #include <tuple>
 
+#include "glib/limits.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
@@ -18,8 +19,7 @@ Result<std::string> readScene(const std::filesystem::path& path) {
     // An empty scene is valid, unlike every other empty file.
     if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
         return std::string();
-    constexpr std::uint64_t kLargestScene = 4ULL << 20;
-    const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
+    const auto bytes = image::readFile(path, {path.string(), place}, glib::kLargestFile);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const Diagnostic& why = bytes.diagnostics.front();
     return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);

@@ -66,7 +66,6 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
-    if (!options.skip) device.separateTextures();
     Diagnostics diagnostics;
     if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
     options.samples = std::max(1, options.samples);

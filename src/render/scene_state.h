@@ -28,7 +28,7 @@ struct SceneRenderer::State {
                                                                    : nullptr),
           parts(ownParts ? ownParts.get() : shared),
           programs(context, scene, options, tiled, stats, parts),
-          device(context, scene, stats, parts) {}
+          device(context, scene, stats, parts, options.skip) {}
 
     /// Needs no GL. Reports glib-E15 for a picture that is too large.
     static Result<std::unique_ptr<State>> of(gpu::Context& context, scene::Scene interpreted,

@@ -98,8 +98,7 @@ TEST(OpenContext, CubeMapsAreSeamlessAndNothingIsDithered) {
 }
 
 TEST(OpenContext, LlvmpipeIsToldToFilterInFloatUnlessTheUserSaysOtherwise) {
-    // The driver reads it once: at the first context of the process, which is to have it whatever test comes
-    // first.
+    // The driver reads the variable once, at the first context of the process, whichever test opens it.
     (void)openContext();
     ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
     (void)openContext({.floatFiltering = false});

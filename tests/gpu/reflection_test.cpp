@@ -194,7 +194,7 @@ void main() {
     EXPECT_EQ(sky->type.target, base::TextureTarget::cube);
 }
 
-/// The compiler is asked what each GLSL word is, so that table and driver agree on number and word.
+/// Compiles a program per GLSL type, so that the table must agree with the driver on number and word.
 TEST_F(ReflectionTest, EveryNumericTypeIsKnownByItsWord) {
     for (const char* word :
          {"float",   "vec2",    "vec3",    "vec4",    "double",  "dvec2",  "dvec3", "dvec4",

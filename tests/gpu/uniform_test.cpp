@@ -45,7 +45,7 @@ TEST_F(UniformTest, EveryTypeReadsBackWhatWasSet) {
         const auto components = static_cast<std::size_t>(uniform.type.components());
         std::vector<double> values;
         for (std::size_t i = 0; i < 4 * components; ++i) {
-            // Not representable in float, so that single and double precision are told apart.
+            // Not representable in float, so that single and double precision differ.
             const double fraction = 1 + static_cast<double>(i) + 1. / 3;
             const bool isWhole = uniform.type.base == base::BaseType::integer ||
                                  uniform.type.base == base::BaseType::unsignedInteger;

@@ -307,7 +307,7 @@ TEST(Needs, AttributesThatNoProgramReadsAreNotMade) {
     Programs programs;
     const int program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
-    programs.byIndex[program].inputs = {{"aVertex", 0}, {"glibra_Normal", 1}, {"gl_VertexID", -1, true}};
+    programs.byIndex[program].inputs = {{"aVertex", 0}, {"glibra_Normal", 1}, {"gl_VertexID", -1}};
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);

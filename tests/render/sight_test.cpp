@@ -1,4 +1,4 @@
-// What is said to be out of sight, against vertices computed in floats as a driver does.
+// Compares what is reported as out of sight with vertices computed in floats, as a driver does.
 
 #include "render/sight.h"
 
@@ -67,7 +67,7 @@ TEST(Sight, HoldsForOrthographicBoxesToo) {
 }
 
 TEST(Sight, OfSomethingBetweenThePixelsCentresIsNone) {
-    // One pixel is .06 units wide at z = 0; the picture's middle is a corner of four pixels.
+    // One pixel is .06 units wide at z = 0; the picture's centre is a corner of four pixels.
     const scene::Orthographic view{-3, 3, -3, 3, -10, 10};
     DrawView with = drawView(glm::dmat4(1), view, 100, 100);
     const auto small = [](double x, double y) {
@@ -126,8 +126,8 @@ TEST(Sight, OfWhatIsNoFiniteNumberIsPossible) {
 
 TEST(Sight, TakesAFourthCoordinateAsItIs) {
     geometry::Mesh mesh;
-    // (0, 0, -5, -1) is the point (0, 0, 5) behind the eye, but between it and (0, 0, -5, 1) lies what is
-    // seen.
+    // (0, 0, -5, -1) is the point (0, 0, 5) behind the eye, but visible points lie between it and (0, 0, -5,
+    // 1).
     mesh.attributes.push_back({std::string(geometry::kPosition), 4, {-1, -1, -5, 1, 1, 1, -5, -1}});
     EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::vertex), drawView(glm::dmat4(1))),
               Sight::possible);
@@ -160,7 +160,8 @@ Vec4f times(const Mat4f& matrix, const Vec4f& vector) {
     return result;
 }
 
-/// Beyond the plane that `sight` names, or for betweenPixels: far enough from all centres in one direction.
+/// True if the point is beyond the plane that `sight` names; for betweenPixels, if it is far enough from all
+/// centres in one direction.
 bool isRightly(Sight sight, const Vec4f& clip) {
     switch (sight) {
         case Sight::left:
