@@ -2,6 +2,7 @@
 // The library's front door: a scene file in, a picture out. Everything else is behind it.
 
 #include <glibra/diagnostic.h>
+#include <glibra/driver.h>
 #include <glibra/result.h>
 
 #include <array>
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace glibra {
-
-/// Which GL the pictures are drawn with. `automatic`: EGL without a surface, an EGL device, OSMesa, in this
-/// order.
-enum class Driver { automatic, egl, eglDevice, osmesa };
 
 /// How the eye is placed: `automatic` moves it back from a scene that would be seen from inside.
 enum class ViewPolicy { automatic, glman };

@@ -340,7 +340,7 @@ void addRender(CLI::App& app, int& status) {
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
     command->add_option("--driver", to.driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->add_option("--jobs", to.jobs, "worker processes; without it one a processor")
         ->check(CLI::Range(1, 256));
     command->add_option("--timeout", to.timeout, "seconds that one picture may take, 0 for no limit")

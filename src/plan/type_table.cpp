@@ -8,17 +8,13 @@
 #include <cstdint>
 #include <limits>
 
+#include "glib/limits.h"
+
 namespace glibra::plan {
 namespace {
 
 using glib::UniformForm;
 
-bool isOpaque(const ValueType& type) {
-    return type.base == BaseType::sampler || type.base == BaseType::image;
-}
-bool isWhole(const ValueType& type) {
-    return type.base == BaseType::integer || type.base == BaseType::unsignedInteger;
-}
 bool isReal(const ValueType& type) {
     return type.base == BaseType::floating || type.base == BaseType::doublePrecision;
 }
@@ -122,14 +118,14 @@ class ValueReader {
     /// One number as a component of the type.
     double convert(double value) {
         if (type_.base == BaseType::boolean) return value != 0 ? 1 : 0;
-        if (!isWhole(type_) && !isOpaque(type_)) return value;
+        if (!type_.isInteger() && !type_.isOpaque()) return value;
         const double cut = std::trunc(value) + 0.0;  // + 0: -0 becomes 0
         if (cut != value && !saidCut_) {
             saidCut_ = true;
             warn("glib-W27", fmt::format("{} cut to {}", numberText(value), numberText(cut)),
                  given_.valuePlace);
         }
-        if (isOpaque(type_)) return cut;
+        if (type_.isOpaque()) return cut;
         const bool isSigned = type_.base == BaseType::integer;
         const double lowest = isSigned ? std::numeric_limits<std::int32_t>::min() : 0;
         const double highest =
@@ -185,7 +181,7 @@ class ValueReader {
     }
 
     void readElement() {
-        if (isOpaque(type_)) return readUnit();
+        if (type_.isOpaque()) return readUnit();
         if (type_.base == BaseType::other) return ignore();
         if (type_.columns > 1) return readMatrix();
         if (type_.rows > 1) return readVector();
@@ -208,7 +204,7 @@ class ValueReader {
             case UniformForm::color:
                 break;
         }
-        const double value = isWhole(type_) ? std::trunc(first()) + 0.0 : first();
+        const double value = type_.isInteger() ? std::trunc(first()) + 0.0 : first();
         warnForm("read as " +
                  numberText(type_.base == BaseType::unsignedInteger ? std::max(value, 0.0) : value));
         setAll(first());
@@ -309,11 +305,11 @@ class ValueReader {
     /// Units of the language; fractions are cut, and what is no unit is an error.
     void checkUnits() {
         for (const double unit : reading_.values) {
-            if (unit >= 0 && unit <= kHighestUnit) continue;
-            reading_.diagnostics.push_back(
-                error("glib-E12",
-                      fmt::format("texture unit {} is not between 0 and {}", numberText(unit), kHighestUnit),
-                      given_.valuePlace));
+            if (unit >= 0 && unit <= glib::kHighestUnit) continue;
+            reading_.diagnostics.push_back(error(
+                "glib-E12",
+                fmt::format("texture unit {} is not between 0 and {}", numberText(unit), glib::kHighestUnit),
+                given_.valuePlace));
             reading_.ignored = true;
             reading_.values.clear();
             return;
@@ -331,12 +327,12 @@ class ValueReader {
     void readArray() {
         if (given_.form == UniformForm::list && type_.base != BaseType::other) {
             setList(elements_ * components(), true);
-            if (isOpaque(type_)) checkUnits();
+            if (type_.isOpaque()) checkUnits();
             return;
         }
         const bool hasReading = type_.base != BaseType::other &&
                                 (given_.form == UniformForm::number || given_.form == UniformForm::range ||
-                                 (!isOpaque(type_) && type_.columns == 1));
+                                 (!type_.isOpaque() && type_.columns == 1));
         if (!hasReading) return ignore();
         warnForm("read as its first element");
         readElement();

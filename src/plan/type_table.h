@@ -11,9 +11,6 @@
 
 namespace glibra::plan {
 
-/// The units of the language; a tag, a Noise2 or Noise3 and a texture command all count in these.
-inline constexpr int kHighestUnit = 127;
-
 /// A value as a scene's pair or the command line gives it.
 struct GivenValue {
     std::string_view tag;  ///< for messages

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kLargestSource = 4ULL << 20;
 
-/// Reads shader files for one word.
+/// Searches shader files for one word.
 class TimerSearch {
   public:
     TimerSearch(const scene::Scene& scene, const RenderOptions& options) : scene_(scene), options_(options) {}

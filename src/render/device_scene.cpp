@@ -9,14 +9,14 @@
 namespace glibra::render {
 namespace {
 
-/// The mesh attribute that feeds the vertex input of that name; nothing for names of the user's own.
+/// The mesh attribute that feeds the vertex input of that name; nothing for names that the user chose.
 std::optional<std::string_view> attributeOfInput(std::string_view input) {
     for (const glsl::BuiltinInput& each : glsl::builtinInputs())
         if (each.name == input) return each.attribute;
     return std::nullopt;
 }
 
-/// True if some program that draws the planned mesh declares that attribute as an integer input.
+/// True if a program that draws the planned mesh declares that attribute as an integer input.
 bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string_view attribute,
                    const ProgramLibrary& programs) {
     for (const plan::PlannedPass& pass : plan.passes)
@@ -26,13 +26,13 @@ bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string
             const BuiltProgram* built =
                 programs.find(plan.programs[static_cast<std::size_t>(draw->program)].variant);
             if (!built) continue;
-            for (const plan::ActiveInput& input : built->interface.inputs)
-                if (input.integer && attributeOfInput(input.name) == attribute) return true;
+            for (const base::ActiveInput& input : built->interface.inputs)
+                if (input.type.isInteger() && attributeOfInput(input.name) == attribute) return true;
         }
     return false;
 }
 
-/// The first draw of the planned mesh.
+/// The first draw that uses the planned mesh.
 const scene::Draw* drawOf(const plan::FramePlan& plan, std::size_t planned) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
@@ -86,7 +86,7 @@ const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostic
     const auto [known, isNew] = meshes_.try_emplace(shape);
     MadeMesh& made = known->second;
     if (isNew || (!made.withTangents && tangents && made.mesh)) make(shape, tangents, made);
-    tell(shape, remarks);
+    reportOnce(shape, remarks);
     return made.mesh.get();
 }
 
@@ -108,38 +108,38 @@ void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
         shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
 }
 
-void DeviceScene::tell(int shape, Diagnostics* remarks) {
+void DeviceScene::reportOnce(int shape, Diagnostics* remarks) {
     const auto made = meshes_.find(shape);
-    if (!remarks || made == meshes_.end() || made->second.areTold) return;
-    made->second.areTold = true;
+    if (!remarks || made == meshes_.end() || made->second.areReported) return;
+    made->second.areReported = true;
     append(*remarks, made->second.remarks);
 }
 
-const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
+const VertexBox& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
     const auto [entry, isNew] = bounds_.try_emplace(shape);
-    Bounds& bounds = entry->second;
+    VertexBox& bounds = entry->second;
     if (!isNew) {
-        tell(shape, remarks);
+        reportOnce(shape, remarks);
         return bounds;
     }
     const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
     if (shared_ && !key.empty())
-        if (const std::optional<Bounds> known = shared_->bounds.find(key)) return bounds = *known;
+        if (const std::optional<VertexBox> known = shared_->bounds.find(key)) return bounds = *known;
     const geometry::Mesh* made = mesh(shape, withTangents, remarks);
     if (!made) return bounds;
-    const Bounds* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
+    const VertexBox* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
     bounds = earlier ? *earlier : boundsOf(*made);
     if (shared_ && !key.empty() && meshes_.at(shape).remarks.empty()) shared_->bounds.add(key, bounds, 1);
     return bounds;
 }
 
-const Bounds* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
+const VertexBox* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
     for (const auto& [shape, made] : meshes_)
         if (made.mesh.get() == &mesh) return knownBounds(shape);
     return nullptr;
 }
 
-const Bounds* DeviceScene::knownBounds(int shape) const {
+const VertexBox* DeviceScene::knownBounds(int shape) const {
     const auto found = bounds_.find(shape);
     return found == bounds_.end() ? nullptr : &found->second;
 }
@@ -157,7 +157,7 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
     if (!found) return nullptr;
     stats_.add("meshes kept", 1);
     if (const scene::Draw* draw = drawOf(plan, planned))
-        stats_.skip("mesh", draw->word + ": it is there already", draw->place);
+        stats_.skip("mesh", draw->word + ": already on the device", draw->place);
     return found;
 }
 
@@ -220,13 +220,13 @@ const gpu::VertexArray& DeviceScene::vertexArray(int planned, int program, const
     if (known != vertexArrays_.end()) return known->second;
     const DeviceMesh& mesh = *deviceMeshes_[static_cast<std::size_t>(planned)];
     std::vector<gpu::AttributeSource> sources;
-    for (const plan::ActiveInput& input : built.interface.inputs) {
+    for (const base::ActiveInput& input : built.interface.inputs) {
         const auto name = attributeOfInput(input.name);
         if (!name || input.location < 0) continue;
         for (const DeviceMesh::Attribute& each : mesh.attributes) {
             if (each.name != *name) continue;
             gpu::AttributeSource source;
-            const bool integer = input.integer && each.integers;
+            const bool integer = input.type.isInteger() && each.integers;
             source.buffer = integer ? &*each.integers : &each.floats;
             source.type =
                 integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;

@@ -111,7 +111,7 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
     Budget plain(kEye + kProgram + "Sphere\n"), mirror(kEye + kProgram + "Sphere\n");
     for (Budget* each : {&plain, &mirror}) {
         each->request.maxError = 50;
-        each->program.inputs.push_back({"aNormal", 1, false});
+        each->program.inputs.push_back({"aNormal", 1});
     }
     mirror.program.facts.stages[1].facts.magnifiesNormals = true;
     plain.choose();
@@ -193,7 +193,7 @@ TEST(Choose, MeasuresNothingOfProgramsThatOnlyPlace) {
 
 TEST(Choose, IsFinerForAProgramThatReadsTextureCoordinates) {
     Budget plain(kEye + kProgram + "Sphere\n"), textured(kEye + kProgram + "Sphere\n");
-    textured.program.inputs.push_back({"aTexCoord0", 1, false});
+    textured.program.inputs.push_back({"aTexCoord0", 1});
     plain.choose();
     textured.choose();
     EXPECT_GT(textured.numbers(0)[1] * textured.numbers(0)[2],

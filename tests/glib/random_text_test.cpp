@@ -56,7 +56,7 @@ void checkPromises(const std::string& text) {
         if (!each.id.empty()) {
             const CatalogueRow* row = findDiagnostic(each.id);
             ASSERT_TRUE(row) << each.id;
-            ASSERT_EQ(row->severity, each.severity) << each.id;
+            ASSERT_EQ(row->severity(), each.severity) << each.id;
         }
     }
     const Script again = read(text);

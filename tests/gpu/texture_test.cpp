@@ -284,7 +284,7 @@ void main() {
             worst = std::max(worst, static_cast<double>(std::fabs(filtered[i][c] - expected[i][c])));
     // Hardware has weights of 8 bits. llvmpipe is told to compute in float; without that it is off
     // by 1.6/255.
-    const bool inFloat = driver().family.find("pipe") != std::string::npos;
+    const bool inFloat = driver().isSoftware;
     EXPECT_LT(worst, inFloat ? 1e-5 : 1. / 250);
 }
 

@@ -112,7 +112,7 @@ TEST_F(NanSearchTest, ATextureIsTracedToTheDrawIntoIt) {
     EXPECT_EQ(linesOf(found), (std::vector<int>{8, 12}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_NE(found[0].text.find("of the texture of unit 6"), std::string::npos) << found[0].text;
-    EXPECT_NE(found[1].text.find("samples what line 8 has drawn"), std::string::npos) << found[1].text;
+    EXPECT_NE(found[1].text.find("samples what line 8 drew"), std::string::npos) << found[1].text;
 }
 
 TEST_F(NanSearchTest, EveryWayToNotANumberLeadsToItsLine) {

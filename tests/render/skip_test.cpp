@@ -79,7 +79,7 @@ TEST(SkipRule, FilesThatTwoStatementsNameAreReadOnce) {
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 1U);
     EXPECT_EQ(pair.whole.calls.texturesFilled, 4U) << "two files, two noise textures";
     EXPECT_EQ(pair.skipping.skipped("texture"),
-              Words{"unit 6 / 2D: the one that line 5 makes of the same file"});
+              Words{"unit 6 / 2D: shares the texture that line 5 makes from the same file"});
 }
 
 TEST(SkipRule, NoAttributeThatNoLinkedProgramReads) {
@@ -149,7 +149,8 @@ TEST(SkipRule, NoDrawOutOfSightNorWhatOnlyItNeeds) {
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 0U);
     EXPECT_EQ(pair.skipping.calls.buffersFilled, 3U);
     EXPECT_FALSE(opened(pair.skipping, "five.tex"));
-    EXPECT_EQ(pair.skipping.skipped("draw"), Words{"Teapot: it is behind the eye or before the near plane"});
+    EXPECT_EQ(pair.skipping.skipped("draw"),
+              Words{"Teapot: it is behind the eye or in front of the near plane"});
 }
 
 TEST(SkipRule, NoDrawBesideTheTargetItGoesInto) {
@@ -181,7 +182,7 @@ TEST(SkipRule, NoBlendingOfWhatIsOpaque) {
         RenderOptions options;
         options.samples = samples;
         const BothWays opaque = drawBothWays(scene(program("plain") + overlapping), options);
-        EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': it always writes 1 for alpha"});
+        EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': always writes 1 for alpha"});
         EXPECT_TRUE(opaque.whole.skipped("blending").empty());
         auto files = kFiles;
         files["half.frag"] =
@@ -257,8 +258,7 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
     job.options = options;
     job.explain = true;
     const render::JobResult done = render::runJob(sharedContext(), job, [](int) {});
-    EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside the tile they would be drawn in"),
-              std::string::npos)
+    EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside their tile"), std::string::npos)
         << done.explanation;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "glib/command_table.h"
+#include "scene/state.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -51,6 +53,12 @@ const Expected kShapes[] = {
     {"Triangles 0 0 0 1 0 0 0 1 0", 3, 3, triangles},
     {"LinesAdjacency 0 0 0 1 0 0 2 0 0 3 0 0", 4, 4, linesAdjacency},
 };
+
+TEST(Commands, EachHasAnAction) {
+    for (const glib::CommandRow& row : glib::commandTable())
+        EXPECT_NE(actionOf(row.id), nullptr) << row.name();
+    EXPECT_EQ(actionOf(static_cast<glib::CommandId>(glib::commandTable().size())), nullptr);
+}
 
 TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     for (const Expected& each : kShapes) {
