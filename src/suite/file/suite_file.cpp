@@ -38,17 +38,18 @@ class SuiteBuilder {
   public:
     SuiteBuilder(TomlReader& reader, Suite& suite) : reader_(reader), suite_(suite) {}
 
-    void add(const toml::table& table, const fs::path& folder, const ShotTemplate& defaults) {
+    void add(const TomlValue& value, const TomlTable& table, const fs::path& folder,
+             const ShotTemplate& defaults) {
         const std::size_t errorsBefore = reader_.errorCount();
         ShotTemplate shot = defaults;
-        shot.shot.place = reader_.placeOf(table);
+        shot.shot.place = reader_.placeOf(value);
         readTemplate(reader_, table, folder, false, shot);
-        if (!table.contains("script")) reader_.error("suite-E12", "the shot has no script", shot.shot.place);
+        if (!hasKey(table, "script")) reader_.error("suite-E12", "the shot has no script", shot.shot.place);
         checkAgreement(shot);
         dropSwept(shot, defaults);
         if (shot.scripts.empty()) return;
         const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);
-        // What is wrong itself would only give wrong messages about others.
+        // Later messages about a wrong shot would only confuse.
         if (reader_.errorCount() > errorsBefore || !isFewEnough(shot, scripts.size())) return;
         if (scripts.size() == 1) nameOwnUniforms(shot, defaults);
         const std::vector<Combination> all = combinations(shot.sweeps);
@@ -63,7 +64,7 @@ class SuiteBuilder {
     }
 
   private:
-    /// A scene that has to fail makes no picture, and a warning alone fails none.
+    /// A scene with an expected error makes no picture, and a warning alone is not an error.
     void checkAgreement(const ShotTemplate& shot) {
         if (!shot.shot.expectedError) return;
         const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
@@ -82,8 +83,8 @@ class SuiteBuilder {
                               (*each)->place);
     }
 
-    /// What a sweep gives is not set besides: an error if the shot says both, while one of [defaults] gives
-    /// way.
+    /// A uniform in a sweep is not in `set`: it is an error if the shot states both, and the sweep replaces a
+    /// value of [defaults].
     void dropSwept(ShotTemplate& shot, const ShotTemplate& defaults) {
         for (const UniformValues& sweep : shot.sweeps) {
             const auto isIt = [&](const UniformValues& each) { return each.name == sweep.name; };
@@ -91,7 +92,7 @@ class SuiteBuilder {
             if (set == shot.set.end()) continue;
             const auto old = std::find_if(defaults.set.begin(), defaults.set.end(), isIt);
             if (old == defaults.set.end() || old->place != set->place)
-                reader_.error("suite-E12", fmt::format("'{}' stands in set and in sweep", sweep.name),
+                reader_.error("suite-E12", fmt::format("'{}' is in both set and sweep", sweep.name),
                               sweep.place);
             shot.set.erase(set);
         }
@@ -150,7 +151,7 @@ class SuiteBuilder {
         suite_.shots.push_back(std::move(shot));
     }
 
-    /// The golden of a shot "teapot.nvidia" would be taken for the variant of the shot "teapot" for that
+    /// The golden of a shot "teapot.nvidia" would be taken for the golden of the shot "teapot" for that
     /// driver.
     void checkVariants() {
         for (const Shot& shot : suite_.shots) {
@@ -169,26 +170,26 @@ class SuiteBuilder {
     std::vector<PairRequest> requests_;
 };
 
-/// The top level of the file; the shots are left to the caller.
-const toml::array* readTopLevel(TomlReader& reader, const toml::table& root, const fs::path& folder,
-                                Suite& suite, ShotTemplate& defaults) {
+/// Reads the top level of the file and returns the list of shots.
+const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs::path& folder, Suite& suite,
+                             ShotTemplate& defaults) {
     static constexpr std::array<std::string_view, 3> kKeys{"goldens", "defaults", "shot"};
-    const toml::array* shots = nullptr;
-    for (const TomlEntry& entry : reader.entries(root)) {
+    const TomlList* shots = nullptr;
+    for (const TomlEntry& entry : root) {
         if (entry.key == "goldens") {
-            if (const auto text = reader.text(*entry.value, "goldens"))
+            if (const auto text = reader.text(entry.value, "goldens"))
                 suite.goldens = (folder / *text).lexically_normal();
         } else if (entry.key == "defaults") {
-            if (const toml::table* table = reader.table(*entry.value, "defaults"))
+            if (const TomlTable* table = reader.table(entry.value, "defaults"))
                 readTemplate(reader, *table, folder, true, defaults);
         } else if (entry.key == "shot") {
-            shots = entry.value->as_array();
-            if (!shots) reader.wrongType(*entry.value, "shot", "[[shot]]");
+            shots = entry.value.as<TomlList>();
+            if (!shots) reader.wrongType(entry.value, "shot", "[[shot]]");
         } else if (isShotKey(entry.key)) {
             reader.error("suite-E02",
                          fmt::format("'{}' belongs under {}[[shot]]", entry.key,
                                      isDefaultsKey(entry.key) ? "[defaults] or " : ""),
-                         entry.keyPlace);
+                         reader.placeOf(entry.position));
         } else {
             reader.unknownKey(entry, "at the top of the file", kKeys);
         }
@@ -246,7 +247,7 @@ Result<Suite> readFolder(const fs::path& folder) {
     return suite;
 }
 
-/// The name beside a file that is not there which comes nearest to it, or nothing.
+/// The most similar name of a file in the same folder, or empty.
 std::string nearestFile(const fs::path& file) {
     const fs::path folder = file.parent_path();
     scene::FolderListings listings;
@@ -264,15 +265,15 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
     suite.goldens = folder / "golden" / suite.name;
 
     TomlReader reader(file.string(), text);
-    const toml::table* root = reader.root();
+    const TomlValue* root = reader.root();
     if (!root) return reader.take();
     ShotTemplate defaults;
-    const toml::array* shots = readTopLevel(reader, *root, folder, suite, defaults);
+    const TomlList* shots = readTopLevel(reader, *root->as<TomlTable>(), folder, suite, defaults);
     SuiteBuilder builder(reader, suite);
     if (shots)
-        for (const toml::node& each : *shots) {
-            if (const toml::table* table = each.as_table())
-                builder.add(*table, folder, defaults);
+        for (const TomlValue& each : *shots) {
+            if (const auto* table = each.as<TomlTable>())
+                builder.add(each, *table, folder, defaults);
             else
                 reader.wrongType(each, "shot", "a table under [[shot]]");
         }

@@ -19,7 +19,7 @@ std::string_view withoutProgram(std::string_view name) {
 
 void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
     for (Diagnostic& each : diagnostics) {
-        // That of a pair in the scene has a place there.
+        // A pair in the scene has its own place there.
         if (each.id != "glib-W23" || !each.place.file.empty()) continue;
         const auto isAbout = [&](const PlacedUniform& uniform) {
             return each.text.find("a uniform " + glib::quoted(withoutProgram(uniform.name))) !=
