@@ -25,13 +25,13 @@
 namespace glibra::budget {
 
 struct NoiseChoice {
-    int texture = scene::kNone;  ///< index into Scene::textures
+    scene::TextureIndex texture{};
     NoiseFormat format;
 };
 
-/// A value of a uniform; an index into ProgramInterface::uniforms of the draw's program.
+/// A value of a uniform of the draw's program.
 struct LevelValue {
-    int uniform = 0;
+    plan::UniformIndex uniform{};
     double value = 0;
 };
 
@@ -86,6 +86,6 @@ Choice choose(const scene::Scene& scene, const plan::FramePlan& plan, const Requ
 
 /// Puts shapes and noise into the scene. Returns the indices of the shapes that were there and are now
 /// others.
-std::vector<int> apply(const Choice& choice, scene::Scene& scene);
+std::vector<scene::ShapeIndex> apply(const Choice& choice, scene::Scene& scene);
 
 }  // namespace glibra::budget

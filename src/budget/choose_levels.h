@@ -33,6 +33,7 @@ struct ChosenLevels {
 
 /// `draws`: by index into FramePlan::programs; the draws of one program have its levels in common.
 ChosenLevels chooseLevels(const scene::Scene& scene, const plan::FramePlan& plan,
-                          const std::map<int, std::vector<TessellatedDraw>>& draws, const Request& request);
+                          const std::map<plan::PlannedProgramIndex, std::vector<TessellatedDraw>>& draws,
+                          const Request& request);
 
 }  // namespace glibra::budget

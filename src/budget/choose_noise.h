@@ -32,7 +32,7 @@ struct ChosenNoise {
 };
 
 /// `uses`: by index into Scene::textures.
-ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<int, NoiseUse>& uses,
+ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<scene::TextureIndex, NoiseUse>& uses,
                         const Request& request);
 
 }  // namespace glibra::budget

@@ -8,7 +8,7 @@
 namespace glibra::budget {
 
 struct LevelUniform {
-    int uniform = 0;  ///< index into ProgramInterface::uniforms
+    plan::UniformIndex uniform{};
     double value = 0;
     double least = 1, most = 64;  ///< of its slider, or 1 and the driver's highest level
 };

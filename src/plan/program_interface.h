@@ -35,6 +35,7 @@ struct ActiveUniform {
     int offset = 0, arrayStride = 0, matrixStride = 0;
     bool rowMajor = false;
 };
+using UniformIndex = scene::Index<ActiveUniform>;
 
 struct ActiveInput {
     std::string name;  ///< as emitted: "aVertex", "glibra_Vertex", the user's own

@@ -72,7 +72,7 @@ std::vector<std::byte> blockContent(const ProgramInterface& interface, int block
     const int size = interface.blocks.at(static_cast<std::size_t>(block)).size;
     std::vector<std::byte> bytes(static_cast<std::size_t>(std::max(size, 0)));
     for (const UniformBinding& binding : bindings) {
-        const ActiveUniform& member = interface.uniforms.at(static_cast<std::size_t>(binding.uniform));
+        const ActiveUniform& member = at(interface.uniforms, binding.uniform);
         const auto* literal = std::get_if<Literal>(&binding.value);
         if (member.block == block && literal != nullptr)
             writeMember(member, binding.firstElement, literal->values, bytes);

@@ -40,8 +40,8 @@ class FrameDrawer {
     void submit(const plan::PlannedDraw& planned) const;
     /// What the draw's program is, or stands for it; null if nothing is drawn.
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
-    /// The plan's literals of this program (index into FramePlan::programs) are others than before.
-    void forgetLiterals(int program);
+    /// The plan's literals of this program are others than before.
+    void forgetLiterals(plan::PlannedProgramIndex program);
     /// Draws of programs that did not link are drawn by this one, in magenta; without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
 
@@ -85,7 +85,7 @@ class FrameDrawer {
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
                         double time);
-    void setLiterals(int program, const BuiltProgram& built);
+    void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
     [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                    const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect, double time) const;
@@ -104,7 +104,7 @@ class FrameDrawer {
     const ProgramLibrary& programs_;
     DeviceScene& device_;
     Stats& stats_;
-    std::vector<ProgramState> states_;
+    scene::List<ProgramState, plan::PlannedProgram> states_;
     int width_ = 1, height_ = 1;
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     ViewMatrices view_;

@@ -139,7 +139,7 @@ std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
     copyUniforms(*built, *program, reflected);
     for (const gpu::ActiveUniform& each : reflected.uniforms)
         for (const budget::LevelValue& value : values)
-            if (built->reflected.uniforms[static_cast<std::size_t>(value.uniform)].name == each.name)
+            if (built->reflected.uniforms[value.uniform.position()].name == each.name)
                 gpu::setUniform(*program, each, std::array{value.value});
     program->use();
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);

@@ -37,6 +37,6 @@ std::optional<geometry::Counts> countsOf(const Shape& shape);
 /// wanted. What draws nothing gives a mesh without vertices. Models are read here; their files' remarks and
 /// errors (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, at the place of the first
 /// statement that names the file; draw-E05 if memory does not suffice.
-Result<geometry::Mesh> makeMesh(const Scene& scene, int shape, bool withTangents = true);
+Result<geometry::Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents = true);
 
 }  // namespace glibra::scene

@@ -31,7 +31,7 @@ struct SavedMatrix {
 /// What RenderToTexture chose; no units: the window.
 struct TargetList {
     std::vector<int> units;
-    std::vector<int> textures;
+    std::vector<TextureIndex> textures;
     int width = 0, height = 0;
     Place place;
 };
@@ -48,10 +48,10 @@ struct State {
     bool flatColors = false;
     Sampling sampling;
     SlotTable slots;
-    std::map<glsl::Stage, int> stageFiles;
+    std::map<glsl::Stage, FileIndex> stageFiles;
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
-    int program = kNone;
+    ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
 };
@@ -78,11 +78,11 @@ struct Interpreter {
     bool isOrphan = false;  ///< the statement before belonged to a list that is not open, and that is told
 
     // What has been made so far, to share it.
-    std::map<std::string, int> files;  ///< by name as written
-    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, int> shapes;
-    std::multimap<std::uint64_t, int> listShapes;  ///< by hash of the mesh
-    int slotTable = kNone;                         ///< the table that equals state.slots, if there is one
-    std::set<int> clearedTextures;
+    std::map<std::string, FileIndex> files;  ///< by name as written
+    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
+    std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
+    SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
+    std::set<TextureIndex> clearedTextures;
     bool isWindowCleared = false;
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;  ///< by units and size
     std::set<int> clearedDepths;
@@ -106,7 +106,7 @@ struct Interpreter {
 using Handler = void (*)(Interpreter&, const glib::Command&);
 
 /// Index of the file that a statement names, looked up where it is named first.
-int fileOf(Interpreter&, const std::string& name, const Place& place);
+FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
 
 // window, projection, colours, transforms (interpret_view.cpp)
 void doWindowSize(Interpreter&, const glib::Command&);
@@ -175,7 +175,7 @@ void doNothing(Interpreter&, const glib::Command&);
 /// What a geometry command draws with the state of this place. `vertices` counts against the limits, `size`
 /// is what Verbose says of it, `color` replaces the current colour.
 struct Drawing {
-    int shape = kNone;
+    ShapeIndex shape{};
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
@@ -184,7 +184,7 @@ void draw(Interpreter&, const glib::Command&, const Drawing&);
 /// False, with glib-E15, if that many more vertices are beyond a limit.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// The shape with that mesh, shared with an equal one.
-int shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
+ShapeIndex shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
 
 /// The statement as notes and messages repeat it: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);

@@ -16,7 +16,7 @@ namespace {
 using glib::CommandId;
 
 std::uint64_t vertices(CommandId command, const std::vector<double>& numbers) {
-    return scene::countsOf({command, numbers, scene::kNone, nullptr})->vertices;
+    return scene::countsOf({command, numbers, {}, nullptr})->vertices;
 }
 
 CountsRequest request(CommandId command, std::vector<double> numbers, double allowed,
@@ -101,7 +101,7 @@ TEST(LeastCounts, DoNotGoBelowWhatIsAskedFor) {
 TEST(LeastCounts, StopAtTheLimitAndSaySo) {
     for (const CommandId command : {CommandId::sphere, CommandId::teapot, CommandId::soccerball}) {
         std::vector<double> numbers{1, 60, 60};
-        if (command != CommandId::sphere) numbers = surfaceModel(command)->complete({command, {1}, -1, {}});
+        if (command != CommandId::sphere) numbers = surfaceModel(command)->complete({command, {1}, {}, {}});
         if (command == CommandId::teapot) numbers = {16};
         const LeastCounts found = leastCounts(request(command, numbers, 1e-15));
         EXPECT_FALSE(found.isKept);

@@ -31,7 +31,8 @@ class Tessellated {
             plan::ActiveUniform& uniform = interface.uniforms.emplace_back();
             uniform.name = name;
             uniform.location = static_cast<int>(interface.uniforms.size()) - 1;
-            program.values.push_back({uniform.location, 0, plan::Literal{{value}}});
+            program.values.push_back(
+                {plan::UniformIndex(interface.uniforms.size() - 1), 0, plan::Literal{{value}}});
             value += 5;
         }
         program.interface = &interface;
@@ -43,7 +44,7 @@ class Tessellated {
     [[nodiscard]] std::string names() const {
         std::string all;
         for (const LevelUniform& each : levelUniforms(program, 64))
-            all += interface.uniforms[static_cast<std::size_t>(each.uniform)].name;
+            all += at(interface.uniforms, each.uniform).name;
         return all;
     }
 
@@ -99,8 +100,8 @@ TEST(LevelUniforms, AWordInACommentIsNoUse) {
 
 TEST(LevelUniforms, HaveTheRangesOfTheirSliders) {
     Tessellated slid("gl_TessLevelOuter[0] = uA; gl_TessLevelInner[0] = uB;");
-    slid.program.controls.push_back({0, glib::UniformForm::range, 0, 4, 30});
-    slid.program.controls.push_back({1, glib::UniformForm::range, 3, 9, 20});
+    slid.program.controls.push_back({plan::UniformIndex(0), glib::UniformForm::range, 0, 4, 30});
+    slid.program.controls.push_back({plan::UniformIndex(1), glib::UniformForm::range, 3, 9, 20});
     const std::vector<LevelUniform> found = levelUniforms(slid.program, 32);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].value, 4);

@@ -83,7 +83,8 @@ TEST(BlockContent, IsZeroWithItsLiteralsInIt) {
     interface.blocks = {{"A", 16}, {"B", 16}};
     for (int i = 0; i < 3; ++i) interface.uniforms[static_cast<std::size_t>(i)].block = i == 2 ? 1 : 0;
     interface.uniforms[1].offset = 4;
-    const std::vector<UniformBinding> bindings{{1, 0, Literal{{5}}}, {2, 0, Literal{{7}}}};
+    const std::vector<UniformBinding> bindings{{UniformIndex(1), 0, Literal{{5}}},
+                                               {UniformIndex(2), 0, Literal{{7}}}};
     const std::vector<std::byte> bytes = blockContent(interface, 0, bindings);
     ASSERT_EQ(bytes.size(), 16U);
     EXPECT_EQ(read<float>(bytes, 0), 0);

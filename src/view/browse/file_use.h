@@ -15,8 +15,8 @@ struct FileUse {
         data      ///< a model, or a texture that nothing visible samples
     };
     Kind kind = Kind::none;
-    int texture = scene::kNone;  ///< index into Scene::textures
-    Place place;                 ///< the text's first line; of textures and data, the statement that names it
+    scene::TextureIndex texture{};
+    Place place;  ///< the text's first line; of textures and data, the statement that names it
 };
 
 /// Files are the same if their names lead to the same file.

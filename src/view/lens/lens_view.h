@@ -53,8 +53,8 @@ class LensView {
 
     gpu::Context& context_;
     LiveScene& scene_;
-    std::map<std::tuple<Lens, LensStages, int, int>, Drawn> drawn_;  ///< by program and mesh of the plan
-    std::map<std::pair<Lens, int>, bool> told_;
+    std::map<std::tuple<Lens, LensStages, plan::PlannedProgramIndex, plan::PlannedMeshIndex>, Drawn> drawn_;
+    std::map<std::pair<Lens, plan::PlannedProgramIndex>, bool> told_;
     Diagnostics remarks_;
     std::optional<gpu::Target> target_;
     TexelImage numbers_;

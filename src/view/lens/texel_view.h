@@ -46,6 +46,6 @@ struct NonFiniteTexels {
 NonFiniteTexels countNonFinite(const TexelImage& image);
 
 /// What a scene's texture is called in a list: "5 / 2D: wood.bmp, line 12", "target 6 / 2D, line 8".
-std::string textureTitle(const scene::Scene& scene, int texture);
+std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture);
 
 }  // namespace glibra::view

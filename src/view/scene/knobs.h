@@ -21,7 +21,7 @@ enum class Widget {
 };
 
 struct Knob {
-    int program = 0;    ///< index into Scene::programs
+    scene::ProgramIndex program{};
     std::string title;  ///< of the program; numbered if the scene has several of that name
     std::string tag;
     plan::ValueType type;  ///< of one element
@@ -36,8 +36,8 @@ struct Knob {
     std::string placeOfUniform;       ///< what the interface calls it, for the tooltip: "vec3 uColor"
 
     struct Binding {
-        int program = 0;  ///< index into FramePlan::programs
-        int value = 0;    ///< index into PlannedProgram::values
+        plan::PlannedProgramIndex program{};
+        std::size_t value = 0;  ///< index into PlannedProgram::values
     };
     std::vector<Binding> bindings;
 
@@ -51,7 +51,7 @@ struct Knob {
 std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan);
 
 /// Puts the knob's values where the plan has them. Returns the programs of the plan that have changed.
-std::vector<int> apply(const Knob& knob, plan::FramePlan& plan);
+std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan);
 
 /// Values as a user set them, which outlive a scene: they come back for every (program position, program
 /// name, tag) whose specification in the file is the same.
@@ -66,7 +66,7 @@ class KeptValues {
         glib::UniformForm form{};
         std::vector<double> written, current;
     };
-    std::map<std::tuple<int, std::string, std::string>, Kept> values_;
+    std::map<std::tuple<scene::ProgramIndex, std::string, std::string>, Kept> values_;
 };
 
 /// "<0. .25 1.>": the knob's present value in the form that the file uses.
@@ -74,7 +74,7 @@ std::string valueText(const Knob& knob);
 /// "uKd <0 .25 1>", the pair of one knob.
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program.
-std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs);
+std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs);
 /// "Dots:uKd=.25", or "uKd=.25" if no other program has the uniform; the shortest text that gives the value
 /// back.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);

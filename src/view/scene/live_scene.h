@@ -41,7 +41,7 @@ class LiveScene {
     /// True if some program that is drawn with reads Timer.
     [[nodiscard]] bool isAnimated() const;
     /// True if a program is shown in an earlier state because its sources fail.
-    [[nodiscard]] bool showsEarlierProgram(int program) const;
+    [[nodiscard]] bool showsEarlierProgram(scene::ProgramIndex program) const;
     /// Every file it was made from, the scene first; those that were not found are left out.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     /// The core GLSL that a line of a shader has become, if the driver refused that shader; else nothing.
@@ -69,7 +69,7 @@ class LiveScene {
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
     [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
     /// Null if it is not on the device.
-    [[nodiscard]] const gpu::Texture* texture(int index) const;
+    [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const;
 
   private:
     struct State;
