@@ -1,13 +1,12 @@
 # cmake --install: the program, the library with its headers and CMake package, the module for picture formats, the
 # example scenes, and the shaders that glibra itself draws with (the program has them inside; these are for reading).
 
-if(NOT glibra_objects)
-    return()
-endif()
 include(CMakePackageConfigHelpers)
 
-add_library(glibra SHARED ${glibra_objects})
+# The library: what include/glibra declares is defined in one file; of the rooms it takes what that file uses.
+add_library(glibra SHARED ${PROJECT_SOURCE_DIR}/src/render/renderer.cpp)
 add_library(glibra::glibra ALIAS glibra)
+glibra_compile_options(glibra)
 set_target_properties(glibra PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
 target_compile_features(glibra PUBLIC cxx_std_20)
 target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>

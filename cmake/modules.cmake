@@ -1,17 +1,17 @@
-# The OpenImageIO module: every picture format but our own, loaded by src/image when a file needs it, so that a
+# The OpenImageIO module: every picture format except PNG and BMP. src/image loads it when a file needs it, so that a
 # process that renders to PNG never pays for OpenImageIO's start-up.
 
-# By pkg-config: Debian's CMake package of OpenImageIO wants OpenCV's headers, which it does not depend on.
+# The program looks for the module in both folders, whether or not this build makes it.
+target_compile_definitions(glibra_image PRIVATE GLIBRA_MODULE_BUILD_DIR="${PROJECT_BINARY_DIR}"
+                                                GLIBRA_MODULE_INSTALL_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/glibra")
+if(NOT GLIBRA_IMAGE_MODULE)
+    return()
+endif()
+# By pkg-config: Debian's CMake package of OpenImageIO requires OpenCV's headers, which it does not depend on.
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
 file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
-if(module_sources AND TARGET glibra_image_objects)
-    add_library(glibra_openimageio MODULE ${module_sources})
-    glibra_compile_options(glibra_openimageio)
-    target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio fmt::fmt)
-    set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-    target_compile_definitions(
-        glibra_image_objects
-        PRIVATE GLIBRA_MODULE_BUILD_DIR="${PROJECT_BINARY_DIR}"
-                GLIBRA_MODULE_INSTALL_DIR="${CMAKE_INSTALL_FULL_LIBDIR}/glibra")
-endif()
+add_library(glibra_openimageio MODULE ${module_sources})
+glibra_compile_options(glibra_openimageio)
+target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio fmt::fmt)
+set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

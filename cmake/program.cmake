@@ -1,23 +1,12 @@
-# The program, and the objects of the library: all rooms but the command line.
-
-set(glibra_library_rooms glib geometry noise glsl image scene plan budget gpu render)
-set(glibra_objects)
-foreach(room ${glibra_library_rooms})
-    if(TARGET glibra_${room}_objects)
-        list(APPEND glibra_objects $<TARGET_OBJECTS:glibra_${room}_objects>)
-    endif()
-endforeach()
+# The program glibra: the command line on top of the rooms. The window and the benchmarks are programs of their own
+# (cmake/view.cmake, cmake/bench.cmake) that it starts.
 
 file(GLOB cli_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/*.cpp)
-if(NOT cli_sources)
-    return()
-endif()
 add_executable(glibra_program ${cli_sources})
 set_target_properties(glibra_program PROPERTIES OUTPUT_NAME glibra RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_program)
 glibra_quick_to_compile(glibra_program)
-target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
-target_link_libraries(glibra_program PRIVATE glibra_suite glibra_bench glibra_view glibra_render CLI11::CLI11)
-if(TARGET glibra_openimageio)
-    add_dependencies(glibra_program glibra_openimageio)
-endif()
+# Programs that glibra starts, glibra-view and glibra-bench, are installed in GLIBRA_PROGRAMS_DIR.
+target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}"
+                                                  GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")
+target_link_libraries(glibra_program PRIVATE glibra_suite glibra_render CLI11::CLI11)

@@ -1,9 +1,12 @@
-# A room is a folder of src: one object library of all its .cpp files, and a static library of the same name for
-# the tests and the program. Every room sees include/ and src/, so that an include reads "room/file.h".
+# A room is a folder of src with its sub-folders: one static library of all its .cpp files. Every room sees include/
+# and src/, so that an include reads "room/file.h".
 
-set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+set(GLIBRA_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(GLIBRA_WERROR)
+    list(APPEND GLIBRA_WARNINGS -Werror)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
+    # GCC 12 reports overlaps in std::string's operator+ that do not exist (GCC bug 105651).
     list(APPEND GLIBRA_WARNINGS -Wno-restrict)
 endif()
 
@@ -17,8 +20,8 @@ function(glibra_compile_options target)
     endif()
 endfunction()
 
-# For tests and the command line, which do little themselves and whose libraries are all in headers: optimising them
-# takes twice as long as compiling them, and nobody would notice it.
+# For tests and the command line, which do little work themselves and use libraries that consist of headers. Full
+# optimisation would double their compile time and save no measurable run time.
 function(glibra_quick_to_compile target)
     if(GLIBRA_SANITIZE)
         target_compile_options(${target} PRIVATE -O0)
@@ -27,28 +30,18 @@ function(glibra_quick_to_compile target)
     endif()
 endfunction()
 
+# glibra_room(NAME [ROOMS room...] [LINK library...])
+# ROOMS are the rooms whose headers this one may include; their own rooms come with them.
 function(glibra_room room)
     cmake_parse_arguments(arg "" "" "ROOMS;LINK" ${ARGN})
-    # With its sub-folders, except those that are a module or a program of their own.
+    # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window)/")
+    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
     set(rooms ${arg_ROOMS})
     list(TRANSFORM rooms PREPEND glibra_)
 
-    if(NOT sources)
-        add_library(glibra_${room} INTERFACE)
-        return()
-    endif()
-    add_library(glibra_${room}_objects OBJECT ${sources})
-    glibra_compile_options(glibra_${room}_objects)
-    target_include_directories(glibra_${room}_objects PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                               PRIVATE ${PROJECT_SOURCE_DIR}/src)
-    target_link_libraries(glibra_${room}_objects PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
-
-    add_library(glibra_${room} STATIC $<TARGET_OBJECTS:glibra_${room}_objects>)
+    add_library(glibra_${room} STATIC ${sources})
+    glibra_compile_options(glibra_${room})
     target_include_directories(glibra_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(glibra_${room} PUBLIC glm::glm fmt::fmt ${rooms} ${arg_LINK})
-    if(GLIBRA_SANITIZE)
-        target_link_options(glibra_${room} PUBLIC -fsanitize=${GLIBRA_SANITIZE})
-    endif()
 endfunction()

@@ -2,7 +2,7 @@
 # generate_assets.sh: makes the pictures, fields and models in textures/ and scenes/models/ anew. They are kept in
 # the repository; run this after a change in tools/generate. Needs g++, libdeflate and python3; takes minutes.
 set -eu
-root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 source=$root/tools/generate
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

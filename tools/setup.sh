@@ -1,56 +1,80 @@
 # Sourced by tools/glibra and tools/test: installs what Debian 12 lacks, configures and builds.
-# Sets nothing but functions; the caller has done `set -eu` and stands in the repository root.
+# Defines functions and package lists only. Each function runs in a subshell, so that its variables stay its own; one
+# that fails ends the calling script, which has done `set -eu` and stands in the repository root.
+# shellcheck shell=sh disable=SC2034
 
-# What building and running needs.
-build_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
- nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libisal-dev libspng-dev libxxhash-dev libopenimageio-dev libegl1
- libegl-mesa0 libgl1-mesa-dri libosmesa6 libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libboost-dev"
-# What testing needs besides.
-test_packages="libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev glslang-tools clang-format clang-tidy python3
- chromium chromium-driver imagemagick procps xvfb xdotool openbox libx11-dev"
+# What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt).
+core_packages="g++ cmake ninja-build ccache pkg-config python3-glad libglm-dev libfmt-dev libcli11-dev
+ nlohmann-json3-dev libtomlplusplus-dev libdeflate-dev libspng-dev libxxhash-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+ libosmesa6"
+window_packages="libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core"
+images_packages="libopenimageio-dev"
+bench_packages="libboost-dev"
+# What the tests need besides all of these.
+test_packages="clang-19 libclang-rt-19-dev clang-format clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
+ glslang-tools python3 chromium chromium-driver imagemagick procps xvfb xdotool openbox libx11-dev shellcheck"
 
 say() { printf 'glibra: %s\n' "$*" >&2; }
 
-# install_packages NAME...: those that are missing, with one line that names them.
-install_packages() {
+# install_packages NAME...: installs those that are missing, and names them in one line.
+install_packages() (
+    if ! command -v dpkg-query >/dev/null; then
+        say "this system has no dpkg, so nothing is installed; CONTRIBUTING.md lists what glibra needs"
+        return
+    fi
     missing=
     for package in "$@"; do
         [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] ||
             missing="$missing $package"
     done
     [ -n "$missing" ] || return 0
-    root=
+    as_root=
     if [ "$(id -u)" != 0 ]; then
-        command -v sudo >/dev/null || { say "please install as root:$missing"; exit 4; }
-        root=sudo
+        command -v sudo >/dev/null || { say "cannot install packages without root or sudo; missing:$missing"; exit 4; }
+        as_root=sudo
     fi
     say "installing$missing"
     log=$(mktemp)
+    trap 'rm -f "$log"' EXIT
     # shellcheck disable=SC2086
-    if ! { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive \
+    if ! { $as_root apt-get update && $as_root env DEBIAN_FRONTEND=noninteractive \
            apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
         cat "$log" >&2
-        rm -f "$log"
-        say "could not install the packages"
+        say "cannot install the packages (above: what apt-get printed)"
         exit 4
     fi
-    rm -f "$log"
-}
+)
 
-# configure PRESET OPTION...: with the tests or without them, as the options say.
-configure() {
+# configure PRESET OPTION...
+configure() (
     preset=$1
     shift
     mkdir -p build
     say "configuring ($preset)"
-    cmake --preset "$preset" "$@" >"build/$preset.log" 2>&1 || { cat "build/$preset.log" >&2; exit 4; }
-}
+    if ! cmake --preset "$preset" "$@" >"build/$preset.log" 2>&1; then
+        cat "build/$preset.log" >&2
+        say "cannot configure the build; CONTRIBUTING.md lists what glibra needs"
+        exit 4
+    fi
+)
 
-# build PRESET TARGET...: prints the compiler's output only if it fails.
-build() {
+# build PRESET TARGET...: shows progress on standard error: ninja's line on a terminal, else a line per tenth. If the
+# build fails, it prints the end of what the compiler printed.
+build() (
     preset=$1
     shift
     say "building ($preset)"
-    cmake --build "build/$preset" --target "$@" >"build/$preset.log" 2>&1 ||
-        { tail -n 100 "build/$preset.log" >&2; exit 4; }
-}
+    if [ -t 2 ]; then
+        NINJA_STATUS='glibra: building %p ' ninja -C "build/$preset" "$@" >&2 || exit 4
+        return
+    fi
+    failed=$(mktemp)
+    trap 'rm -f "$failed"' EXIT
+    { NINJA_STATUS='@%p ' ninja -C "build/$preset" "$@" 2>&1 || echo failed >"$failed"; } | tee "build/$preset.log" |
+        awk '/^@ *[0-9]+%/ { now = substr($0, 2) + 0
+                             if (now >= shown + 10) { shown = now - now % 10; print "glibra: built " shown "%"; fflush() } }' >&2
+    if [ -s "$failed" ]; then
+        tail -n 100 "build/$preset.log" >&2
+        exit 4
+    fi
+)

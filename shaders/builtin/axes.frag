@@ -1,4 +1,4 @@
-// The axes of --axes, in white as in the original.
+// The fragment stage of the axes that --axes draws, white as in the original program.
 #version 410 core
 
 out vec4 fColor;

@@ -1,4 +1,4 @@
-// The axes of --axes: lines in the space before the view.
+// The vertex stage of the axes that --axes draws. aPosition is in the space before the view transformation.
 #version 410 core
 
 uniform mat4 uMatrix;

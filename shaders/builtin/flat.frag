@@ -1,4 +1,4 @@
-// What draws geometry that has no program: its colour, no light.
+// The fragment stage for geometry without a program: its colour, without light.
 #version 410 core
 
 in vec4 vColor;

@@ -1,4 +1,4 @@
-// What draws geometry that has no program: the position by the model-view-projection, the colour as it is.
+// The vertex stage for geometry without a program: it transforms the position and passes the colour on.
 #version 410 core
 
 uniform mat4 uModelViewProjectionMatrix;

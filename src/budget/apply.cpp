@@ -9,7 +9,7 @@ namespace {
 
 using Key = std::pair<glib::CommandId, std::vector<double>>;
 
-/// Shapes that some draw has; a draw between two shapes has none.
+/// Returns the shapes that are drawn. A draw whose shape is about to be replaced has none.
 std::set<scene::ShapeIndex> drawnShapes(const scene::Scene& scene) {
     std::set<scene::ShapeIndex> drawn;
     for (const scene::Pass& pass : scene.passes)
@@ -30,7 +30,7 @@ std::vector<scene::ShapeIndex> apply(const Choice& choice, scene::Scene& scene) 
         draws.push_back(&draw);
         draw.shape = {};
     }
-    // Shapes that nobody draws any more make room for the new ones, so that none is left over.
+    // Shapes that are no longer drawn are replaced by the new ones, so that none is left over.
     const std::set<scene::ShapeIndex> stillDrawn = drawnShapes(scene);
     std::vector<scene::ShapeIndex> vacant, replaced;
     for (const scene::ShapeIndex each : scene.shapes.indices())

@@ -10,13 +10,12 @@ namespace glibra::budget {
 struct LevelUniform {
     plan::UniformIndex uniform{};
     double value = 0;
-    double least = 1, most = 64;  ///< of its slider, or 1 and the driver's highest level
+    /// The range of its slider. Without a slider: 1 to the driver's highest level.
+    double least = 1, most = 64;
 };
 
-/// Those whose values reach gl_TessLevelOuter and gl_TessLevelInner by assignments in the control stage and,
-/// as its text shows, nothing else: not a position, not a colour, not a condition. Scalars with a value of
-/// the scene above 0 that `isOverridden` is not true of. Empty if the program has a geometry stage, which may
-/// show the single triangles, or draws points of the tessellation, which are what is shown.
+/// The uniforms that TranslatedProgram::levelUniforms names and to which the scene gives a single value above
+/// 0.
 std::vector<LevelUniform> levelUniforms(const plan::PlannedProgram& program, double mostLevel);
 
 }  // namespace glibra::budget

@@ -1,31 +1,26 @@
 #pragma once
-// What of a program decides how fine the meshes have to be that it draws.
-
-#include <string_view>
+// The facts about a program that decide how fine the meshes that it draws have to be.
 
 #include "plan/program_interface.h"
 
 namespace glibra::budget {
 
 struct ProgramFacts {
-    bool isBuiltin = false;       ///< one colour: nothing is computed at the vertices but their places
-    bool placesByMatrix = false;  ///< by the model-view-projection alone, as its text proves
-    bool readsTexCoord = false;
+    bool isBuiltin = false;          ///< draws one colour: at the vertices it computes only their positions
+    bool placesByMatrix = false;     ///< provably places vertices by the model-view-projection alone
+    bool readsTexCoord = false;      ///< reads texture coordinates
     bool worksOnPrimitives = false;  ///< has a tessellation or geometry stage
     bool hasTessellation = false;
-    /// It reads normals or tangents, which between vertices are not those of the surface, and its fragment
-    /// stage looks into a cube map along a reflection or refracts, as far as the words in its text say.
+    /// It reads normals or tangents, which between vertices differ from those of the surface, and its
+    /// fragment stage looks into a cube map along a reflection, or refracts.
     bool magnifiesNormals = false;
-    /// Its vertex stage calls functions but constructors and normalize(), as far as the words in its text
-    /// say: what it makes of the vertices may not be linear between them.
+    /// Its vertex stage calls functions other than constructors and normalize(), so its results may not be
+    /// linear between the vertices.
     bool computesAtVertices = false;
-    /// Something is flat on a triangle, counts triangles or vertices, or takes a normal from derivatives, as
-    /// far as the words in its text say: with other counts it would show something else.
+    /// It shows the single triangles (glsl::StageFacts::showsPrimitives), so a mesh with other counts would
+    /// show something else.
     bool showsPrimitives = false;
 };
-
-/// True if the text has it as a word of its own.
-bool hasWord(std::string_view text, std::string_view word);
 
 ProgramFacts programFacts(const plan::ProgramInterface& program);
 

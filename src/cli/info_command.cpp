@@ -1,13 +1,14 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
-#include "bench/subjects/builtin_precision.h"
+#include "cli/bench_command.h"
 #include "cli/commands.h"
+#include "cli/info_output.h"
 #include "gpu/context.h"
-#include "gpu/info.h"
 
 namespace glibra::cli {
 namespace {
@@ -18,59 +19,26 @@ struct InfoArguments {
     bool precision = false;
 };
 
-/// Null where the number is infinite, which JSON cannot say.
-nlohmann::ordered_json finite(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-}
-
-nlohmann::ordered_json asJson(const bench::BuiltinFunction& function, const bench::Precision& precision) {
-    nlohmann::ordered_json json{{"largestUlp", finite(precision.largest)},
-                                {"meanUlp", precision.mean},
-                                {"largestAbsolute", precision.largestAbsolute},
-                                {"worstArguments", bench::argumentsText(function, precision.worst)},
-                                {"samples", precision.samples},
-                                {"notNumbers", precision.notNumbers}};
-    if (precision.ofBound) json["timesTheBound"] = finite(*precision.ofBound);
-    return json;
-}
-
-nlohmann::ordered_json asJson(const std::vector<bench::PrecisionRow>& rows) {
-    auto json = nlohmann::ordered_json::array();
-    for (const bench::PrecisionRow& row : rows)
-        json.push_back({{"function", row.function->name},
-                        {"arguments", row.sweep->words},
-                        {"bound", row.function->bound},
-                        {"vertex", asJson(*row.function, row.vertex)},
-                        {"fragment", asJson(*row.function, row.fragment)}});
-    return json;
+/// Starts glibra-bench, which prints what `run` prints, with the measured precision.
+int measurePrecision(const InfoArguments& arguments) {
+    std::vector<std::string> words{"precision"};
+    if (arguments.json) words.emplace_back("--json");
+    for (const auto& [word, driver] : kDriverWords)
+        if (driver == arguments.driver) words.insert(words.end(), {"--driver", word});
+    return becomeProgram(kBenchProgram, words);
 }
 
 int run(const InfoArguments& arguments) {
+    if (arguments.precision) return measurePrecision(arguments);
     const Result<gpu::Context> context = gpu::openContext({.driver = arguments.driver});
     if (!context) {
         print(context.diagnostics);
         return kNoDriver;
     }
-    std::vector<bench::PrecisionRow> precision;
-    if (arguments.precision) {
-        Result<std::vector<bench::PrecisionRow>> measured = bench::precisionTable(context->capabilities());
-        if (!measured) {
-            print(measured.diagnostics);
-            return kNoDriver;
-        }
-        precision = std::move(*measured);
-    }
-    if (arguments.json) {
-        nlohmann::ordered_json json;
-        json["glibra"] = GLIBRA_VERSION;
-        for (const gpu::InfoEntry& each : gpu::describe(*context))
-            std::visit([&](const auto& value) { json[each.key] = value; }, each.value);
-        if (arguments.precision) json["precision"] = asJson(precision);
-        std::printf("%s\n", json.dump(2).c_str());
-        return kDone;
-    }
-    std::printf("glibra %s\n%s", GLIBRA_VERSION, gpu::toText(gpu::describe(*context)).c_str());
-    if (arguments.precision) std::printf("\n%s", bench::toText(precision).c_str());
+    if (arguments.json)
+        std::printf("%s\n", infoJson(*context).dump(2).c_str());
+    else
+        std::printf("%s", infoText(*context).c_str());
     return kDone;
 }
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "view/export/noise_file.h"
+#include "noise/noise_file.h"
 
 namespace glibra::cli {
 namespace {
 
 struct NoiseArguments {
-    view::NoiseFile noise;
+    noise::NoiseFile noise;
     std::vector<std::string> heights, gradients, curvatures;
     std::string size = "600x300";
     std::string output = "noise.png";
@@ -39,14 +39,14 @@ int refuse(const std::string& why) {
 }
 
 int run(NoiseArguments& arguments) {
-    view::NoiseFile& noise = arguments.noise;
+    noise::NoiseFile& noise = arguments.noise;
     char rest = 0;
     // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is
     // bounded
     if (std::sscanf(arguments.size.c_str(), "%5dx%5d%c", &noise.width, &noise.height, &rest) != 2 ||
         noise.width < 1 || noise.height < 1 || noise.width > 16384 || noise.height > 16384)
         return refuse("--size " + arguments.size + " is not WxH with 1 to 16384 pixels a side");
-    if (noise.options.dimensions == 2 && view::endingOf(arguments.output) == ".svg")
+    if (noise.options.dimensions == 2 && noise::endingOf(arguments.output) == ".svg")
         return refuse("an SVG file holds a graph of one dimension; write a .png");
     if (!arguments.curvatures.empty() && noise.options.smoothness == noise::Smoothness::cubic)
         return refuse("--curvature: heights and gradients determine a cubic; take --smooth quintic");
@@ -55,7 +55,7 @@ int run(NoiseArguments& arguments) {
         noise.options.gradients.insert(pointOf("--gradient", each));
     for (const std::string& each : arguments.curvatures)
         noise.options.curvatures.insert(pointOf("--curvature", each));
-    const Diagnostics problems = view::writeNoise(noise, arguments.output);
+    const Diagnostics problems = noise::writeNoise(noise, arguments.output);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;
 }

@@ -20,7 +20,7 @@ std::string grouped(double value) {
                                                                   : numberText(value);
 }
 
-/// A number read, on its way through the rule of its argument.
+/// A number that has been read and is being checked by the rule of its argument.
 struct Candidate {
     const Argument& argument;
     std::size_t index;
@@ -124,7 +124,7 @@ double applyRule(const Candidate& c, MessageLog& log) {
     return c.value;
 }
 
-/// Fills in what the file leaves out. False if something is missing without which the command cannot be.
+/// Fills in the numbers that the file leaves out. Returns false if one is missing that has no default.
 bool fillMissing(const CommandRow& row, Command& command) {
     for (std::size_t i = command.numbers.size(); i < row.arguments.size(); ++i) {
         const Argument& argument = row.arguments[i];
@@ -224,7 +224,7 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
     if (log.errorCount() > errors) return 0;
     double value = number.value;
     if (argument.type == ArgumentType::integer) {
-        value = std::trunc(number.value) + 0.0;  // + 0: -0 becomes 0
+        value = std::trunc(number.value) + 0.0;  // + 0.0 turns -0 into 0
         if (value != number.value)
             log.warning("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)),
                         token.position);

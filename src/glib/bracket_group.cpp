@@ -7,7 +7,7 @@
 namespace glibra::glib {
 namespace {
 
-/// Words that can only be tags, and so end an unclosed group.
+/// True for words that can only be tags, and so end an unclosed group.
 bool endsGroup(const Token& token) {
     if (token.kind == TokenKind::open || token.kind == TokenKind::quoted) return true;
     if (token.kind != TokenKind::word || token.truth()) return false;

@@ -1,4 +1,4 @@
-// What single commands demand of their numbers together (language, 3.1 and 3.2).
+// Rules about several numbers of one command (language, 3.1 and 3.2).
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace glibra::glib {
 namespace {
 
-/// The place of number `index`, or the command's own if it stands nowhere in the file.
+/// Returns the place of number `index`, or the place of the command if the file does not state the number.
 Position placeOf(const Command& command, std::span<const Position> places, std::size_t index) {
     return index < places.size() ? places[index] : command.position;
 }

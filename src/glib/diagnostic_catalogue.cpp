@@ -82,7 +82,7 @@ constexpr CatalogueRow kRows[] = {
     {"draw-W06", Severity::warning,
      "12 components of the picture are NaN, 0 infinite; the first at pixel 31, 8"},
     {"draw-W07", Severity::warning,
-     "the driver has 4 samples a pixel, with which edges are up to 0.25 px off; the bound is 0.1 px"},
+     "the driver has 4 samples per pixel, with which edges are up to 0.25 px off; the bound is 0.1 px"},
     {"draw-W08", Severity::warning,
      "this loop runs up to 100,000 rounds, but the driver ends a shader's loops after 65,535; the picture "
      "may "
@@ -93,8 +93,9 @@ constexpr CatalogueRow kRows[] = {
      "no LookAt: eye moved back by 4.125 along z (use --view glman to switch this off)"},
     {"draw-N02", Severity::note, "the picture has only one colour"},
     {"draw-N03", Severity::note,
-     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; --override-counts chooses "
-     "for it"},
+     "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
+     "choose "
+     "finer ones"},
     // Shaders
     {"glsl-E01", Severity::error, "'vMC' : undeclared identifier"},
     {"glsl-E02", Severity::error, "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},
@@ -201,16 +202,15 @@ constexpr CatalogueRow kRows[] = {
     {"result-W02", Severity::warning, "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", Severity::note, "the last line is torn, its shot is not counted"},
     // Run time against error
-    {"bench-E01", Severity::error, "there is no subject 'primitve'; did you mean 'primitives'?"},
-    {"bench-E02", Severity::error, "this is no run of glibra bench; --against takes its bench.json"},
+    {"bench-E01", Severity::error, "unknown subject 'primitve'; did you mean 'primitives'?"},
+    {"bench-E02", Severity::error, "this is not a run of glibra bench; --against takes its bench.json"},
     // The window
-    {"view-E01", Severity::error, "the value of 'uKd' cannot be found in the scene any more"},
+    {"view-E01", Severity::error, "the value of 'uKd' is no longer at this place; reload the scene"},
     {"view-E02", Severity::error,
-     "no display to open a window on (X11: The DISPLAY environment variable is missing); `glibra render "
-     "SCENE` "
-     "makes a picture without one"},
+     "no display found (X11: The DISPLAY environment variable is missing); `glibra render SCENE` writes a "
+     "picture without one"},
     {"view-W01", Severity::warning,
-     "Sphere is left out of the view 'texture coordinates': its stages pass no vST on to the fragment "
+     "Sphere is left out of the debug view 'texture coordinates': its stages pass no vST to the fragment "
      "stage"},
 };
 

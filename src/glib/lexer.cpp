@@ -25,7 +25,7 @@ constexpr bool isControl(char c) {
     return (byte < 0x20 && !isBlank(c)) || byte == 0x7f;
 }
 
-/// Bytes at which a word may end. Most bytes are none of these and need no closer look.
+/// The bytes at which a word may end. Most bytes are not among them and need no closer look.
 constexpr auto kMayEndWord = [] {
     std::array<bool, 256> may{};
     for (std::size_t byte = 0; byte < may.size(); ++byte) {
@@ -40,7 +40,7 @@ bool mayEndWord(char c) {
     return kMayEndWord[static_cast<unsigned char>(c)];
 }
 
-/// Reads the tokens of one line. Offsets are those of the file.
+/// Reads the tokens of one line. Offsets count from the start of the file.
 class LineReader {
   public:
     LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log)
@@ -82,8 +82,8 @@ class LineReader {
         }
     }
 
-    /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be
-    /// the rest of a UTF-8 character.
+    /// The length in bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 if it
+    /// cannot be part of a UTF-8 character. 0 if there is none.
     std::size_t noBreakSpaceAt(std::size_t offset) const {
         if (text_[offset] == '\xc2') return text_.substr(offset, 2) == "\xc2\xa0" ? 2 : 0;
         if (text_[offset] != '\xa0') return 0;
@@ -96,7 +96,7 @@ class LineReader {
         return text_[offset] == '#' || (text_[offset] == '/' && text_.substr(offset, 2) == "//");
     }
 
-    /// Goes to the next token; false at the end of the line's code.
+    /// Goes to the next token. Returns false at the end of the line's code.
     bool skipBlanks() {
         for (; at_ < text_.size(); ++at_) {
             if (isBlank(text_[at_]) || isControl(text_[at_])) continue;
@@ -151,7 +151,7 @@ class LineReader {
         const std::size_t begin = at_;
         std::size_t end = begin;
         while (end < text_.size() && !(mayEndWord(text_[end]) && endsWord(end))) ++end;
-        const std::size_t wordEnd = end;  // before anything is taken off
+        const std::size_t wordEnd = end;  // before anything is removed
         if (text_[end - 1] == '\\' && isLastOnLine(end)) {
             line_.continues = true;
             line_.backslash = position(--end);
@@ -176,7 +176,7 @@ class LineReader {
         at_ = wordEnd;
     }
 
-    /// True if nothing but blanks and a comment follows; reports them after a backslash.
+    /// True if only blanks and a comment follow; after a backslash they are reported.
     bool isLastOnLine(std::size_t end) {
         std::size_t next = end;
         while (next < text_.size() && (isBlank(text_[next]) || noBreakSpaceAt(next) > 0))

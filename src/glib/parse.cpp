@@ -1,4 +1,4 @@
-// The whole way from text to commands.
+// From the text of a scene to its commands.
 
 #include <fmt/format.h>
 
@@ -72,8 +72,8 @@ class Parser {
         commands_.push_back(std::move(command));
     }
 
-    /// True for the rest of a vertex list whose glBegin is faulty: its vertices would only be reported once
-    /// more.
+    /// True inside a vertex list whose glBegin is faulty. Its vertices are skipped, since they would only
+    /// repeat the error.
     bool leavesOut(CommandId id, bool faulty) {
         if (id == CommandId::glBegin) inFaultyList_ = faulty;
         const bool result = inFaultyList_ && belongsToList(id);
@@ -113,7 +113,7 @@ class Parser {
     StatementReader reader_;
     MessageLog& log_;
     std::vector<Command> commands_;
-    std::string fragmentFile_;  ///< as the last Fragment statement names it
+    std::string fragmentFile_;  ///< the name in the last Fragment statement
     std::size_t programs_ = 0;
     bool inFaultyList_ = false;
 };

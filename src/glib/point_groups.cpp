@@ -11,7 +11,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr std::size_t kLeast = 3;  // numbers of a group
+constexpr std::size_t kLeast = 3;  // numbers per group
 constexpr std::size_t kMost = 4;
 
 class GroupReader {

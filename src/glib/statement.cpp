@@ -11,7 +11,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr std::size_t kCubeMapArguments = 7;  // unit and six files
+constexpr std::size_t kCubeMapArguments = 7;  // a unit and six files
 
 const CommandRow* commandOf(const Token& token) {
     return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
@@ -21,7 +21,7 @@ bool isCommand(const Statement& statement, CommandId id) {
     return statement.row && statement.row->id == id;
 }
 
-/// How a message names the statement: "Program 'Magic'", "CubeMap".
+/// Returns the statement's name for messages: "Program 'Magic'", "CubeMap".
 std::string described(const Statement& statement) {
     std::string text(statement.row->name());
     if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
@@ -29,14 +29,14 @@ std::string described(const Statement& statement) {
     return text;
 }
 
-/// How many are no brackets.
+/// Returns how many of the tokens are not brackets.
 std::size_t countPlain(std::span<const Token> tokens) {
     return static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), [](const Token& t) {
         return t.kind != TokenKind::open && t.kind != TokenKind::close;
     }));
 }
 
-/// True if what follows the command word that begins the line can be its value as a tag.
+/// True if the command word that begins the line may be a tag: a value can follow it.
 bool fitsAsTag(const Line& line) {
     const std::vector<Token>& tokens = line.tokens;
     if (tokens.size() < 2 || !tokens[1].beginsValue()) return false;
@@ -118,13 +118,13 @@ std::optional<Statement> StatementReader::next() {
 }
 
 bool StatementReader::continuesAfterBackslash(const Statement& statement) {
-    if (ahead_->tokens.empty()) return true;  // nothing but another backslash
+    if (ahead_->tokens.empty()) return true;  // only another backslash
     const Token first = ahead_->tokens.front();
     if (!commandOf(first)) return true;
     if (isCommand(statement, CommandId::program)) {
         if (statement.arguments.empty()) return true;  // the word after Program is always its name
         if (fitsAsTag(*ahead_)) return true;
-        if (ahead_->isMessage) {  // MessageBox may be a tag, too
+        if (ahead_->isMessage) {  // MessageBox may also be a tag
             MessageLog unused{""};
             Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused);
             if (fitsAsTag(line)) {
@@ -152,7 +152,7 @@ bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
     return true;
 }
 
-/// glib-E10. True if the block was passed over.
+/// Reports glib-E10. Returns true if the block was skipped.
 bool StatementReader::refuseBraceBlock(Statement& statement) {
     const std::vector<Token>& tokens = statement.arguments;
     if (!isCommand(statement, CommandId::program) || tokens.empty() || tokens.size() > 2) return false;
@@ -168,7 +168,7 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
     return skipBraceBlock();
 }
 
-/// Passes over the lines of a brace block, so that they are not all reported; does nothing if it is never
+/// Skips the lines of a brace block, so that they are not all reported. Does nothing if the block is never
 /// closed.
 bool StatementReader::skipBraceBlock() {
     if (braceNeverCloses_) return false;

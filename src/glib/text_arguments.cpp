@@ -45,7 +45,7 @@ void checkTextureBytes(const Command& command, const TextureFormat& format, Mess
                   command.position);
 }
 
-/// The empty form: sizes and perhaps a format.
+/// Reads an empty texture: sizes and perhaps a format.
 void readSizes(const Statement& statement, std::span<const Token> tokens, std::size_t sizes,
                const TextureFormat* format, Command& command, MessageLog& log) {
     const CommandRow& row = *statement.row;
@@ -133,9 +133,9 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
     if (rest == 0 || format) {
         readSizes(statement, tokens, sizes, format, command, log);
     } else if (rest == 1 && sizes >= 2 && tokens.back().kind == TokenKind::word) {
-        // As a file name the first size would make no sense: the word was meant as a format.
+        // A size stands before the word, so the word is not a file name: it was meant as a format.
         log.error("glib-E05",
-                  fmt::format("{}: {} is none of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
+                  fmt::format("{}: {} is not one of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
                               quoted(tokens.back().text)),
                   tokens.back().position);
     } else {
@@ -191,7 +191,7 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log) {
         return;
     }
     log.error("glib-E05",
-              fmt::format("{}: {} is none of on, off, 1, 0, true, false", statement.row->name(),
+              fmt::format("{}: {} is not one of on, off, 1, 0, true, false", statement.row->name(),
                           quoted(token.text)),
               token.position);
 }

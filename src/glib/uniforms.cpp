@@ -21,7 +21,7 @@ UniformForm formOf(std::string_view bracket) {
     return bracket == "{" ? UniformForm::color : UniformForm::list;
 }
 
-/// The last part of a path without its suffix.
+/// Returns the last part of a path without its suffix.
 std::string_view stem(std::string_view path) {
     const std::size_t folder = path.find_last_of("/\\");
     if (folder != std::string_view::npos) path.remove_prefix(folder + 1);
@@ -49,7 +49,7 @@ class ProgramReader {
     }
 
   private:
-    /// A word, or a number with letters after it (`3DNoise`).
+    /// True for a word, and for a number with letters after it (`3DNoise`).
     static bool canBeName(const Token& token) {
         return token.isWord() || (token.kind == TokenKind::number && !isCompleteNumber(token.text));
     }
@@ -119,7 +119,7 @@ class ProgramReader {
         add(std::move(spec));
     }
 
-    /// False if the group is refused.
+    /// Returns false if the group is refused.
     bool readGroup(UniformSpec& spec, std::size_t open) {
         const BracketGroup group = groupAt(tokens_, open);
         const Token& bracket = tokens_[open];
@@ -151,7 +151,7 @@ class ProgramReader {
         return true;
     }
 
-    /// A number of a group; `true` among numbers is 1.
+    /// Reads a number of a group; `true` among numbers is 1.
     ReadNumber readValue(const Token& token) {
         if (token.truth() != true) return readNumber(token, log_);
         log_.warning("glib-W05", fmt::format("{} is not a number, 1 used", quoted(token.text)),
@@ -159,7 +159,7 @@ class ProgramReader {
         return {1, "1"};
     }
 
-    /// glib-W15, as far as it does not depend on the declared type.
+    /// Reports glib-W15 where it does not depend on the declared type.
     void reportCount(const UniformSpec& spec, std::span<const std::string> written) {
         const std::size_t count = spec.values.size();
         const auto report = [&](std::string_view brackets, const std::string& reading) {

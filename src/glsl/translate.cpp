@@ -4,7 +4,6 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
-#include "glsl/facts/loops.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/source.h"
 #include "glsl/rules/rules.h"
@@ -17,7 +16,7 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     for (const StageSource& each : request.stages) ordered.push_back(&each);
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const StageSource* a, const StageSource* b) { return a->stage < b->stage; });
-    program.units.reserve(ordered.size());  // tokens point into a unit's text: it must not move
+    program.units.reserve(ordered.size());  // tokens point into the text of a unit, which must not move
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
             const std::size_t slash = each->path.find_last_of("/\\");
@@ -40,7 +39,7 @@ void parse(Unit& unit) {
     findUsage(unit);
 }
 
-/// Emitted names are told apart from the user's in messages and for tags.
+/// Records the emitted names that differ from the user's, for messages and tags.
 void recordUserNames(const Unit& unit, TranslatedProgram& result) {
     for (const auto& [user, emitted] : unit.renames)
         if (emitted.starts_with("glibra_")) result.userNames[emitted] = user;
@@ -67,7 +66,7 @@ void applyRules(ProgramUnits& program) {
     checkTessellation(program);
     countPatchesInWhole(program);
     completeGeometryLayout(program);
-    collectFacts(program);
+    collectDeclarations(program);
     connectStages(program);
     for (std::size_t i = 0; i < walks.size(); ++i)
         repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
@@ -81,6 +80,18 @@ void applyRules(ProgramUnits& program) {
     }
     program.result->placement = findPlacement(program);
     program.result->isOpaque = findOpacity(program);
+}
+
+void deliver(ProgramUnits& program) {
+    TranslatedProgram& result = *program.result;
+    result.mayReadTangents = mayReadTangents(program);
+    result.levelUniforms = findLevelUniforms(program);
+    for (Unit& unit : program.units) {
+        TranslatedStage& stage =
+            result.stages.emplace_back(program.request->shim ? emit(unit) : emitAsIs(unit));
+        stage.loops = loopsOf(unit);
+        stage.facts = factsOf(unit);
+    }
 }
 
 }  // namespace
@@ -100,14 +111,10 @@ TranslatedProgram translate(const ProgramRequest& request) {
         } else {
             checkTessellation(program);
             readFactsAsIs(program);
-            collectFacts(program);
+            collectDeclarations(program);
         }
     }
-    if (!program.report.failed())
-        for (Unit& unit : program.units) {
-            result.stages.push_back(request.shim ? emit(unit) : emitAsIs(unit));
-            result.stages.back().loops = loopsOf(unit);
-        }
+    if (!program.report.failed()) deliver(program);
     result.diagnostics = program.report.take();
     return result;
 }

@@ -19,8 +19,7 @@ std::size_t headerBytes(int dimensions) {
     return 4 * static_cast<std::size_t>(dimensions);
 }
 
-/// The sizes at the front of the file as a texture of d dimensions; nothing if the file is too short for
-/// them.
+/// The sizes at the start of the file for a texture of d dimensions; empty if the file is too short.
 std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
     if (file.size() < headerBytes(dimensions)) return std::nullopt;
     RawShape shape{dimensions, {1, 1, 1}, type};
@@ -29,7 +28,7 @@ std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
     return shape;
 }
 
-/// File length of a shape, or nothing if a size is 0 or the length is beyond 2^62.
+/// The file length of a shape; empty if a size is 0 or the length exceeds 2^62.
 std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
     std::uint64_t texels = 1;
     for (const std::uint32_t size : shape.sizes) {
@@ -55,7 +54,7 @@ bool withinSides(const RawShape& shape, const Limits& limits) {
     });
 }
 
-/// file-E05, with the lengths that the sizes at the front of the file would need.
+/// file-E05 with the lengths that the sizes at the start of the file require.
 Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const Limits& limits) {
     std::string would;
     for (int d = 1; d <= 3; ++d) {

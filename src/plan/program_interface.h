@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "scene/scene.h"
 
 namespace glibra::plan {

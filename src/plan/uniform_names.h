@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 #include "plan/program_interface.h"
 
 namespace glibra::plan {

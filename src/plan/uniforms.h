@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 #include "plan/program_interface.h"
 
 namespace glibra::plan {

@@ -1,5 +1,5 @@
 #pragma once
-// What a program that was made from another one takes over from it.
+// What a program takes over from the program that it was made from.
 
 #include <vector>
 
@@ -9,11 +9,12 @@
 
 namespace glibra::render {
 
-/// Where its vertex inputs are: a program with the same can be drawn with the same vertex arrays.
+/// The locations of its vertex inputs. A program with equal locations can be drawn with the same vertex
+/// arrays.
 std::vector<gpu::NamedLocation> inputLocations(const BuiltProgram& of);
 
-/// Gives every uniform, sampler and block of `program`, which is the one in use and has this interface, the
-/// value that it has in the program that it was made from.
+/// Gives every uniform, sampler and block of `program` its value in `from`. `program` must be in use, and
+/// `reflected` is its interface.
 void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
                   const gpu::ProgramInterface& reflected);
 

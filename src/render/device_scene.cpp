@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 #include "render/reuse.h"
 #include "scene/primitives.h"
 

@@ -4,7 +4,7 @@
 #include <glad/gl.h>
 
 #include "geometry/mesh.h"
-#include "glsl/translate.h"
+#include "glsl/types/stage.h"
 
 namespace glibra::render {
 

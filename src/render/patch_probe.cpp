@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "glsl/emit/wrapped_main.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/uniform.h"
@@ -19,30 +20,23 @@ namespace {
 
 constexpr int kLargestSide = 64;
 constexpr int kMostPatches = 64;
-constexpr std::size_t kFloats = 8;  ///< of a captured vertex: gl_Position and the coordinate with a 0
+constexpr std::size_t kFloats = 8;  ///< per captured vertex: gl_Position, and the coordinate with a 0
 
-/// The evaluation stage with its coordinate among the outputs.
-std::string withCoordinate(const std::string& source) {
-    const std::size_t version = source.find("#version");
-    const std::size_t behind =
-        version == std::string::npos ? 0 : std::min(source.size(), source.find('\n', version) + 1);
-    return source.substr(0, behind) + "#define main glibra_sceneMain\n" + source.substr(behind) +
-           "\n#undef main\n"
-           "out vec4 glibra_coordinate;\n"
-           "void main() {\n"
-           "    glibra_sceneMain();\n"
-           "    glibra_coordinate = vec4(gl_TessCoord, 0.);\n"
-           "}\n";
+/// The evaluation stage with its tessellation coordinate as an output.
+std::string withCoordinate(const glsl::TranslatedStage& stage) {
+    return glsl::wrappedMain(stage, {.declarations = "out vec4 glibra_coordinate;\n",
+                                     .before = "",
+                                     .after = "    glibra_coordinate = vec4(gl_TessCoord, 0.);\n"});
 }
 
-/// The stages up to the evaluation, which is captured.
+/// A program of the stages up to the evaluation stage, whose output is captured.
 std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, const BuiltProgram& built) {
     std::vector<std::pair<GLenum, std::string>> sources;
     for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
         if (each.stage == glsl::Stage::vertex) sources.emplace_back(GL_VERTEX_SHADER, each.source);
         if (each.stage == glsl::Stage::tessControl) sources.emplace_back(GL_TESS_CONTROL_SHADER, each.source);
         if (each.stage == glsl::Stage::tessEvaluation)
-            sources.emplace_back(GL_TESS_EVALUATION_SHADER, withCoordinate(each.source));
+            sources.emplace_back(GL_TESS_EVALUATION_SHADER, withCoordinate(each));
     }
     std::vector<gpu::StageSource> stages;
     stages.reserve(sources.size());
@@ -58,7 +52,7 @@ void deleteQueryName(GLuint name) {
     glDeleteQueries(1, &name);
 }
 
-/// One patch, drawn from the bound vertex array and index buffer.
+/// Draws one patch from the bound vertex array and index buffer, and reads its captured vertices.
 budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu::Buffer& buffer) {
     GLuint query = 0;
     glGenQueries(1, &query);
@@ -105,12 +99,12 @@ struct PatchProbe::State {
                                                       std::span<const budget::LevelValue> values);
 };
 
-/// Loads the scene at the first call.
+/// Loads the scene at the first call. False if that fails.
 bool PatchProbe::State::prepare() {
     if (renderer) return true;
     Result<SceneRenderer> made = SceneRenderer::of(context, scene, options, stats, &parts);
     const int level = context.capabilities().maxTessellationLevel;
-    // Two triangles a square, or a line a piece of as many lines.
+    // Two triangles per square of the finest grid. Lines need less.
     const auto bytes = static_cast<std::size_t>(level + 1) * static_cast<std::size_t>(level + 1) * 6 *
                        kFloats * sizeof(float);
     Result<gpu::Buffer> room = gpu::Buffer::create(bytes, GL_STREAM_READ);

@@ -1,5 +1,5 @@
 #pragma once
-// What the tessellation stages of a draw make of its patches, for other levels than the scene's.
+// The vertices that the tessellation stages of a draw make of its patches, at other levels than the scene's.
 
 #include <glibra/render.h>
 
@@ -15,19 +15,20 @@
 
 namespace glibra::render {
 
-/// Draws one draw of a scene in small pictures and captures the vertices behind the evaluation stage.
+/// Draws one draw of a scene in small pictures and captures the output of the evaluation stage.
 class PatchProbe {
   public:
-    /// Of a scene in a picture of `width` x `height`; both must outlive the probe.
+    /// Prepares the probe for a picture of `width` x `height` pixels. The context and the scene must outlive
+    /// it.
     PatchProbe(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options, int width,
                int height);
     PatchProbe(const PatchProbe&) = delete;
     PatchProbe& operator=(const PatchProbe&) = delete;
     ~PatchProbe();
 
-    /// The patches of the draw at Scene::passes[pass].steps[step], with values of uniforms in place of the
-    /// scene's: all of them, or of more than 64 every second, third ... Nothing if it cannot be drawn or
-    /// captured.
+    /// The patches of the draw at Scene::passes[pass].steps[step], with these values in place of the scene's.
+    /// Of more than 64 patches only every second, third ... is captured. Nothing if drawing or capturing
+    /// fails.
     std::optional<std::vector<budget::Patch>> patches(std::size_t pass, std::size_t step,
                                                       std::span<const budget::LevelValue> values);
 

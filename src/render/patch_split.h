@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "gpu/context.h"
 
 namespace glibra::render {

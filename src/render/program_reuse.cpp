@@ -1,18 +1,20 @@
-// What a ProgramLibrary takes from others: from the one before it, when a scene is read again, and from those
-// of other scenes.
+// The programs and translations that a ProgramLibrary takes from other libraries: from its predecessor when a
+// scene is read again, and from those of other scenes.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "glsl/emit/emitted_lines.h"
+#include "glsl/translate.h"
 #include "plan/uniforms.h"
 #include "render/programs.h"
 
 namespace glibra::render {
 namespace {
 
-/// Everything that decides about a translation, but for what the translator asks for: files to include, kinds
-/// of textures.
+/// Everything that decides a translation, except what the translator asks for: included files and kinds of
+/// textures.
 std::string keyOf(const glsl::ProgramRequest& asked) {
     std::string key =
         fmt::format("{}\n{}:{}:{} {}{}{} {} {} {} {}\n", asked.name, asked.place.file, asked.place.line,
@@ -95,11 +97,7 @@ glsl::Placement ProgramLibrary::placementOf(const plan::ProgramVariant& variant)
 
 bool ProgramLibrary::mayReadTangents(const plan::ProgramVariant& variant) {
     const Translation& translation = translationOf(variant);
-    return !translation.program ||
-           std::any_of(translation.program->stages.begin(), translation.program->stages.end(),
-                       [](const glsl::TranslatedStage& each) {
-                           return each.source.find("Tangent") != std::string::npos;
-                       });
+    return !translation.program || translation.program->mayReadTangents;
 }
 
 std::vector<std::filesystem::path> ProgramLibrary::filesRead() const {
@@ -121,7 +119,8 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
     std::string key;
     for (const glsl::TranslatedStage& each : translated.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.source + '\0';
-    // A value that was set once stays in the program: one that loses a tag must get its initial value back.
+    // A value that was set stays in the program. A uniform that loses its tag must get its initial value
+    // back.
     if (variant.program) {
         std::vector<std::string> tags;
         for (const glib::UniformSpec& each : scene_.programs[variant.program].uniforms)

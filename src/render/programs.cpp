@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "glsl/emit/log.h"
 #include "image/file.h"
 #include "render/gl_names.h"
 #include "scene/file_lookup.h"

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "glsl/emit/emitted_lines.h"
+#include "glsl/types/request.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "gpu/reflection.h"
@@ -56,7 +58,7 @@ class ProgramLibrary {
     const glsl::TranslatedProgram* translated(const plan::ProgramVariant& variant) {
         return translationOf(variant).program.get();
     }
-    /// True if a source of the variant speaks of tangents.
+    /// True if the variant may read tangents.
     bool mayReadTangents(const plan::ProgramVariant& variant);
     /// What became of that line of a source in the programs that the driver refused: of the first stage that
     /// has the line. Nothing if no refused program has it.

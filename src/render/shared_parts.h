@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "geometry/mesh.h"
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "gpu/program.h"
 #include "gpu/reflection.h"
 #include "gpu/texture.h"

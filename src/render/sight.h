@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/mesh.h"
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "gpu/capabilities.h"
 #include "render/tile.h"
 #include "render/view_matrices.h"

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <span>
 
-#include "glsl/rules/builtins.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::render {
 

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "glib/command_table.h"
 #include "glib/number.h"
 #include "scene/state.h"
 
@@ -42,28 +43,6 @@ constexpr CommandAction kActions[] = {
     {doScale, CommandId::scale},
     {doPushMatrix, CommandId::pushMatrix},
     {doPopMatrix, CommandId::popMatrix},
-    {doPrimitive, CommandId::box},
-    {doPrimitive, CommandId::sphere},
-    {doPrimitive, CommandId::cylinder},
-    {doPrimitive, CommandId::cone},
-    {doPrimitive, CommandId::torus},
-    {doPrimitive, CommandId::teapot},
-    {doPrimitive, CommandId::soccerball},
-    {doPrimitive, CommandId::diskXY},
-    {doPrimitive, CommandId::quadXY},
-    {doPrimitive, CommandId::quadXZ},
-    {doPrimitive, CommandId::quadYZ},
-    {doPrimitive, CommandId::quadBox},
-    {doPrimitive, CommandId::xarrow},
-    {doPrimitive, CommandId::pointCloud},
-    {doPrimitive, CommandId::jitterCloud},
-    {doPrimitive, CommandId::wireSphere},
-    {doPrimitive, CommandId::wireTorus},
-    {doPrimitive, CommandId::wireCylinder},
-    {doPrimitive, CommandId::wireCone},
-    {doPrimitive, CommandId::wireCube},
-    {doPrimitive, CommandId::wireBox},
-    {doPrimitive, CommandId::wireTeapot},
     {doModel, CommandId::obj},
     {doModel, CommandId::wireObj},
     {doModel, CommandId::objAdj},
@@ -110,19 +89,20 @@ constexpr CommandAction kActions[] = {
 constexpr bool rowsStandInOrder() {
     for (std::size_t i = 0; i < std::size(kActions); ++i)
         if (static_cast<std::size_t>(kActions[i].id) != i) return false;
-    return static_cast<std::size_t>(CommandId::verbose) + 1 == std::size(kActions);
+    return static_cast<std::size_t>(CommandId::firstPrimitive) == std::size(kActions);
 }
 static_assert(rowsStandInOrder(), "every CommandId has its row, in the order of the enumeration");
 
 /// True for commands whose own message tells more than a repetition of the statement.
 bool isGeometry(CommandId id) {
-    return (id >= CommandId::box && id <= CommandId::triangles) || id == CommandId::glEnd;
+    return id >= CommandId::firstPrimitive || (id >= CommandId::obj && id <= CommandId::triangles) ||
+           id == CommandId::glEnd;
 }
 
 void execute(Interpreter& in, const glib::Command& command) {
     const auto index = static_cast<std::size_t>(command.id);
-    if (index >= std::size(kActions)) return;
-    const CommandAction& action = kActions[index];
+    if (index >= std::size(kActions) && glib::primitiveOf(command.id) == nullptr) return;
+    const CommandAction action = index < std::size(kActions) ? kActions[index] : CommandAction{doPrimitive};
     if (in.list && action.inList == InList::isWrong) {
         in.reportError(command, "glib-E07",
                        fmt::format("{} is not possible inside glBegin ... glEnd", command.word));

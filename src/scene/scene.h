@@ -18,7 +18,7 @@
 
 #include "geometry/mesh.h"
 #include "glib/script.h"
-#include "glsl/translate.h"
+#include "glsl/types/stage.h"
 #include "scene/index.h"
 
 namespace glibra::scene {

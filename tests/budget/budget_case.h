@@ -20,8 +20,8 @@ class Budget {
     explicit Budget(const std::string& text) {
         program.usable = true;
         program.facts.placement = glsl::Placement::vertex;
-        program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert", {}},
-                                {glsl::Stage::fragment, "void main() {}", {}, "a.frag", {}}};
+        program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert", {}, {}},
+                                {glsl::Stage::fragment, "void main() {}", {}, "a.frag", {}, {}}};
         program.inputs = {{"aVertex", 0, false}};
         const glib::Script script = glib::parse(text, "/tmp/scene.glib");
         EXPECT_TRUE(script.diagnostics.empty()) << script.diagnostics.front().text;

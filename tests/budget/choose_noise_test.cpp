@@ -39,7 +39,7 @@ TEST(Choose, ChoosesTheNoiseThatTheSceneLeavesOpen) {
     NoiseBudget free("Noise3D 100\n", .25);
     free.request.overrideCounts = true;
     EXPECT_EQ(free.chosen(), (NoiseFormat{192, kShorts}));
-    EXPECT_NE(free.decision("Noise3D").find("192 texels a side of 16 bits in place of 100"),
+    EXPECT_NE(free.decision("Noise3D").find("192 texels per side with 16 bits in place of 100"),
               std::string::npos);
 }
 

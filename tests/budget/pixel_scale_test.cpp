@@ -48,7 +48,7 @@ class Steps {
     std::mt19937 random_;
 };
 
-Bounds ball(double radius) {
+geometry::Extent ball(double radius) {
     return {glm::dvec3(-radius), glm::dvec3(radius), radius};
 }
 

@@ -1,6 +1,7 @@
 // Counts for what programs make of vertices, with pictures of a known error in place of drawn ones.
 
 #include "budget/vertex_values.h"
+#include "glib/command_table.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ image::Image waves(double shift) {
 VertexDraw sphere(std::size_t program, double slices, bool isFree = true) {
     return {.pass = 0,
             .step = program,
-            .model = surfaceModel(glib::CommandId::sphere),
+            .model = surfaceModel(glib::commandOf("Sphere")),
             .numbers = {1, slices, slices / 2},
             .isFree = {isFree, isFree},
             .program = plan::PlannedProgramIndex(program),

@@ -1,8 +1,10 @@
-// glibra bench: subjects, files, comparison, exit status.
+// The program glibra-bench, as started by glibra bench (subjects, files, comparison, exit status) and by
+// glibra info --precision.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "program.h"
@@ -26,9 +28,9 @@ TEST(BenchCommand, SuggestsASubject) {
     const Folder folder;
     const Finished run = glibra(folder.path(), "bench ray-shpere xyzzy");
     EXPECT_EQ(run.status, 2);
-    EXPECT_TRUE(contains(run.err, "there is no subject 'ray-shpere'; did you mean 'ray-sphere'? [bench-E01]"))
+    EXPECT_TRUE(contains(run.err, "unknown subject 'ray-shpere'; did you mean 'ray-sphere'? [bench-E01]"))
         << run.err;
-    EXPECT_TRUE(contains(run.err, "there is no subject 'xyzzy'; --list names them")) << run.err;
+    EXPECT_TRUE(contains(run.err, "unknown subject 'xyzzy'; --list names them")) << run.err;
     EXPECT_EQ(run.out, "");
 }
 
@@ -56,12 +58,12 @@ TEST(BenchCommand, WritesItsFilesAndComparesWithThem) {
     EXPECT_TRUE(contains(worse.out, "worse   ray-sphere/hit, ")) << worse.out;
 }
 
-TEST(BenchCommand, RefusesAnEarlierRunThatIsNone) {
+TEST(BenchCommand, RejectsAFileThatIsNoEarlierRun) {
     const Folder folder;
     folder.write("broken.json", "{\n  \"format\": }");
     const Finished broken = glibra(folder.path(), "bench --quick ray-sphere --against broken.json");
     EXPECT_EQ(broken.status, 2);
-    EXPECT_TRUE(contains(broken.err, "broken.json:2:13: error: no JSON:")) << broken.err;
+    EXPECT_TRUE(contains(broken.err, "broken.json:2:13: error: not valid JSON:")) << broken.err;
     EXPECT_EQ(glibra(folder.path(), "bench --quick ray-sphere --against none.json").status, 2);
     EXPECT_EQ(glibra(folder.path(), "bench --quick --time-factor .5").status, 2);
 }
@@ -75,6 +77,61 @@ TEST(BenchCommand, MeasuresWhatItCanWithoutADriver) {
     EXPECT_TRUE(contains(run.out, "CPU, float, stable")) << run.out;
     EXPECT_FALSE(contains(run.out, "shader, stable")) << run.out;
     EXPECT_TRUE(contains(readFile(folder / "out/bench.html"), "no driver"));
+}
+
+TEST(BenchCommand, HasItsOwnHelp) {
+    const Folder folder;
+    const Finished run = glibra(folder.path(), "bench --help");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(contains(run.out, "glibra bench [OPTIONS]")) << run.out;
+    EXPECT_TRUE(contains(run.out, "--against")) << run.out;
+}
+
+TEST(BenchCommand, SaysHowToBuildTheProgramThatIsMissing) {
+    const Folder folder;
+    for (const char* arguments : {"bench --list", "info --precision"}) {
+        // Nothing lies beside a copy of the program.
+        const Finished run =
+            shell(folder.path(), "cp '" GLIBRA_PROGRAM "' copy && exec ./copy " + std::string(arguments));
+        EXPECT_EQ(run.status, 4);
+        EXPECT_EQ(run.err,
+                  "glibra: error: the program glibra-bench is missing; build it with `cmake --build "
+                  "BUILD_FOLDER --target glibra_bench_program` (this needs Boost)\n");
+        EXPECT_EQ(run.out, "");
+    }
+}
+
+TEST(InfoPrecision, ReportsThePrecisionOfEveryFunctionAsJson) {
+    const Folder folder;
+    const Finished finished = glibra(folder.path(), "info --precision --json");
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    const auto json = nlohmann::json::parse(finished.out);
+    bool hasDivision = false, hasSine = false;
+    for (const auto& row : json.at("precision")) {
+        const std::string function = row.at("function");
+        for (const char* stage : {"vertex", "fragment"}) {
+            EXPECT_GT(row.at(stage).at("samples").get<int>(), 1000) << function;
+            EXPECT_GE(row.at(stage).at("meanUlp").get<double>(), 0) << function;
+        }
+        if (function == "division") {
+            hasDivision = true;
+            EXPECT_EQ(row.at("bound"), "2.5 ULP");
+            EXPECT_TRUE(row.at("fragment").contains("timesTheBound"));
+        }
+        if (function == "sin") {
+            hasSine = true;
+            EXPECT_FALSE(row.at("fragment").contains("timesTheBound"));
+        }
+    }
+    EXPECT_TRUE(hasDivision && hasSine);
+}
+
+TEST(InfoPrecision, ReportsInWordsWhichBoundsAreBroken) {
+    const Folder folder;
+    const Finished finished = glibra(folder.path(), "info --precision");
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    EXPECT_NE(finished.out.find("inversesqrt"), std::string::npos);
+    EXPECT_NE(finished.out.find("bounds are broken"), std::string::npos);
 }
 
 }  // namespace

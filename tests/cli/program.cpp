@@ -13,13 +13,13 @@ namespace glibra::test {
 
 namespace fs = std::filesystem;
 
-Finished glibra(const fs::path& folder, const std::string& arguments, const std::string& environment) {
+Finished shell(const fs::path& folder, const std::string& shellCommand) {
     char name[] = "/tmp/glibra-run-XXXXXX";
     if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
     const fs::path captured = name;
-    const std::string command = "cd '" + folder.string() + "' && " + environment + " '" GLIBRA_PROGRAM "' " +
-                                arguments + " >" + (captured / "out").string() + " 2>" +
-                                (captured / "err").string() + " </dev/null";
+    const std::string command = "cd '" + folder.string() + "' && " + shellCommand + " >" +
+                                (captured / "out").string() + " 2>" + (captured / "err").string() +
+                                " </dev/null";
     const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is what a user has
     Finished run;
     run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -27,6 +27,10 @@ Finished glibra(const fs::path& folder, const std::string& arguments, const std:
     run.err = readFile(captured / "err");
     fs::remove_all(captured);
     return run;
+}
+
+Finished glibra(const fs::path& folder, const std::string& arguments, const std::string& environment) {
+    return shell(folder, environment + " '" GLIBRA_PROGRAM "' " + arguments);
 }
 
 Folder::Folder() {

@@ -17,6 +17,9 @@ struct Finished {
 Finished glibra(const std::filesystem::path& folder, const std::string& arguments,
                 const std::string& environment = {});
 
+/// Runs `command` through the shell in `folder`.
+Finished shell(const std::filesystem::path& folder, const std::string& command);
+
 /// A new folder that goes with the object.
 class Folder {
   public:

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "glib/command_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {
@@ -94,7 +95,7 @@ TEST(Characters, NoBreakSpaceInACommentIsNotReported) {
 }
 
 TEST(Characters, CommandsAreMatchedWithoutCase) {
-    EXPECT_EQ(read("sPHERE").commands.at(0).id, CommandId::sphere);
+    EXPECT_EQ(read("sPHERE").commands.at(0).id, glib::commandOf("Sphere"));
     EXPECT_EQ(read("texture2d 5 a.bmp").commands.at(0).id, CommandId::texture2D);
     EXPECT_EQ(read("glend").commands.at(0).id, CommandId::glEnd);
 }

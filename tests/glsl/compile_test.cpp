@@ -1,5 +1,5 @@
-// Programs in every dialect, translated and given to a compiler that nobody here wrote: glslangValidator
-// compiles all stages and links them, at the usual target and at the lowest.
+// Programs in every dialect are translated, and an independent compiler checks them: glslangValidator
+// compiles and links all stages, at the usual target and at the lowest.
 
 #include <gtest/gtest.h>
 

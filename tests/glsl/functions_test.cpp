@@ -1,4 +1,4 @@
-// Language 7.5: texture functions of older versions, ftransform, noise functions.
+// Texture functions of older versions, ftransform and the noise functions (language, 7.5).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Language 7.7 and 7.8: geometry and tessellation stages.
+// Geometry and tessellation stages (language, 7.7 and 7.8).
 
 #include <gtest/gtest.h>
 

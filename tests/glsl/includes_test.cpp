@@ -10,7 +10,7 @@
 namespace glibra::glsl::test {
 namespace {
 
-/// A request whose includes come from a table.
+/// A request whose included files come from a table.
 ProgramRequest withFiles(const std::string& text, std::map<std::string, std::string> files) {
     ProgramRequest request = single(Stage::fragment, text);
     request.include = [files = std::move(files)](std::string_view name,
@@ -22,7 +22,7 @@ ProgramRequest withFiles(const std::string& text, std::map<std::string, std::str
     return request;
 }
 
-/// "file:line" of the emitted line that holds `part`.
+/// The origin, as "file:line", of the emitted line that contains `part`.
 std::string originOf(const TranslatedProgram& translated, const std::string& part) {
     const TranslatedStage& stage = translated.stages.front();
     const std::size_t at = stage.source.find(part);

@@ -1,4 +1,4 @@
-// Language 7.9: what stages hand to each other, samplers, subroutines, blocks.
+// Variables and blocks between stages, samplers and subroutines (language, 7.9).
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,15 @@
-// Language 7.12: logs of drivers, word by word as they write them.
+// Logs of drivers, exactly as they write them (language, 7.12).
 
 #include <gtest/gtest.h>
 
+#include "glsl/emit/log.h"
 #include "glsl/emit/log_line.h"
 #include "support.h"
 
 namespace glibra::glsl::test {
 namespace {
 
-/// A fragment stage of two files, with a built-in name and a renamed one.
+/// A program whose fragment stage has two files, a built-in name and a renamed one.
 TranslatedProgram sample() {
     ProgramRequest request = program({{Stage::vertex, kPlainVertex},
                                       {Stage::fragment,
@@ -96,12 +97,12 @@ TEST(CompileLog, TextWithoutAPlaceIsKept) {
     EXPECT_TRUE(explain("\n\n").empty());
 }
 
-TEST(CompileLog, LineBehindTheEndIsTheLastOne) {
+TEST(CompileLog, LineAfterTheEndIsTheLastOne) {
     EXPECT_EQ(6, explain("0:9(1): error: syntax error, unexpected end of file\n").at(0).place.line);
 }
 
 TEST(CompileLog, ColumnsFollowTheEdits) {
-    // Mesa counts a run of blanks as one; the names in front are longer in the emitted text.
+    // Mesa counts a run of blanks as one. The names before the column are longer in the emitted text.
     const TranslatedProgram translated = translateSingle(
         Stage::fragment, "#version 120\nvoid main() {    gl_FragColor   = /* c */ gl_FragCoord + other; }\n");
     const Diagnostics found =
@@ -136,7 +137,7 @@ TEST(LinkLog, WarningsStayWarnings) {
               explainLinkLog(sample(), "warning: unused varying\n", {"s.glib", 9, 1}).at(0).severity);
 }
 
-TEST(LinkLog, EmptyLogStillSaysSomething) {
+TEST(LinkLog, EmptyLogIsStillAnError) {
     EXPECT_EQ(1U, explainLinkLog(sample(), "", {"s.glib", 9, 1}).size());
 }
 

@@ -1,4 +1,4 @@
-// Rounds of loops that can be known from the text and the uniforms' values.
+// The rounds of loops, counted from the text and the values of uniforms.
 
 #include <gtest/gtest.h>
 
@@ -44,11 +44,11 @@ TEST(Loops, AreCountedInEverySpelling) {
     EXPECT_EQ(rounds("for (uint i = 0u; i < uint(uM * 1.75); ++i) n++;"), 52);
 }
 
-TEST(Loops, MayEndEarlierAndCountAsTheyMayRun) {
+TEST(Loops, CountTheMostRoundsThatTheyMayRun) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN && n < 7; ++i) { n++; if (n > 5) break; }"), 1000);
 }
 
-TEST(Loops, OfWhileAreCountedByTheStatementThatTheyAllComeTo) {
+TEST(Loops, WhileIsCountedByTheStepThatEveryRoundExecutes) {
     EXPECT_EQ(rounds("while (n < uN) n++;"), 1000);
     EXPECT_EQ(rounds("int i = 5; while (i <= uN) { if (n > 3) break; i += 5; }"), 200);
     EXPECT_EQ(rounds("n = uN; while (n > 0 && uM > 2.) { n = n - 1; }"), 1000);
@@ -79,12 +79,12 @@ TEST(Loops, InsideOthersMultiply) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) n++; for (int i = 0; i < uN; ++i) n++;"), 2000);
 }
 
-TEST(Loops, ThatCompilersWriteOutCountNothing) {
+TEST(Loops, ThatCompilersUnrollCountZero) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 32; ++j) n++;"), 1000);
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 33; ++j) n++;"), 34'000);
 }
 
-TEST(Loops, OfFunctionsCountAtEachCall) {
+TEST(Loops, InFunctionsCountPerCall) {
     const std::string sum = "int sum(int k) { for (int i = 0; i < uN; ++i) k++; return k; }\n";
     EXPECT_EQ(rounds("n = sum(1);", sum), 1000);
     EXPECT_EQ(rounds("n = sum(sum(1));", sum), 2000);
@@ -92,7 +92,7 @@ TEST(Loops, OfFunctionsCountAtEachCall) {
     EXPECT_EQ(rounds("n = 1;", sum), 0);
 }
 
-TEST(Loops, ThatNobodyCanCountAreNotCounted) {
+TEST(Loops, WithUnknownRoundsAreLeftOut) {
     for (const char* body :
          {"for (;;) { if (n++ > 5) break; }", "for (int i = 0; i < uUnknown; ++i) n++;",
           "for (int i = 0; i < uN; ++i) { n++; i += 2; }", "for (int i = 0; i < uN; i *= 2) n++;",
@@ -100,7 +100,7 @@ TEST(Loops, ThatNobodyCanCountAreNotCounted) {
           "for (int i = 0; i < uN; --i) n++;", "for (int i = 0; i < uN; i += 0) n++;",
           "for (int i = 9; i < int(gl_FragCoord.x); ++i) n++;"})
         EXPECT_EQ(rounds(body), 0) << body;
-    // The variable of a `while` that is set elsewhere, changed twice, or not in every round.
+    // The variable of a `while` is set elsewhere, or changed twice, or not in every round.
     for (const char* body :
          {"while (n < uN) { n++; n++; }", "while (n < uN) if (n > 5) n++;",
           "while (n < uN) { if (n > 5) { n++; } }", "while (n < uN) { if (n > 5) n += 2; else n += 3; }",
@@ -110,11 +110,11 @@ TEST(Loops, ThatNobodyCanCountAreNotCounted) {
           "for (;;) while (n < uN) n++;", "for (;;) { while (n < uN) n++; }", "while (n++ < uN) n++;",
           "while (n < uN) n--;", "while (n < uN);", "while (n < uN) { { n++; } }", "do n++; while (n < uN);"})
         EXPECT_EQ(rounds(body), 0) << body;
-    // ... but those in them are.
+    // Loops inside such a loop are counted.
     EXPECT_EQ(rounds("while (n < 5) for (int i = 0; i < uN; ++i) n++;"), 1000);
 }
 
-TEST(Loops, StandWhereTheirWordDoes) {
+TEST(Loops, HaveThePlaceOfTheirKeyword) {
     const std::vector<CountedLoop> loops = loopsOfText("", "n++;\n    for (int i = 0; i < uN; ++i) n++;");
     ASSERT_EQ(loops.size(), 1U);
     EXPECT_EQ(loops[0].place.file, "a.frag");
@@ -122,7 +122,7 @@ TEST(Loops, StandWhereTheirWordDoes) {
     EXPECT_EQ(loops[0].place.column, 5);
 }
 
-TEST(Loops, OfFunctionsThatCallEachOtherWithoutEndEndTheSearch) {
+TEST(Loops, InEndlessRecursionEndTheSearch) {
     std::string functions = "int f0(int k) { return k; }\n";
     for (int i = 1; i < 60; ++i)
         functions += "int f" + std::to_string(i) + "(int k) { return f" + std::to_string(i - 1) + "(k) + f" +

@@ -1,4 +1,4 @@
-// Which fragment stages are known to write 1 for alpha whatever happens, and which are not.
+// Which fragment stages are known to always write 1 for alpha.
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@ bool isOpaque(const std::string& fragment) {
     EXPECT_FALSE(hasError(translated.diagnostics)) << fragment;
     return translated.isOpaque;
 }
-/// Of a main with these statements, and what stands before it.
+/// The opacity of a stage with these statements in main and this text before it.
 bool ofMain(const std::string& statements, const std::string& before = "out vec4 fColor;\n") {
     return isOpaque("#version 330 compatibility\n" + before + "void main() {\n" + statements + "\n}\n");
 }
 
-TEST(Opacity, OfTheUsualWaysToWriteItIsKnown) {
+TEST(Opacity, UsualAssignmentsAreOpaque) {
     for (const char* each : {
              "fColor = vec4(1., .5, 0., 1.);",
              "fColor = vec4(vec3(.5), 1);",
@@ -35,7 +35,7 @@ TEST(Opacity, OfTheUsualWaysToWriteItIsKnown) {
     EXPECT_TRUE(ofMain("fColor = OPAQUE(vec3(.5));", "out vec4 fColor;\n#define OPAQUE(c) vec4(c, 1.)\n"));
 }
 
-TEST(Opacity, OfAnythingElseIsUnknown) {
+TEST(Opacity, OtherAssignmentsAreUnknown) {
     for (const char* each : {
              "fColor = vec4(.5);",
              "fColor = vec4(vec3(.5), .5);",
@@ -62,7 +62,7 @@ TEST(Opacity, OfAnythingElseIsUnknown) {
         EXPECT_FALSE(ofMain(each)) << each;
 }
 
-TEST(Opacity, OfOtherOutputsIsUnknown) {
+TEST(Opacity, OtherOutputsAreUnknown) {
     EXPECT_FALSE(ofMain("gl_FragData[0] = vec4(vec3(.5), 1.);", ""));
     EXPECT_FALSE(ofMain("fColor = vec4(vec3(.5), 1.); fOther = vec4(0.);", "out vec4 fColor, fOther;\n"));
     EXPECT_FALSE(ofMain("fColor[0] = vec4(vec3(.5), 1.);", "out vec4 fColor[1];\n"));
@@ -75,7 +75,7 @@ TEST(Opacity, OfOtherOutputsIsUnknown) {
         << "only main is known to run";
 }
 
-TEST(Opacity, OfAProgramThatIsNotTranslatedIsUnknown) {
+TEST(Opacity, UntranslatedProgramsAreUnknown) {
     ProgramRequest asIs = program({{Stage::vertex, kPlainVertex}, {Stage::fragment, kPlainFragment}});
     ASSERT_TRUE(translate(asIs).isOpaque);
     asIs.shim = false;

@@ -1,5 +1,4 @@
-// Which vertex stages are known to place their vertices by the model-view-projection alone, and which are
-// not.
+// Which vertex stages are known to place their vertices by the model-view-projection alone.
 
 #include <gtest/gtest.h>
 
@@ -14,12 +13,12 @@ Placement placementOf(const std::string& vertex, const std::string& fragment = k
     EXPECT_FALSE(hasError(translated.diagnostics)) << vertex;
     return translated.placement;
 }
-/// Of a main with these statements, and what stands before it.
+/// The placement of a stage with these statements in main and this text before it.
 Placement ofMain(const std::string& statements, const std::string& before = {}) {
     return placementOf("#version 330 compatibility\n" + before + "void main() {\n" + statements + "\n}\n");
 }
 
-TEST(Placement, OfTheUsualWaysToWriteItIsKnown) {
+TEST(Placement, UsualSpellingsAreKnown) {
     for (const char* each : {
              "gl_Position = uModelViewProjectionMatrix * aVertex;",
              "gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;",
@@ -40,7 +39,7 @@ TEST(Placement, OfTheUsualWaysToWriteItIsKnown) {
         EXPECT_EQ(ofMain(each), Placement::vertex) << each;
 }
 
-TEST(Placement, OfAVertexWithOneForItsLastCoordinateIsKnownApart) {
+TEST(Placement, VertexWithOneAsLastCoordinateIsAPoint) {
     for (const char* each : {
              "gl_Position = uModelViewProjectionMatrix * vec4(aVertex.xyz, 1.);",
              "gl_Position = uProjectionMatrix * uModelViewMatrix * vec4(gl_Vertex.xyz, 1.0);",
@@ -49,7 +48,7 @@ TEST(Placement, OfAVertexWithOneForItsLastCoordinateIsKnownApart) {
         EXPECT_EQ(ofMain(each), Placement::point) << each;
 }
 
-TEST(Placement, ThroughMacrosAndOwnDeclarationsIsKnown) {
+TEST(Placement, MacrosAndOwnDeclarationsAreFollowed) {
     EXPECT_EQ(ofMain("gl_Position = MVP * P;", "#define MVP uModelViewProjectionMatrix\n#define P aVertex\n"),
               Placement::vertex);
     EXPECT_EQ(ofMain("gl_Position = uModelViewProjectionMatrix * aVertex;",
@@ -57,7 +56,7 @@ TEST(Placement, ThroughMacrosAndOwnDeclarationsIsKnown) {
               Placement::vertex);
 }
 
-TEST(Placement, OfAnythingElseIsUnknown) {
+TEST(Placement, OtherPositionsAreUnknown) {
     for (const char* each : {
              "gl_Position = aVertex;",
              "gl_Position = uModelViewMatrix * aVertex;",
@@ -95,7 +94,7 @@ TEST(Placement, OfAnythingElseIsUnknown) {
         EXPECT_EQ(ofMain(each), Placement::unknown) << each;
 }
 
-TEST(Placement, OfNamesThatMeanSomethingElseIsUnknown) {
+TEST(Placement, NamesWithOtherMeaningsAreUnknown) {
     const std::string plain = "gl_Position = uModelViewProjectionMatrix * aVertex;";
     EXPECT_EQ(ofMain(plain, "mat4 uModelViewProjectionMatrix = mat4(1.);\n"), Placement::unknown);
     EXPECT_EQ(ofMain(plain, "const vec4 aVertex = vec4(1.);\n"), Placement::unknown);
@@ -111,7 +110,7 @@ TEST(Placement, OfNamesThatMeanSomethingElseIsUnknown) {
               Placement::unknown);
 }
 
-TEST(Placement, OfProgramsWithMoreStagesOrOtherEffectsIsUnknown) {
+TEST(Placement, MoreStagesOrOtherEffectsAreUnknown) {
     const std::string vertex =
         "#version 330\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
     ASSERT_EQ(placementOf(vertex), Placement::vertex);

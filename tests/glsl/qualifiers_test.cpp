@@ -1,4 +1,4 @@
-// Language 7.4: storage words of older versions, reserved words as names.
+// Storage qualifiers of older versions, and reserved words as names (language, 7.4).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Qualifiers, GeometryVaryingsFollowTheirWords) {
     EXPECT_TRUE(hasTokens(text, "out vec3 f;"));
 }
 
-TEST(Qualifiers, MacroForAStorageWordIsSeenThrough) {
+TEST(Qualifiers, MacroForAStorageWordIsExpanded) {
     const TranslatedProgram translated =
         translateSingle(Stage::vertex,
                         "#version 120\n#define VARYING varying\nVARYING vec3 v;\nvoid main() { v = vec3(0.); "
@@ -59,7 +59,7 @@ TEST(Qualifiers, MacroForAStorageWordIsSeenThrough) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
-TEST(Qualifiers, MacroForAWholeHeadIsSeenThrough) {
+TEST(Qualifiers, MacroForAWholeHeadIsExpanded) {
     const TranslatedProgram translated =
         translateSingle(Stage::vertex,
                         "#version 120\n#define ATTRIBUTE attribute highp vec3\nATTRIBUTE v;\nvoid main() { "

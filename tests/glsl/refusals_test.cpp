@@ -1,4 +1,4 @@
-// Language 7.12: what cannot be emulated is refused with what to write instead.
+// Shaders that cannot be emulated are refused, with a hint what to write instead (language, 7.12).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Language 7.10: mistakes that are repaired.
+// Mistakes that are repaired (language, 7.10).
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ std::string user(const TranslatedProgram& translated) {
     return userPart(translated, Stage::fragment);
 }
 
-TEST(Repairs, StraySemicolonGoes) {
+TEST(Repairs, StraySemicolonIsRemoved) {
     const TranslatedProgram translated =
         fragment("out vec4 o;;\nvoid f() { };\nstruct S { float x; };\n;\nvoid main() { o = vec4(1.); };\n");
     EXPECT_EQ("glsl-W09 glsl-W09 glsl-W09 glsl-W09", ids(translated.diagnostics));
@@ -25,7 +25,7 @@ TEST(Repairs, StraySemicolonGoes) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
-TEST(Repairs, BackslashBehindACommentGoes) {
+TEST(Repairs, BackslashAfterACommentIsRemoved) {
     const TranslatedProgram translated =
         fragment("// c:\\path\\\nout vec4 o;\nvoid main() { o = vec4(1.); } // end \\\n");
     EXPECT_EQ("glsl-W08 glsl-W08", ids(translated.diagnostics));
@@ -59,7 +59,7 @@ TEST(Repairs, VariableFromAUniformIsAccepted) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
-TEST(Repairs, ConstInsideAnInitialiserGoes) {
+TEST(Repairs, ConstInsideAnInitialiserIsRemoved) {
     const TranslatedProgram translated = fragment(
         "const vec3 a = const vec3(1.);\nfloat b[2] = const float[2](1., 2.);\nout vec4 o; void main() { "
         "const float c = const 2.; o = vec4(a, b[0] + c) * vec4(const vec2(1.), 1., 1.); }");
@@ -76,7 +76,7 @@ TEST(Repairs, HonestConstStays) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
-TEST(Repairs, RepeatedUniformGoes) {
+TEST(Repairs, RepeatedUniformIsRemoved) {
     const TranslatedProgram translated = fragment(
         "#version 330\nuniform float uKa;\nuniform float uKd, uKa;\nout vec4 o; void main() { o = vec4(uKa + "
         "uKd); }");
@@ -142,7 +142,7 @@ TEST(Repairs, JoinedLinesKeepTheNumbers) {
 
 struct Widening {
     const char* call;
-    const char* emitted;  ///< null: nothing is changed
+    const char* emitted;  ///< null: the text stays as it is
 };
 
 TEST(Widening, ScalarsBecomeVectorsWhereNoOverloadTakesThem) {

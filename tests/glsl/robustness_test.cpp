@@ -1,4 +1,4 @@
-// Damaged and hostile sources: translation ends, stays within its bounds and reads no foreign memory.
+// Damaged and hostile sources: the translation ends in time and reads no memory that is not its own.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace glibra::glsl::test {
 namespace {
 
-/// Counter-based hash (Wellons 2018, "lowbias32"): the same values everywhere.
+/// A counter-based hash (Wellons 2018, "lowbias32"), which gives the same values everywhere.
 std::uint32_t mix(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x7feb352dU;

@@ -120,7 +120,7 @@ std::string glslangErrors(const TranslatedProgram& translated) {
         output.append(buffer.data(), count);
     std::filesystem::remove_all(folder);
     if (output.find("not found") != std::string::npos) return "glslangValidator is not installed: " + output;
-    // Without an error it repeats the file names only.
+    // If there is no error, it prints only the file names.
     if (output.find(folder.string()) == std::string::npos) return "glslangValidator said nothing: " + output;
     if (output.find("ERROR") == std::string::npos && output.find("WARNING") == std::string::npos) return {};
     return output + "\n" + sources;

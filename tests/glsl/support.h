@@ -1,5 +1,5 @@
 #pragma once
-// Short ways to translate a few lines of GLSL and to ask for tokens of the result.
+// Short ways to translate a few lines of GLSL and to examine the result.
 
 #include <string>
 #include <string_view>
@@ -14,27 +14,27 @@ namespace glibra::glsl::test {
 ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages);
 TranslatedProgram translateStages(std::vector<std::pair<Stage, std::string>> stages);
 
-/// One stage after `#version 330`, unless the text has a #version itself.
+/// A program of one stage. `#version 330` is added unless the text has a #version line.
 ProgramRequest single(Stage stage, std::string text);
 TranslatedProgram translateSingle(Stage stage, std::string text);
 
 /// The emitted source of a stage; empty if there is none.
 std::string sourceOf(const TranslatedProgram& translated, Stage stage);
-/// What is emitted for the user's own text: behind the prologue.
+/// The emitted text of a stage after the prologue.
 std::string userPart(const TranslatedProgram& translated, Stage stage);
 
-/// True if the tokens of `wanted` stand in a row in `text`, whatever blanks, lines and comments are between
-/// them.
+/// True if the tokens of `wanted` are in `text` one after the other. Blanks, line ends and comments do not
+/// matter.
 bool hasTokens(std::string_view text, std::string_view wanted);
 
-/// Ids of all messages, in order, separated by blanks.
+/// The ids of all messages in order, separated by blanks.
 std::string ids(const Diagnostics& diagnostics);
 /// The text of the first message with that id; empty if there is none.
 std::string textOf(const Diagnostics& diagnostics, std::string_view id);
 Place placeOf(const Diagnostics& diagnostics, std::string_view id);
 bool has(const Diagnostics& diagnostics, std::string_view id);
 
-/// What glslangValidator says about the stages, linked together; empty if it accepts them.
+/// The messages of glslangValidator about the stages, linked together; empty if it accepts them.
 std::string glslangErrors(const TranslatedProgram& translated);
 
 inline const std::string kPlainVertex = "#version 330\nvoid main() { gl_Position = vec4(0.); }\n";

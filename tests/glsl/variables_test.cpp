@@ -1,4 +1,4 @@
-// Language 7.6: colours, texture coordinates, fog, fixed state, fragment outputs.
+// Colours, texture coordinates, fog, fixed state and fragment outputs (language, 7.6).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Language 7.2 and 7.3: versions, extensions, names that are supplied.
+// Versions, extensions and supplied names (language, 7.2 and 7.3).
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Version, MissingVersionIsReported) {
     EXPECT_EQ("no #version, treated as 330 compatibility", textOf(translated.diagnostics, "glsl-W01"));
 }
 
-TEST(Version, DotIsReadAway) {
+TEST(Version, DotIsIgnored) {
     EXPECT_EQ("'#version 4.00' read as 400", textOf(messages("#version 4.00"), "glsl-W02"));
     EXPECT_EQ("'#version 3.30 compatibility' read as 330 compatibility",
               textOf(messages("#version 3.30 compatibility"), "glsl-W02"));
@@ -195,7 +195,7 @@ TEST(Supply, MemberNamesAreNotBuiltins) {
     EXPECT_EQ(std::string::npos, source.find("uniform"));
 }
 
-TEST(Supply, UseBehindALocalScopeIsABuiltin) {
+TEST(Supply, UseAfterALocalScopeIsABuiltin) {
     const std::string source =
         sourceOf(translateSingle(
                      Stage::fragment,

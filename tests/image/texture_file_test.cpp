@@ -1,4 +1,4 @@
-// Files as texels: raw textures, pictures as textures, cube maps (language reference, 3.4 and 8.3).
+// Files as texels: raw textures, pictures as textures, cube maps (language, 3.4 and 8.3).
 
 #include "image/texture_file.h"
 
@@ -111,7 +111,7 @@ TEST(RawTexture, EveryCutGivesOneMessage) {
             << length;
 }
 
-TEST(RawTexture, SizesThatLieAreRefused) {
+TEST(RawTexture, WrongSizesAreRejected) {
     EXPECT_EQ(idsOf(decodeRawTexture(rawFile({0, 4}, 8), 2, kLabel).diagnostics), "file-E05");
     EXPECT_EQ(idsOf(decodeRawTexture(rawFile({0x80000000U, 0x80000000U, 4}, 12), 3, kLabel).diagnostics),
               "file-E05");  // product 2^64
@@ -124,7 +124,7 @@ TEST(RawTexture, SizesThatLieAreRefused) {
 
 class TextureFile : public testing::InFolder {
   protected:
-    /// A 2 x 3 picture whose red is 10 * row from the top + column.
+    /// A 2 x 3 picture; red is 10 * row (from the top) + column.
     fs::path picture(const std::string& name) {
         Image image{2, 3, 4, Component::u8, {}};
         for (int y = 0; y < 3; ++y)
@@ -190,7 +190,7 @@ TEST_F(TextureFile, TheContentDecidesNotTheSuffix) {
     EXPECT_EQ(raw.diagnostics[0].text, "'b.bmp' is a raw texture");
 }
 
-TEST_F(TextureFile, AFileOfAnotherKindIsNoTexture) {
+TEST_F(TextureFile, AFileOfAnotherKindIsNotATexture) {
     const std::string text = "Sphere 1 20 20\nTeapot\n";
     const auto bytes = std::as_bytes(std::span(text));
     EXPECT_EQ(idsOf(readTexture(put("a.glib", bytes), 2, kPlace).diagnostics), "file-E03");
@@ -232,7 +232,7 @@ TEST_F(CubeMapFiles, HoldSixFacesTopRowFirst) {
     EXPECT_EQ(cube->data, expected);
 }
 
-TEST_F(CubeMapFiles, CountTheLastRowOfARawFileAsTop) {
+TEST_F(CubeMapFiles, UseTheLastRowOfARawFileAsTheTopRow) {
     auto paths = faces(2, 2);
     const auto raw = rawFile({2, 2}, 8 + 16);
     paths[2] = put("raw.tex", raw);
@@ -242,7 +242,7 @@ TEST_F(CubeMapFiles, CountTheLastRowOfARawFileAsTop) {
     EXPECT_TRUE(std::equal(raw.begin() + 8, raw.begin() + 16, cube->data.begin() + 40));
 }
 
-TEST_F(CubeMapFiles, TakeTheWidestTypeOfTheFaces) {
+TEST_F(CubeMapFiles, HaveTheWidestTypeOfTheirFaces) {
     auto paths = faces();
     paths[5] = put("wide.png", encodePng(testing::noisyImage(4, 4, 4, Component::u16)));
     const auto cube = readCubeMap(paths, kPlace);

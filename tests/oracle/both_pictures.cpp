@@ -19,7 +19,7 @@
 namespace glibra::oracle {
 namespace {
 
-/// The eye looks down a little at the origin.
+/// The view of all cases: the eye looks down a little at the origin.
 constexpr const char* kView =
     "WindowSize 96 96\nPerspective 90 .25 64\nLookAt .75 1.5 2  0 0 0  0 1 0\nBackground .1 .2 .3\n";
 
@@ -64,7 +64,7 @@ std::vector<Source> sourcesOf(const Stages& stages, const Stages& byHand) {
     return sources;
 }
 
-/// A picture without symmetry: two waves and a grid.
+/// A picture without symmetry, made of two waves and a grid.
 image::Image pattern(int width, int height, double phase) {
     image::Image picture{width, height, 4, image::Component::u8, {}};
     for (int y = 0; y < height; ++y)
@@ -97,7 +97,7 @@ struct BothWays::State {
 
 BothWays::BothWays() : state_(std::make_unique<State>()) {
     std::string name = (std::filesystem::temp_directory_path() / "glibra-oracle-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("mkdtemp");
+    if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
     state_->folder = name;
     state_->write("pattern.png", pattern(64, 64, 0));
     state_->write("ramp.png", pattern(16, 1, 1));

@@ -1,5 +1,5 @@
 #pragma once
-// The two pictures of a case, glibra's and the oracle's, and how far they are apart.
+// The two pictures of a case, glibra's and the oracle's, and the difference between them.
 
 #include <memory>
 #include <string>
@@ -8,23 +8,24 @@
 
 namespace glibra::oracle {
 
-/// How two pictures of one size differ.
+/// The difference between two pictures of the same size.
 struct Difference {
-    int largest = 0;   ///< of any component of any pixel, 0..255
-    int pixels = 0;    ///< that differ at all
-    int x = 0, y = 0;  ///< of a pixel with the largest difference, from the top left
+    int largest = 0;   ///< largest difference of any component of any pixel, 0..255
+    int pixels = 0;    ///< number of pixels that differ
+    int x = 0, y = 0;  ///< a pixel with the largest difference, from the top left
 };
 Difference difference(const Pixels& a, const Pixels& b);
 
-/// Numbers of different colours, and of pixels that are not the background (the top left pixel's colour).
+/// The number of different colours, and of pixels that differ from the background (the top left pixel).
 struct Content {
     int colors = 0;
     int pixels = 0;
 };
 Content contentOf(const Pixels& picture);
 
-/// Draws cases both ways, in a folder of its own that goes with it, with the textures pattern.png (2D, 64 x
-/// 64), ramp.png (1D, 16) and right.png, left.png, top.png, bottom.png, front.png, back.png (cube, 32 x 32).
+/// Draws cases both ways. It makes a temporary folder with the textures pattern.png (2D, 64 x 64), ramp.png
+/// (1D, 16) and right.png, left.png, top.png, bottom.png, front.png, back.png (cube, 32 x 32), and removes it
+/// at its end.
 class BothWays {
   public:
     BothWays();
@@ -32,10 +33,10 @@ class BothWays {
     BothWays& operator=(const BothWays&) = delete;
     ~BothWays();
 
-    /// By glibra: translated to core GLSL. Throws std::runtime_error with the diagnostics if there is no
-    /// picture.
+    /// glibra's picture, drawn with the shaders translated to core GLSL. Throws std::runtime_error with the
+    /// diagnostics if there is no picture.
     Pixels translated(const Case& each);
-    /// By the oracle: as they are written.
+    /// The oracle's picture, drawn with the shaders as they are written.
     Pixels asWritten(const Case& each);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// One case of the oracle: shaders of some dialect, written for it, and a small scene around them.
+// A case of the oracle: shaders of a dialect and a small scene around them.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace glibra::oracle {
 
-/// The stages of one program; empty text: no such stage.
+/// The stages of a program. An empty text means that there is no such stage.
 struct Stages {
     std::string vertex{};
     std::string tessControl{};
@@ -17,23 +17,23 @@ struct Stages {
     std::string fragment{};
 };
 
-/// The scene is: a square window, Perspective 90, a LookAt (kView), `before`, the stage files, the Program
-/// with `tags`, and `draws`. With a field of view of 90 degrees the projection scales x and y by exactly 1,
-/// so that both sides get the same clip coordinates bit for bit, whoever multiplies the matrices, and the
-/// same pixels are covered.
+/// The scene consists of a square window, Perspective 90, a LookAt (kView), `before`, the stage files, the
+/// Program with `tags`, and `draws`. With a field of view of 90 degrees the projection scales x and y by
+/// exactly 1. Both sides therefore get the same clip coordinates bit for bit, no matter in which order
+/// matrices are multiplied, and cover the same pixels.
 struct Case {
     std::string name;
     Stages stages{};
     std::string before{};  ///< statements before the stage files: textures, topologies
     std::string tags{};    ///< uniforms of the Program
     std::string draws = "Rotate 35 1 2 0\nTorus 1.1 .5 24 36\n";
-    Stages show{};  ///< a second program, for what was rendered into textures
+    Stages show{};  ///< a second program, which shows textures that the first has rendered
     std::string showTags{};
     std::string
         showDraws{};  ///< statements for it; `draws` then ends with those that lead back to the window
     WrittenOutputs written{};
-    /// Stages that the oracle compiles in place of those above, where Mesa's compiler refuses the dialect:
-    /// written by hand in one that it knows. Each says why.
+    /// Stages that the oracle compiles in place of those above, where Mesa's compiler refuses the dialect.
+    /// They are written by hand in a dialect that Mesa knows. A comment at each says why.
     Stages byHand{};
 };
 

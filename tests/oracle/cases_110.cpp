@@ -1,11 +1,11 @@
-// GLSL 1.10: attributes and varyings, colours, coordinates and the fragment outputs.
+// GLSL 1.10: attributes and varyings, colours, coordinates and fragment outputs.
 
 #include "case.h"
 
 namespace glibra::oracle {
 namespace {
 
-/// Shows gl_Color.
+/// A fragment stage that shows gl_Color.
 constexpr const char* kColorFragment = R"glsl(
 void main() { gl_FragColor = gl_Color; }
 )glsl";
@@ -143,7 +143,7 @@ void main() {
     gl_FragColor = vec4(sum * .25, .5, 1.);
 }
 )glsl"}},
-        // Without spotCosCutoff: the driver holds 0 where GL says cos 180 degrees = -1.
+        // spotCosCutoff is left out, because the driver has 0 where GL specifies cos 180 degrees = -1.
         {.name = "v110_back_color_on_back_faces",
          .stages = {.vertex = R"glsl(
 void main() {

@@ -1,4 +1,4 @@
-// GLSL 1.20: arrays as values, matrices that are not square, implicit conversions, qualifiers.
+// GLSL 1.20: arrays as values, matrices that are not square, implicit conversions and qualifiers.
 
 #include "case.h"
 

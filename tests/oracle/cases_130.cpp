@@ -1,5 +1,5 @@
-// GLSL 1.30 and 1.40: in and out, integers, switch, clip distances, uniform blocks. Compatibility contexts
-// give both versions the old names too.
+// GLSL 1.30 and 1.40: in and out, integers, switch, clip distances and uniform blocks. In compatibility
+// contexts both versions also have the old names.
 
 #include "case.h"
 

@@ -1,4 +1,4 @@
-// GLSL 3.30: locations, mixtures of old and new words, sources without a version.
+// GLSL 3.30: locations, mixtures of old and new words, and sources without a version.
 
 #include <string>
 
@@ -7,8 +7,9 @@
 namespace glibra::oracle {
 namespace {
 
-// Without #version glibra reads 330 compatibility, and compatibility names are supplied in core versions too
-// (language, 7.2). Mesa's compiler reads 110 and refuses them, so it gets the version in words.
+// Without #version glibra assumes 330 compatibility, and it supplies compatibility names in core versions too
+// (language, 7.2). Mesa's compiler assumes 110 and refuses such shaders, so the oracle gets them with a
+// #version.
 const std::string kCompatibility = "#version 330 compatibility\n";
 const std::string kMixedVertex = R"glsl(
 in vec3 Tangent;

@@ -56,8 +56,8 @@ void main() { fColor = vec4(eColor, 1.); }
 )glsl"},
          .tags = "uLevel <1 14 64>",
          .draws = kPatch},
-        // Levels are written with constant indices: by gl_InvocationID, llvmpipe (22.3) draws nothing in
-        // either profile.
+        // Levels are written with constant indices, because with gl_InvocationID as the index llvmpipe (22.3)
+        // draws nothing in either profile.
         {.name = "v400_triangles_with_a_geometry_stage",
          .stages = {.vertex = kPassVertex,
                     .tessControl = R"glsl(#version 400 compatibility
@@ -204,8 +204,8 @@ void main() {
 }
 )glsl"}},
         {.name = "v400_subroutines",
-         // The only function of its type: which of several a subroutine uniform holds at first is the
-         // driver's choice.
+         // This is the only function of its type, because the driver chooses which of several functions a
+         // subroutine uniform has at first.
          .stages = {.vertex = kPassVertex,
                     .tessEvaluation = R"glsl(#version 400 compatibility
 layout(triangles, point_mode) in;

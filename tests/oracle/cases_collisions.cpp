@@ -1,5 +1,4 @@
-// A user's macros, functions and local names that meet words which the translation may put into the text or
-// supply.
+// A user's macros, functions and local names that collide with words that the translation emits or supplies.
 
 #include "case.h"
 

@@ -1,5 +1,5 @@
-// Geometry stages: GL_EXT_geometry_shader4, which Mesa has never had, so that the oracle compiles a stage
-// of 1.50 written by hand in its place.
+// Geometry stages of GL_EXT_geometry_shader4. Mesa has never had it, so the oracle compiles stages of 1.50
+// that are written by hand.
 
 #include "case.h"
 
@@ -194,8 +194,8 @@ void main() { gl_FragColor = vec4(gl_Color.rgb * .75 + gl_SecondaryColor.rgb * .
          .before = "GeometryVerticesOut 3\n",
          .draws = "Rotate 70 1 .2 0\nCylinder 1 1.2 24 4\nRotate 180 1 0 0\nTranslate 0 0 1.3\nQuadXY 0 .5\n",
          .written = {.backColors = true},
-         // What the vertex stage writes is not clamped on its way to the geometry stage: clamping comes
-         // before rasterisation (language, 7.6).
+         // Colours from the vertex stage reach the geometry stage unclamped. Only the last stage before
+         // rasterisation clamps them (language, 7.6).
          .byHand = {.geometry = R"glsl(#version 150 compatibility
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -324,7 +324,7 @@ void main() {
                     .fragment = R"glsl(
 void main() { gl_FragColor = vec4(fract(gl_TexCoord[0].s), fract(gl_TexCoord[1].t), gl_TexCoord[2].s, 1.); }
 )glsl"},
-         // The vertex stage is not taken as it is either: without a size, gl_TexCoord wants constant indices
+         // The vertex stage is replaced as well, because gl_TexCoord without a size needs constant indices
          // there.
          .byHand = {.vertex = R"glsl(
 void main() {
@@ -348,8 +348,8 @@ void main() {
     }
 }
 )glsl"}},
-        // What a stage in between does not write counts as never written: colours are the current one,
-        // coordinates (0, 0, 0, 1), a varying 0 (language, 7.6 and 7.9).
+        // A value that the stage in between does not write counts as unwritten: colours are the current
+        // colour, coordinates (0, 0, 0, 1), varyings 0 (language, 7.6 and 7.9).
         {.name = "ext_geometry_that_passes_nothing_on",
          .stages = {.vertex = R"glsl(
 varying vec3 vNormal;

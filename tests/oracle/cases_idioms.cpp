@@ -1,5 +1,5 @@
-// What shaders do to compile everywhere, ES versions, and the mistakes that the language repairs (7.10),
-// which Mesa's compiler refuses: there the oracle gets what the author meant.
+// Idioms of shaders that compile everywhere, ES versions, and mistakes that are repaired (language, 7.10).
+// Mesa's compiler refuses such mistakes, so there the oracle gets the shader that the author meant.
 
 #include "case.h"
 
@@ -320,8 +320,8 @@ in vec3 vNormal;
 out vec4 fColor;
 void main() { fColor = vec4(.5 + .25 * vNormal + (texture(Noise3, vNormal).rgb - .5), 1.); }
 )glsl"}},
-        // The driver's noise functions are 0 everywhere: the reference is the specification's definition
-        // (7.5), written down a second time.
+        // The driver's noise functions are 0 everywhere. The reference is a second implementation of the
+        // definition in language, 7.5.
         {.name = "noise_functions",
          .stages = {.vertex = kPointVertex, .fragment = R"glsl(
 varying vec3 vPoint;

@@ -1,4 +1,4 @@
-// The preprocessor between a shader's words and the names that are translated, and layouts of text.
+// Macros that expand to translated names, and unusual layouts of the text.
 
 #include "case.h"
 

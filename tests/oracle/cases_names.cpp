@@ -1,4 +1,4 @@
-// Names that later versions took: keywords and functions of 4.50 that were free in the declared version.
+// Names that later versions use: keywords and functions of 4.50 that were free in the declared version.
 
 #include "case.h"
 

@@ -1,4 +1,4 @@
-// Built-in structures and matrices as values, global variables, declarations in less common shapes.
+// Built-in structures and matrices as values, global variables, and less common forms of declarations.
 
 #include "case.h"
 

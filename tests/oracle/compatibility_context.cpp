@@ -26,7 +26,7 @@ struct CompatibilityContext::Egl {
 
 CompatibilityContext::CompatibilityContext()
     : egl_(std::make_unique<Egl>()), functions_(std::make_unique<GladGLContext>()) {
-    // Never closed: drivers do not survive being unloaded.
+    // It is never closed, because drivers crash when they are unloaded.
     void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library) throw std::runtime_error("the oracle needs libEGL.so.1");
     const auto function = [&]<class F>(F& pointer, const char* name) {

@@ -1,9 +1,9 @@
 #pragma once
-// A GL context of the compatibility profile, which runs shaders of every dialect as they are written. It is
-// what glibra itself never uses, and so an independent judge of the translation to core GLSL.
+// A GL context of the compatibility profile, which runs shaders of every dialect as they are written. glibra
+// itself never uses this profile, so it is an independent reference for the translation to core GLSL.
 //
-// The functions come in a table of its own, so that this context and a Renderer's can be used in turn in one
-// process.
+// The context has its own table of GL functions, so that it and a Renderer's context can be used in turn in
+// one process.
 
 #include <memory>
 
@@ -13,9 +13,9 @@ namespace glibra::oracle {
 
 class CompatibilityContext {
   public:
-    /// EGL without a surface, GL 4.5 compatibility or the next lower version it has. Throws
-    /// std::runtime_error with the reason if there is none. Opens no earlier than the first Renderer of the
-    /// process: drivers read their settings from the environment once.
+    /// Opens an EGL context without a surface, of GL 4.5 compatibility or the next lower version. Throws
+    /// std::runtime_error with the reason if there is none. Open it after the first Renderer of the process,
+    /// because drivers read their settings from the environment only once.
     CompatibilityContext();
     CompatibilityContext(const CompatibilityContext&) = delete;
     CompatibilityContext& operator=(const CompatibilityContext&) = delete;
@@ -23,7 +23,7 @@ class CompatibilityContext {
 
     [[nodiscard]] const GladGLContext& gl() const { return *functions_; }
 
-    /// The context is current while this lives; afterwards the one that was current before is so again.
+    /// Makes the context current during its lifetime, and then the context that was current before.
     class Current {
       public:
         explicit Current(const CompatibilityContext& context);

@@ -17,8 +17,8 @@
 namespace glibra::oracle {
 namespace {
 
-/// A framebuffer with a depth buffer of its own and any number of colour textures, or a renderbuffer for the
-/// window.
+/// A framebuffer with its own depth buffer, and with any number of colour textures or, for the window, a
+/// renderbuffer.
 class Target {
   public:
     Target(const GladGLContext& gl, int width, int height, const std::vector<GLuint>& textures) : gl_(gl) {
@@ -93,23 +93,23 @@ class Drawing {
         const auto row = static_cast<std::size_t>(scene_.width) * 4;
         pixels.data.resize(row * static_cast<std::size_t>(scene_.height));
         window().bind();
-        for (int y = 0; y < scene_.height; ++y)  // GL's first row is the lowest
+        for (int y = 0; y < scene_.height; ++y)  // GL's first row is the bottom row
             gl_.ReadPixels(0, scene_.height - 1 - y, scene_.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                            pixels.data.data() + static_cast<std::size_t>(y) * row);
         if (const GLenum code = gl_.GetError(); code != GL_NO_ERROR)
-            throw std::runtime_error("the oracle made a GL error: " + std::to_string(code));
+            throw std::runtime_error("GL error in the oracle's context: " + std::to_string(code));
         return pixels;
     }
 
   private:
-    /// The specification's section 2.2.
+    /// Sets the fixed state of a draw (language, 2.2).
     void setFixedState() const {
         gl_.Enable(GL_DEPTH_TEST);
         gl_.DepthFunc(GL_LEQUAL);
         gl_.Disable(GL_DITHER);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-        // Mesa derives gl_LightSource[i].halfVector when a position is set to another one, not before.
+        // Mesa computes gl_LightSource[i].halfVector only when a position changes.
         gl_.MatrixMode(GL_MODELVIEW);
         gl_.LoadIdentity();
         for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light)
@@ -156,7 +156,7 @@ class Drawing {
         isWindow ? gl_.Enable(GL_BLEND) : gl_.Disable(GL_BLEND);
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<scene::Draw>(&step);
-            if (!draw) throw std::runtime_error("the oracle knows no Clear");
+            if (!draw) throw std::runtime_error("the oracle does not support Clear");
             drawOne(*draw, static_cast<double>(width) / height);
         }
     }
@@ -183,7 +183,7 @@ class Drawing {
         const auto [known, isNew] = meshes_.try_emplace(draw.shape);
         if (isNew) {
             Result<geometry::Mesh> made = scene::makeMesh(scene_, draw.shape);
-            if (!made) throw std::runtime_error("the oracle has no mesh");
+            if (!made) throw std::runtime_error("the oracle cannot make the mesh");
             known->second = std::move(*made);
         }
         const geometry::Mesh& mesh = known->second;

@@ -23,7 +23,7 @@ GLenum glStage(glsl::Stage stage) {
     return GL_FRAGMENT_SHADER;
 }
 
-/// The name of an array as tags write it.
+/// The name of an array as in tags, without its subscript.
 std::string withoutSubscript(std::string name) {
     if (name.ends_with("[0]")) name.resize(name.size() - 3);
     return name;
@@ -37,7 +37,7 @@ std::vector<double> numbers(const M& matrix) {
     return values;
 }
 
-/// Shape of a type: what it counts in, and columns of so many components.
+/// The shape of a type: its component type, its columns, and the components per column.
 struct TypeShape {
     enum class Base { floating, integer, unsignedInteger } base = Base::floating;
     int columns = 1, rows = 1;
@@ -80,7 +80,7 @@ TypeShape shapeOf(GLenum type) {
     }
 }
 
-/// The numbers that a tag gives a uniform of that shape (specification, 5.2 and 5.3).
+/// The numbers that a tag gives to a uniform of that shape (language, 5.2 and 5.3).
 std::vector<double> valuesOf(const glib::UniformSpec& tag, const TypeShape& shape) {
     std::vector<double> values = tag.values;
     if (tag.form == glib::UniformForm::range)
@@ -109,7 +109,7 @@ scene::TextureTarget targetOf(GLenum type) {
     }
 }
 
-/// The mesh attribute that an attribute declared by the shader holds, by the names of section 6.
+/// The mesh attribute for a vertex input with one of the names in language, 6.
 std::string_view meshAttributeOf(std::string_view name) {
     static constexpr std::array<std::array<std::string_view, 2>, 8> kNames{
         {{"aVertex", geometry::kPosition},
@@ -142,7 +142,8 @@ CompatibilityProgram::CompatibilityProgram(const GladGLContext& gl, const std::v
         if (!good) gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
         gl.DeleteShader(shader);
         if (!good)
-            throw std::runtime_error("the oracle's driver refuses\n" + source.text + "\n" + log.c_str());
+            throw std::runtime_error("the oracle's driver does not compile\n" + source.text + "\n" +
+                                     log.c_str());
     }
     gl.LinkProgram(id_);
     GLint good = 0;
@@ -248,7 +249,7 @@ void CompatibilityProgram::writeToBlock(const Uniform& uniform, const std::vecto
 bool CompatibilityProgram::matches(const std::string& tag, const Uniform& uniform) const {
     if (tag == uniform.name) return true;
     if (uniform.block < 0) return false;
-    // A member of a block goes by its own name or as Block.member; the driver has one of them.
+    // Tags name a member of a block as `member` or `Block.member`. The driver knows it by one of these names.
     std::array<GLchar, 256> block{};
     gl_.GetActiveUniformBlockName(id_, static_cast<GLuint>(uniform.block), static_cast<GLsizei>(block.size()),
                                   nullptr, block.data());

@@ -1,7 +1,7 @@
 #pragma once
-// Shaders compiled as they are written, and what their names are given: uniforms by the tags of a Program
-// statement, matrices and vertex attributes by glibra's names. Written against the language specification
-// (sections 5 and 6), not against glibra's own code for the same job.
+// Compiles shaders as they are written and sets their variables: uniforms by the tags of a Program statement,
+// matrices and vertex attributes by glibra's names. This is an independent implementation of language, 5
+// and 6. It shares no code with glibra's.
 
 #include <glad/gl.h>
 
@@ -18,8 +18,8 @@ namespace glibra::oracle {
 
 class CompatibilityProgram {
   public:
-    /// Compiles and links; throws std::runtime_error with the driver's log. The context must be current and
-    /// stay so.
+    /// Compiles and links. Throws std::runtime_error with the driver's log. The context must be current and
+    /// stay current.
     CompatibilityProgram(const GladGLContext& gl, const std::vector<Source>& sources);
     CompatibilityProgram(const CompatibilityProgram&) = delete;
     CompatibilityProgram& operator=(const CompatibilityProgram&) = delete;
@@ -28,13 +28,13 @@ class CompatibilityProgram {
     void use() const;
     [[nodiscard]] bool hasStage(glsl::Stage stage) const;
 
-    /// Sets every uniform that a tag names, in the default block and in uniform blocks.
+    /// Sets every uniform that a tag names, also in uniform blocks.
     void setTags(const std::vector<glib::UniformSpec>& tags);
-    /// Sets the uniforms named in the specification's section 6: uModelViewMatrix and so on, and Timer.
+    /// Sets the uniforms that language, 6 names: uModelViewMatrix and so on, and Timer.
     void setRuntimeValues(const scene::DrawMatrices& matrices, double timer) const;
 
-    /// An active sampler: its location, the unit that its tag names (without one that of its declaration,
-    /// else 0; 2 for Noise2, 3 for Noise3), and the target its type asks for.
+    /// An active sampler: its location, its texture unit, and the target of its type. The unit is that of the
+    /// tag; without a tag that of the declaration, else 0. It is 2 for Noise2 and 3 for Noise3.
     struct Sampler {
         GLint location = 0;
         int unit = 0;
@@ -42,9 +42,9 @@ class CompatibilityProgram {
     };
     [[nodiscard]] std::vector<Sampler> samplers(const std::vector<glib::UniformSpec>& tags) const;
 
-    /// Feeds gl_Vertex, gl_Normal, gl_Color and gl_MultiTexCoord0 and the attributes of glibra's names
-    /// (aVertex ...) from the mesh, which must outlive the draw. What the mesh has not is (0, 0, 0, 1), a
-    /// colour `color`.
+    /// Sets gl_Vertex, gl_Normal, gl_Color, gl_MultiTexCoord0 and the attributes with glibra's names (aVertex
+    /// ...) from the mesh, which must outlive the draw. An attribute that the mesh lacks is (0, 0, 0, 1), a
+    /// colour is `color`.
     void bindAttributes(const geometry::Mesh& mesh, const glm::dvec4& color) const;
     void unbindAttributes() const;
 
@@ -62,8 +62,8 @@ class CompatibilityProgram {
     const GladGLContext& gl_;
     GLuint id_ = 0;
     std::vector<glsl::Stage> stages_;
-    std::map<GLint, GLint> declaredUnits_;  ///< of samplers, by location: layout(binding = n), else 0
-    std::vector<GLuint> blocks_;            ///< a buffer for each uniform block
+    std::map<GLint, GLint> declaredUnits_;  ///< layout(binding = n) of samplers, else 0, by location
+    std::vector<GLuint> blocks_;            ///< one buffer per uniform block
 };
 
 }  // namespace glibra::oracle

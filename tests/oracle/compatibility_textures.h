@@ -1,5 +1,5 @@
 #pragma once
-// The textures of a scene in the compatibility context, made when first asked for.
+// The textures of a scene in the compatibility context. Each is made at its first use.
 
 #include <glad/gl.h>
 
@@ -13,15 +13,15 @@ namespace glibra::oracle {
 
 class CompatibilityTextures {
   public:
-    /// The context must be current and stay so.
+    /// The context must be current and stay current.
     CompatibilityTextures(const GladGLContext& gl, const scene::Scene& scene) : gl_(gl), scene_(scene) {}
     CompatibilityTextures(const CompatibilityTextures&) = delete;
     CompatibilityTextures& operator=(const CompatibilityTextures&) = delete;
     ~CompatibilityTextures();
 
-    /// GL's name of Scene::textures[index]; throws std::runtime_error if its file cannot be read.
+    /// The GL name of Scene::textures[index]. Throws std::runtime_error if its file cannot be read.
     GLuint texture(scene::TextureIndex index);
-    /// Binds it to a texture image unit, with the sampling rules of the specification's section 2.4.
+    /// Binds it to a texture image unit, with the sampling rules of language, 2.4.
     void bind(scene::TextureIndex index, GLuint unit, bool clamp);
 
   private:

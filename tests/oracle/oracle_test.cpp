@@ -1,4 +1,4 @@
-// Translated shaders against the same shaders unmodified in the driver's compatibility profile.
+// Compares translated shaders with the same shaders, unmodified, in the driver's compatibility profile.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace glibra::oracle {
 
-/// What failure messages call a case; gtest finds it by this name.
+/// Prints the name of a case in failure messages. gtest finds the function by this name.
 // NOLINTNEXTLINE(readability-identifier-naming)
 static void PrintTo(const Case& each, std::ostream* stream) {
     *stream << each.name;
@@ -19,9 +19,9 @@ static void PrintTo(const Case& each, std::ostream* stream) {
 
 namespace {
 
-/// Two colours of a picture may round to neighbouring bytes, no more.
+/// A component may round to a neighbouring byte.
 constexpr int kTolerance = 1;
-/// Fewer pixels than that show nothing.
+/// A picture with fewer pixels would prove nothing.
 constexpr int kFewestPixels = 100;
 
 BothWays& bothWays() {
@@ -72,8 +72,8 @@ TEST_P(TranslatedShaders, DrawWhatTheyDrawUnmodified) {
         const Pixels seen = bothWays().translated(GetParam());
         const Pixels expected = bothWays().asWritten(GetParam());
         const Content content = contentOf(expected);
-        EXPECT_GE(content.colors, 2) << "a picture of one colour";
-        EXPECT_GE(content.pixels, kFewestPixels) << "too little to see";
+        EXPECT_GE(content.colors, 2) << "the picture has only one colour";
+        EXPECT_GE(content.pixels, kFewestPixels) << "too few pixels drawn";
         const Difference apart = difference(seen, expected);
         EXPECT_LE(apart.largest, kTolerance)
             << apart.pixels << " pixels differ; pixel " << apart.x << ", " << apart.y << " is"
@@ -96,7 +96,7 @@ TEST(Oracle, NoticesAnotherUniformValue) {
     EXPECT_GT(difference(bothWays().translated(each), bothWays().asWritten(other)).largest, kTolerance);
 }
 
-/// What a wrong translation would do to a case: `from` in a stage or in the draws becomes `to`.
+/// The effect of a wrong translation on a case: `from` in a stage or in the draws becomes `to`.
 struct Mistake {
     const char* what;
     const char* name;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "glib/command_table.h"
 #include "plan/frame_plan.h"
 
 namespace glibra::plan::test {
@@ -178,8 +179,8 @@ class SceneByHand {
         scene.passes.back().steps.emplace_back(result);
         return std::get<scene::Draw>(scene.passes.back().steps.back());
     }
-    scene::Draw& sphere() { return draw("Sphere", shape(glib::CommandId::sphere, {1, 60, 60})); }
-    scene::Draw& teapot() { return draw("Teapot", shape(glib::CommandId::teapot)); }
+    scene::Draw& sphere() { return draw("Sphere", shape(glib::commandOf("Sphere"), {1, 60, 60})); }
+    scene::Draw& teapot() { return draw("Teapot", shape(glib::commandOf("Teapot"))); }
     void clear() { scene.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
 
     scene::ProgramIndex currentProgram;

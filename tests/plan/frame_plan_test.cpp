@@ -101,7 +101,7 @@ struct Feedback : testing::Test {
         hand.scene.programs.back().uniforms.push_back(number("uTex", 6));
         programs.byIndex[program] = interfaceWith({{"uTex", word}});
         passLine = hand.target({target}).place.line;
-        hand.draw("QuadXY", hand.shape(glib::CommandId::quadXY));
+        hand.draw("QuadXY", hand.shape(glib::commandOf("QuadXY")));
         hand.window();
         hand.sphere();
         return programs.plan(hand.scene);
@@ -150,7 +150,7 @@ TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.writesPointSize = true;
     hand.sphere();
-    hand.draw("PointCloud", hand.shape(glib::CommandId::pointCloud));
+    hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
     EXPECT_EQ(textOf(programs.plan(hand.scene).diagnostics, "draw-W05"),
               "points.vert writes gl_PointSize, but PointSizeMode is 0");
 }
@@ -161,7 +161,7 @@ TEST(WrongSubmission, LeavesTheDrawOutAndKeepsTheRest) {
     const auto program = hand.program("silh", {Stage::vertex, Stage::geometry, Stage::fragment});
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.geometryInput = "triangles";
-    hand.draw("PointCloud", hand.shape(glib::CommandId::pointCloud));
+    hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(ids(plan.diagnostics), "draw-E02");

@@ -130,10 +130,10 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
     hand.teapot();
     plain(hand, programs, "C");
     hand.target({c});
-    hand.draw("Torus", hand.shape(glib::CommandId::torus));
+    hand.draw("Torus", hand.shape(glib::commandOf("Torus")));
     const auto last = sampling(hand, programs, "Final", 11);
     hand.window();
-    hand.draw("QuadXY", hand.shape(glib::CommandId::quadXY));
+    hand.draw("QuadXY", hand.shape(glib::commandOf("QuadXY")));
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
     EXPECT_EQ(programs.askedPrograms(), (std::vector{last, second, first}));
@@ -260,7 +260,7 @@ TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
-    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    hand.draw("Sphere", hand.shape(glib::commandOf("Sphere"), {0, 60, 60}));
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), "");
     EXPECT_TRUE(programs.asked.empty());
@@ -357,7 +357,7 @@ TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindI
     hand.teapot();
     hand.currentProgram = {};
     hand.sphere();
-    Blinkers blinkers{glib::CommandId::teapot};
+    Blinkers blinkers{glib::commandOf("Teapot")};
     const FramePlan plan = programs.plan(hand.scene, blinkers.options(hand.scene));
     EXPECT_EQ(drawn(plan), " | Sphere");
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
@@ -372,7 +372,7 @@ TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
     SceneByHand hand;
     Programs programs;
     hand.teapot();
-    Blinkers blinkers{glib::CommandId::teapot};
+    Blinkers blinkers{glib::commandOf("Teapot")};
     PlanOptions options = blinkers.options(hand.scene);
     options.everything = true;
     EXPECT_EQ(drawn(programs.plan(hand.scene, options)), "Teapot");
@@ -400,7 +400,7 @@ TEST(Needs, CheckSkipsNothing) {
     plain(hand, programs, "Dots");
     hand.teapot();
     hand.clear();
-    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    hand.draw("Sphere", hand.shape(glib::commandOf("Sphere"), {0, 60, 60}));
     hand.target({c});
     hand.sphere();
     PlanOptions options;

@@ -1,4 +1,4 @@
-#include "view/export/noise_file.h"
+#include "noise/noise_file.h"
 
 #include <cstdlib>
 #include <string>
@@ -8,8 +8,8 @@
 namespace glibra::test {
 namespace {
 
-view::NoiseFile playedWith() {
-    view::NoiseFile noise;
+noise::NoiseFile playedWith() {
+    noise::NoiseFile noise;
     noise.options.lattice = noise::Lattice::both;
     noise.options.octaves = 2;
     noise.options.cells = 6;
@@ -27,12 +27,12 @@ view::NoiseFile playedWith() {
 TEST(NoiseFile, IsWhatTheCommandThatItCopiesWrites) {
     const SceneFolder folder("");
     for (const char* name : {"graph.png", "graph.svg", "it's a graph.tex", "picture.png", "picture.tex"}) {
-        view::NoiseFile noise = playedWith();
+        noise::NoiseFile noise = playedWith();
         if (std::string(name).starts_with("picture")) noise.options.dimensions = 2;
         if (std::string(name) == "graph.svg") noise.options.smoothness = noise::Smoothness::cubic;
         const std::string own = std::string("own-") + name;
-        ASSERT_TRUE(view::writeNoise(noise, folder / own).empty()) << name;
-        std::string command = view::noiseCommand(noise, (folder / name).string());
+        ASSERT_TRUE(noise::writeNoise(noise, folder / own).empty()) << name;
+        std::string command = noise::noiseCommand(noise, (folder / name).string());
         ASSERT_TRUE(command.starts_with("glibra ")) << command;
         command = "'" GLIBRA_PROGRAM "'" + command.substr(6);
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
@@ -41,11 +41,11 @@ TEST(NoiseFile, IsWhatTheCommandThatItCopiesWrites) {
     }
 }
 
-TEST(NoiseFile, SaysWhyItCannotBeWritten) {
-    const Diagnostics problems = view::writeNoise(playedWith(), "/nonexistent/noise.png");
+TEST(NoiseFile, ReportsWhyItCannotBeWritten) {
+    const Diagnostics problems = noise::writeNoise(playedWith(), "/nonexistent/noise.png");
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].severity, Severity::error);
-    EXPECT_EQ(view::endingOf("a/B.TeX"), ".tex");
+    EXPECT_EQ(noise::endingOf("a/B.TeX"), ".tex");
 }
 
 }  // namespace

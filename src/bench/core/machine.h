@@ -1,10 +1,10 @@
 #pragma once
 
-#include "bench/report/report.h"
+#include "bench/core/report.h"
 
 namespace glibra::bench {
 
-/// Processor, memory, operating system and compiler; the driver's members stay empty.
+/// Processor, memory, operating system and compiler. The driver's members stay empty.
 Machine describeMachine();
 
 }  // namespace glibra::bench

@@ -1,9 +1,8 @@
 #pragma once
-// The subjects of `glibra bench`: one file each, one row each in the table.
+// What a subject of `glibra bench` is. The table of all subjects is in bench/subjects/subjects.h.
 
 #include <glibra/result.h>
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,13 +12,10 @@
 namespace glibra::bench {
 
 struct Subject {
-    std::string_view name;   ///< word of the command line: "primitives"
+    std::string_view name;   ///< name on the command line: "primitives"
     std::string_view title;  ///< "Primitives: slices and stacks against the analytic surface"
-    /// Figures in the order of the page. Errors: the driver, or a file of the library that is missing.
+    /// The figures in the order of the report. Errors: no driver, or a missing file of the library.
     Result<std::vector<Figure>> (*measure)(Bench& bench);
 };
-
-/// All subjects in the order of the page.
-std::span<const Subject> subjects();
 
 }  // namespace glibra::bench

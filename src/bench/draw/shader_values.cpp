@@ -16,7 +16,7 @@ std::string fragmentShader(std::string_view glsl, int inputsEach, std::size_t ro
     return fmt::format(R"(uniform sampler2D uInputs;
 out vec4 fColor;
 vec4 given(int k) {{
-    // Pixels are read back from the top row on.
+    // Pixels are read back from the top row.
     return texelFetch(uInputs, ivec2(int(gl_FragCoord.x) * {} + k, {} - int(gl_FragCoord.y)), 0);
 }}
 {}

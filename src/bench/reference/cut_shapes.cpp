@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kOutlineRadius = 512;  ///< pixels
 
-/// Where the meshes of scenes have them.
+/// Their positions in the meshes of scenes.
 std::vector<geometry::Patch> placedPatches() {
     std::vector<geometry::Patch> patches;
     for (geometry::Patch patch : geometry::teapotPatches()) {
@@ -35,8 +35,9 @@ std::vector<geometry::Patch> placedPatches() {
     return patches;
 }
 
-/// Of what lies between the patches and the origin, which the teapot, open as it is, has too: the integral of
-/// P . (Ps x Pt) / 3, a polynomial of degree 8 in s and in t, for which five points of Gauss are exact.
+/// The volume between the patches and the origin, which also exists for the teapot although it is open: the
+/// integral of P . (Ps x Pt) / 3, a polynomial of degree 8 in s and in t, for which five Gauss points are
+/// exact.
 double patchVolume(const std::vector<geometry::Patch>& patches) {
     constexpr std::array<std::array<double, 2>, 5> kGauss{{{-.9061798459386640, .2369268850561891},
                                                            {-.5384693101056831, .4786286704993665},
@@ -53,7 +54,8 @@ double patchVolume(const std::vector<geometry::Patch>& patches) {
     return std::abs(sum);
 }
 
-/// How far the patches reach in a direction: the best of 17 x 17 places of each, moved by ever smaller steps.
+/// The extent of the patches in a direction: the best of 17 x 17 points of each patch, refined by ever
+/// smaller steps.
 class PatchExtent {
   public:
     explicit PatchExtent(const std::vector<geometry::Patch>& patches) : patches_(patches) {
@@ -101,7 +103,7 @@ struct Shape {
     std::function<geometry::Mesh(int cells)> mesh;
     std::function<double(const glm::dvec3& direction)> extent;
     double volume = 0;  ///< cubed units
-    double unit = 1;    ///< of the mesh, in units of extent and volume
+    double unit = 1;    ///< size of the mesh, in the units of extent and volume
 };
 
 Point pointOf(const Bench& bench, const Shape& shape, const geometry::Mesh& mesh, int cells, double error) {
@@ -164,7 +166,7 @@ std::vector<Figure> cutShapeFigures(const Bench& bench) {
                 add(distances, found.distance);
                 add(normals, found.normal);
             }
-            // The measures of the solids take the mesh to be kSolidRadius large.
+            // The measures of the solids assume a mesh of size kSolidRadius.
             const double scale = kSolidRadius / shape.unit;
             add(outlines, kOutlineRadius * outlineError(mesh, [&](const glm::dvec3& direction) {
                               return shape.extent(direction) / scale;

@@ -1,5 +1,5 @@
 #pragma once
-// Soccer ball and teapot, whose fineness is the number of cells along an edge of their faces or patches.
+// Soccer ball and teapot. Their resolution is the number of cells along an edge of their faces or patches.
 
 #include <vector>
 

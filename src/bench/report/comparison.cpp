@@ -79,8 +79,8 @@ std::string line(const PointChange& change, std::string_view word, const std::st
 
 }  // namespace
 
-Comparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options) {
-    Comparison comparison;
+RunComparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options) {
+    RunComparison comparison;
     const Machine &then = earlier.machine, &machine = now.machine;
     comparison.sameMachine = then.processor == machine.processor && then.cores == machine.cores &&
                              then.renderer == machine.renderer && then.version == machine.version;
@@ -103,12 +103,12 @@ Comparison compare(const Report& earlier, const Report& now, const ComparisonOpt
     return comparison;
 }
 
-bool isWorse(const Comparison& comparison) {
+bool isWorse(const RunComparison& comparison) {
     return std::ranges::any_of(comparison.points,
                                [](const PointChange& each) { return each.errorIsWorse || each.timeFails; });
 }
 
-std::string comparisonText(const Comparison& comparison) {
+std::string comparisonText(const RunComparison& comparison) {
     std::string errorLines, timeLines;
     std::size_t worse = 0, better = 0, slower = 0, faster = 0;
     std::vector<double> ratios;
@@ -133,7 +133,7 @@ std::string comparisonText(const Comparison& comparison) {
     for (const std::string& each : comparison.missing)
         text += fmt::format("{:<7} {}: in one of the runs only\n", "missing", each);
     text += fmt::format(
-        "{} points in both runs: error worse at {}, better at {}; time beyond the spread "
+        "{} points in both runs: error worse at {}, better at {}; time beyond the spread: "
         "longer at {}, shorter at {}",
         comparison.points.size(), worse, better, slower, faster);
     if (!ratios.empty()) {
@@ -141,7 +141,7 @@ std::string comparisonText(const Comparison& comparison) {
         text += fmt::format(", median ratio {:.3f}", ratios[ratios.size() / 2]);
     }
     text += "\n";
-    if (!comparison.sameMachine) text += "the runs are of different machines or drivers\n";
+    if (!comparison.sameMachine) text += "the runs come from different machines or drivers\n";
     return text;
 }
 

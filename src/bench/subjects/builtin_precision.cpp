@@ -28,7 +28,7 @@ std::string asVec4(const BuiltinFunction& function) {
     }
 }
 
-/// The statement that reads the arguments at `place` and evaluates.
+/// The statement that reads the arguments at `place` and evaluates the function.
 std::string evaluation(const BuiltinFunction& function, std::string_view result) {
     return fmt::format(
         "    vec4 a = texelFetch(uA, place, 0);\n    vec4 b = texelFetch(uB, place, 0);\n    {} = {};\n",
@@ -65,8 +65,8 @@ Result<gpu::Texture> argumentTexture(const gpu::Capabilities& capabilities, cons
                                 {std::as_bytes(std::span<const float>(texels)), 4, gpu::TexelType::f32});
 }
 
-/// Distance from the exact value; of a result with a period the distance to the nearest of its neighbours
-/// that the arguments' own rounding could mean.
+/// The distance from the exact value. A result with a period has the distance to the nearest neighbour that
+/// the rounding of the arguments could mean.
 long double distanceOf(const BuiltinFunction& function, const Arguments& arguments, long double exact,
                        long double got) {
     const long double plain = std::fabs(got - exact);

@@ -8,7 +8,7 @@
 namespace glibra::bench {
 namespace {
 
-/// 12.3, 4.2e+05, inf: short in a column.
+/// 12.3, 4.2e+05, inf: short enough for a column.
 std::string brief(double value) {
     if (value == 0) return "0";
     if (value < 1e-2 || value >= 1e5) return fmt::format("{:.1e}", value);

@@ -21,7 +21,7 @@ constexpr std::array<Group, 6> kGroups{{{"trigonometric", "sin, cos, tan"},
                                         {"common", "floor, fract, mod, mix, smoothstep"},
                                         {"geometric", "dot, length, normalize, matrix times vector"}}};
 
-/// What became of one function over one sweep, for the findings.
+/// The result of one function over one sweep, for the findings.
 struct Measured {
     const BuiltinFunction* function;
     const ArgumentSweep* sweep;
@@ -29,7 +29,7 @@ struct Measured {
     Precision precision;
 };
 
-/// True for the vertex stage where the fragment stage gave the same.
+/// True for the vertex stage if the fragment stage gave the same.
 bool isRepeated(const Measured& each, const std::vector<Measured>& all) {
     return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const Measured& other) {
                return other.stage == PrecisionStage::fragment && other.sweep == each.sweep &&
@@ -52,7 +52,7 @@ std::string found(const Measured& each) {
     return {};
 }
 
-/// Of a function whose precision GLSL leaves open: the sweeps where it is best and worst.
+/// For a function whose precision GLSL leaves undefined: the sweeps where it is best and worst.
 std::string spread(const BuiltinFunction& function, const std::vector<Measured>& all) {
     const Measured* best = nullptr;
     const Measured* worst = nullptr;
@@ -95,8 +95,8 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     return sentences;
 }
 
-/// A curve of one function in one stage, timed in the fragment stage; the measured values are added to `all`
-/// too.
+/// A curve of one function in one stage, timed in the fragment stage. The measured values are also added to
+/// `all`.
 Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const BuiltinFunction& function,
                       PrecisionStage stage, std::vector<Measured>& all) {
     const int side = bench.isQuick() ? 32 : 512;

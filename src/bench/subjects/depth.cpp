@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,37 +13,12 @@
 namespace glibra::bench {
 namespace {
 
-constexpr std::array kKinds{
-    DepthKind{.name = "16 bit", .format = GL_DEPTH_COMPONENT16, .bits = 16},
-    DepthKind{.name = "24 bit", .format = GL_DEPTH_COMPONENT24, .bits = 24},
-    DepthKind{.name = "32 bit float", .format = GL_DEPTH_COMPONENT32F, .bits = 24, .isFloat = true},
-    DepthKind{.name = "32 bit float, reversed, -1..1",
-              .format = GL_DEPTH_COMPONENT32F,
-              .bits = 24,
-              .isFloat = true,
-              .isReversed = true},
-    DepthKind{.name = "32 bit float, reversed, 0..1",
-              .format = GL_DEPTH_COMPONENT32F,
-              .bits = 24,
-              .isFloat = true,
-              .isReversed = true,
-              .isZeroToOne = true},
-};
-
 constexpr double kNear = 1;  // only ratios matter
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSide = 256;
-constexpr int kMantissa = 24;  // bits of the floats that coordinates are kept in
 constexpr const char* kReference =
     "the order of the two distances, known in double; theory: one step of the buffer times z^2 (f - n) / (f "
     "n)";
-
-/// Spacing of floats with that many bits of mantissa at a value.
-double spacing(double value, int bits) {
-    int exponent = 0;
-    (void)std::frexp(std::max(value, static_cast<double>(std::numeric_limits<float>::min())), &exponent);
-    return std::ldexp(1., exponent - bits);
-}
 
 /// Gaps as shares of the distance, rising.
 std::vector<double> triedGaps(bool isQuick) {
@@ -56,8 +30,8 @@ std::vector<double> triedGaps(bool isQuick) {
     return gaps;
 }
 
-/// The smallest gap, as a share of z, from which on every larger one is told apart at all distances from
-/// .7 z to z, which meet the buffer's steps in every phase; NaN if not even the largest is.
+/// The smallest gap, as a share of z, such that every gap from there on is resolved at all distances from .7
+/// z to z, which meet the steps of the buffer in every phase; NaN if not even the largest is.
 Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double far, double z, bool isQuick) {
     const std::vector<double> gaps = triedGaps(isQuick);
     const std::size_t jitters = isQuick ? 32 : 96;
@@ -75,16 +49,16 @@ Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double fa
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 
-/// Of a pixel: 24 bits are kept in 32.
+/// Bits per pixel: 24 bits are stored in 32.
 double bitsKept(const DepthKind& kind) {
     return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
 }
-/// Of a buffer with so many pixels a side.
+/// Bytes of a buffer with `side` x `side` pixels.
 double bytesOf(const DepthKind& kind, int side) {
     return bitsKept(kind) / 8 * side * side;
 }
 
-/// Where a gap is measured.
+/// The place where a gap is measured.
 struct Place {
     double setting = 0, far = 0, z = 0;
     std::string label;
@@ -98,12 +72,12 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
         least = std::min(least, steps);
         most = std::max(most, steps);
     }
-    if (most == 0) return fmt::format("{}: nothing is told apart", measured.name);
+    if (most == 0) return fmt::format("{}: nothing is resolved", measured.name);
     return fmt::format("{}: the smallest gap is {:.2g} to {:.2g} times one step in theory", measured.name,
                        least, most);
 }
 
-/// A measured curve and one of theory for each kind.
+/// A measured curve and a theoretical one for each kind.
 Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& capabilities,
                   const std::vector<Place>& places) {
     std::vector<Curve> theories;
@@ -142,7 +116,7 @@ std::vector<double> ratios(bool isQuick) {
     return values;
 }
 
-/// Geometric mean of one curve's errors over another's, where both have one.
+/// The geometric mean of one curve's errors over another's, at the points where both have one.
 double meanRatio(const Curve& above, const Curve& below) {
     double sum = 0;
     int count = 0;
@@ -157,9 +131,9 @@ double meanRatio(const Curve& above, const Curve& below) {
 
 Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "gap-by-range",
-                  .title = "Smallest gap told apart at half the far distance",
+                  .title = "Smallest gap resolved at half the far distance",
                   .settingName = "far / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -175,9 +149,8 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
         double widest = 0;
         for (const Point& point : curve.points)
             if (point.error <= .001) widest = std::max(widest, point.setting);
-        figure.findings.push_back(
-            fmt::format("{}: a gap of 1/1000 of the distance is told apart up to far / near = {:.3g}",
-                        curve.name, widest));
+        figure.findings.push_back(fmt::format(
+            "{}: a gap of 1/1000 of the distance is resolved up to far / near = {:.3g}", curve.name, widest));
     }
     figure.findings.push_back(
         fmt::format("floats that are not reversed: their smallest gaps are {:.3g} times those of 24 bits "
@@ -189,9 +162,9 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
 Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4;
     Figure figure{.name = "gap-by-distance",
-                  .title = "Smallest gap told apart, far / near = 10000",
+                  .title = "Smallest gap resolved, far / near = 10000",
                   .settingName = "distance / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -217,7 +190,7 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
         .settingName = "steps of the buffer between them",
         .errorName = "pixels in which the farther one wins",
         .errorUnit = "",
-        .reference = "the nearer plane, which has to be seen in every pixel",
+        .reference = "the nearer plane, which must be visible in every pixel",
 
     };
     for (const DepthKind& kind : usableKinds(capabilities)) {
@@ -252,8 +225,8 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{
         .name = "cost",
         .title = "Eight layers of 512 x 512 pixels; gap at half the far distance, far / near = 10000",
-        .settingName = "bits a pixel",
-        .errorName = "smallest gap that is always told apart",
+        .settingName = "bits per pixel",
+        .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
         .reference = kReference,
 
@@ -274,29 +247,12 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     const Point& standard = figure.curves[1].points.front();
     const Point& last = figure.curves.back().points.front();
     figure.findings.push_back(fmt::format(
-        "{} takes {:.2f} times the time of {} and tells gaps apart that are {:.3g} times smaller", last.label,
+        "{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller", last.label,
         last.time->median / standard.time->median, standard.label, standard.error / last.error));
     return figure;
 }
 
 }  // namespace
-
-std::span<const DepthKind> depthKinds() {
-    return kKinds;
-}
-
-double depthStep(const DepthKind& kind, double near, double far, double z) {
-    double step = 1 / (std::ldexp(1., kind.bits) - 1);
-    if (kind.isFloat) {
-        const double usual = far * (z - near) / (z * (far - near));
-        step = spacing(kind.isReversed ? near * (far - z) / (z * (far - near)) : usual, kind.bits);
-        if (!kind.isZeroToOne) step = std::max(step, spacing(std::abs(2 * usual - 1), kind.bits) / 2);
-    }
-    const double perDistance = step * (far - near) / (far * near);
-    const double inBuffer = perDistance * z < 1 ? perDistance * z * z / (1 - perDistance * z) : far;
-    const double gap = inBuffer + spacing(z, kMantissa);
-    return z + gap <= far ? gap : kNaN;
-}
 
 Result<std::vector<Figure>> measureDepth(Bench& bench) {
     Result<gpu::Context*> context = bench.context();

@@ -19,7 +19,7 @@ namespace {
 
 using ControlPoints = std::vector<glm::vec3>;
 
-/// The edges of a quad patch, by the coordinate that stands still there.
+/// The edges of a quad patch, by the coordinate that is constant there.
 enum class Side { left, right, bottom, top };
 constexpr std::array kSides{Side::left, Side::right, Side::bottom, Side::top};
 
@@ -28,16 +28,16 @@ struct Edge {
     Side side = Side::left;
 };
 
-/// Two edges with the same control points bit for bit.
+/// Two edges whose control points are bit for bit the same.
 struct SharedEdge {
     Edge first, second;
-    bool isReversed = false;  ///< the second runs against the first
+    bool isReversed = false;  ///< the second runs in the opposite direction
 };
 
 /// A vertex on an edge by its place along it, 0..1.
 using EdgeVertices = std::map<float, glm::vec3>;
 
-/// By a quarter turn; the surface stays the same.
+/// Rotates the control points by a quarter turn; the surface stays the same.
 geometry::Patch turned(const geometry::Patch& patch) {
     geometry::Patch result;
     for (std::size_t row = 0; row < 4; ++row)
@@ -45,7 +45,8 @@ geometry::Patch turned(const geometry::Patch& patch) {
     return result;
 }
 
-/// The teapot's patches, turned by different numbers of quarters: in the original, neighbours run alike.
+/// The patches of the teapot, rotated by different numbers of quarter turns: in the original, neighbours run
+/// in the same direction.
 ControlPoints turnedTeapot() {
     ControlPoints points;
     int number = 0;
@@ -98,7 +99,7 @@ std::vector<SharedEdge> sharedEdges(const ControlPoints& points) {
     return shared;
 }
 
-/// Vertices on every edge: [patch * 4 + side].
+/// The vertices on every edge: [patch * 4 + side].
 std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& vertices, int patches) {
     std::vector<EdgeVertices> edges(static_cast<std::size_t>(patches) * 4);
     for (const TessellatedVertex& vertex : vertices) {
@@ -118,7 +119,7 @@ const EdgeVertices& verticesOf(const std::vector<EdgeVertices>& edges, const Edg
 
 bool isSamePlace(const glm::vec3& a, const glm::vec3& b) {
     for (glm::length_t i = 0; i < 3; ++i)
-        // Both zeros are the same place.
+        // -0 and 0 are the same place.
         if (a[i] != b[i]) return false;
     return true;
 }
@@ -159,7 +160,7 @@ std::string_view nameOf(Evaluation evaluation) {
     return "sum of Bernstein polynomials";
 }
 
-/// How many patches come out whole if all of them are one draw.
+/// How many patches come out whole if one draw draws all.
 Result<std::string> wholePatches(const gpu::Capabilities& capabilities) {
     constexpr float kLevel = 62;
     Result<Tessellator> teapot =
@@ -193,7 +194,7 @@ Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& cap
     const std::vector<float> levels =
         bench.isQuick() ? std::vector<float>{1, 3, 8, 32}
                         : std::vector<float>{1, 2, 3, 4, 5.5, 7, 8, 11.3F, 16, 24, 32, 45.9F, 62};
-    constexpr int kPicture = 256;  // pixels a side, for the time
+    constexpr int kPicture = 256;  // pixels per side, for the time
     Result<gpu::Target> target =
         gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
     if (!target) return std::move(target.diagnostics);

@@ -22,7 +22,7 @@ class Emitter {
         lineStart_ = stage_.source.size();
     }
 
-    /// The user's tokens with their edits.
+    /// Emits the user's tokens with their edits.
     void text() {
         bool directive = false;
         int joinedLines = 0;
@@ -44,7 +44,7 @@ class Emitter {
             }
             directive = token.kind == TokenKind::newline ? false : (directive || token.directive);
             if (token.kind == TokenKind::splice) {
-                // In code a line end is as good as a blank; a directive stays on one line, empty lines follow
+                // In code a line end serves as a blank. A directive stays on one line, and empty lines follow
                 // it.
                 if (directive) {
                     stage_.source += ' ';
@@ -95,7 +95,7 @@ class Emitter {
         if (token.column - emitted != known.user - known.emitted) shifts_.push_back({emitted, token.column});
     }
 
-    /// Two words that an edit brought side by side stay two words.
+    /// Adds a blank between two words that an edit made adjacent.
     void glue(std::string_view next) {
         const auto wordPart = [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -112,8 +112,8 @@ class Emitter {
                 stage_.source += c;
                 continue;
             }
-            // Mesa counts what follows a comment of several lines to its first line, so it becomes several
-            // comments. On a preprocessor line that would end the directive.
+            // For Mesa the text after a comment of several lines is on the comment's first line, so it
+            // becomes several comments. On a preprocessor line that would end the directive.
             if (!directive) stage_.source += "*/";
             endLine();
             if (!directive) stage_.source += "/*";
@@ -122,7 +122,7 @@ class Emitter {
 
     Unit& unit_;
     TranslatedStage stage_;
-    std::vector<ColumnShift> shifts_;  ///< of the line that is being written
+    std::vector<ColumnShift> shifts_;  ///< of the current line
     std::size_t lineStart_ = 0;
 };
 

@@ -1,17 +1,17 @@
 #pragma once
-// From a unit to the text for the driver, with the origin of every line.
+// Turns a unit into the text for the driver, with the origin of every line.
 
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
 
-/// Lines of the prologue and epilogue are numbered from here, so that no message of theirs looks like the
-/// user's.
+/// Lines of the prologue and the epilogue are numbered from here, so that messages about them are not taken
+/// for messages about the user's lines.
 inline constexpr int kOwnLines = 100'000'000;
 
 TranslatedStage emit(Unit& unit);
 
-/// Only #version spelling and #include are handled (--no-shim).
+/// The text of a stage that is not translated (--no-shim): only #version and #include lines change.
 TranslatedStage emitAsIs(Unit& unit);
 
 }  // namespace glibra::glsl

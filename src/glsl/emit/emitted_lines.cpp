@@ -1,9 +1,7 @@
-// From the user's lines to those of the translation.
+#include "glsl/emit/emitted_lines.h"
 
 #include <algorithm>
 #include <string_view>
-
-#include "glsl/translate.h"
 
 namespace glibra::glsl {
 

@@ -1,4 +1,4 @@
-// Language 7.12: what drivers say about translated sources, in the user's terms.
+#include "glsl/emit/log.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,6 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_line.h"
-#include "glsl/translate.h"
 
 namespace glibra::glsl {
 namespace {
@@ -22,7 +21,7 @@ std::string userName(const TranslatedProgram& program, const std::string& emitte
     return "gl_" + emitted.substr(7);
 }
 
-/// Every glibra_ name as the user wrote it.
+/// The text with every glibra_ name as the user wrote it.
 std::string inUserNames(const TranslatedProgram& program, std::string_view text) {
     std::string result;
     std::size_t at = 0;
@@ -40,7 +39,7 @@ std::string inUserNames(const TranslatedProgram& program, std::string_view text)
     return result;
 }
 
-/// The file that a log line names: by text, by number, or the stage's own.
+/// The file that a log line gives by its name or number; the stage's own if it is unknown.
 const std::string& fileOf(const TranslatedStage& stage, const std::string& source) {
     const std::vector<std::string>& files = stage.lineMap.files;
     const auto named = std::find_if(files.begin(), files.end(), [&](std::string path) {
@@ -56,7 +55,7 @@ const std::string& fileOf(const TranslatedStage& stage, const std::string& sourc
 }
 
 int lineOf(const TranslatedStage& stage, const std::string& file, int line) {
-    // Past the end of the text drivers report "unexpected end of file" one line late.
+    // Drivers report "unexpected end of file" one line after the last.
     int last = 0;
     for (const LineOrigin& each : stage.lineMap.lines)
         if (each.file >= 0 && stage.lineMap.files[static_cast<std::size_t>(each.file)] == file)
@@ -77,7 +76,7 @@ std::vector<std::string_view> linesOf(std::string_view log) {
     return lines;
 }
 
-/// Mesa lists every overload of a function that was called wrongly, each as an error of its own.
+/// Mesa lists the overloads of a function that is called wrongly, each as a separate error.
 constexpr std::string_view kCandidates = "; candidates are:";
 
 bool isCandidate(std::string_view text) {
@@ -85,7 +84,7 @@ bool isCandidate(std::string_view text) {
     const std::size_t open = text.find('(');
     if (first == std::string_view::npos || open == std::string_view::npos || !text.ends_with(')'))
         return false;
-    // "vec4 texture(sampler2D, vec2)": two words before the bracket, nothing else.
+    // "vec4 texture(sampler2D, vec2)": exactly two words before the bracket.
     const std::string_view head = text.substr(first, open - first);
     return std::count(head.begin(), head.end(), ' ') == 1;
 }

@@ -33,7 +33,7 @@ bool takeNumber(std::string_view& text, int& value) {
     return true;
 }
 
-/// A source at the front: a quoted or known file name, a number, or whatever stands before `stop` and a
+/// Takes the source from the front: a quoted or known file name, a number, or the word before `stop` and a
 /// number.
 bool takeSource(std::string_view& text, std::span<const std::string> files, char stop, std::string& source) {
     if (text.starts_with("\"")) {
@@ -52,7 +52,7 @@ bool takeSource(std::string_view& text, std::span<const std::string> files, char
         }
     for (std::size_t at = text.find(stop); at != std::string_view::npos; at = text.find(stop, at + 1)) {
         if (at + 1 >= text.size() || text[at + 1] < '0' || text[at + 1] > '9' || at == 0) continue;
-        // Messages hold such places too: a source is a word, it has no blanks unless it is a known file.
+        // Messages contain such text too. Only the name of a known file may contain blanks.
         if (text.substr(0, at).find(' ') != std::string_view::npos) return false;
         source = text.substr(0, at);
         text.remove_prefix(at);
@@ -61,7 +61,7 @@ bool takeSource(std::string_view& text, std::span<const std::string> files, char
     return false;
 }
 
-/// "error: ", "preprocessor error: ", "warning: " ... in front; false if there is none.
+/// Takes "error", "preprocessor error", "warning" ... from the front; false if there is none.
 bool takeSeverity(std::string_view& text, bool& isWarning) {
     take(text, "preprocessor ");
     take(text, "fatal ");
@@ -69,7 +69,7 @@ bool takeSeverity(std::string_view& text, bool& isWarning) {
     return take(text, "error") || take(text, "warning");
 }
 
-/// " C1008: " or "(#143) " behind the severity.
+/// Takes " C1008: " or "(#143) " after the severity from the front.
 void dropCode(std::string_view& text) {
     skipBlanks(text);
     std::size_t end = 0;
@@ -85,7 +85,7 @@ void dropCode(std::string_view& text) {
     skipBlanks(text);
 }
 
-/// ERROR: 0:12: text
+/// Reads "ERROR: 0:12: text".
 std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std::string> files) {
     LogLine line;
     line.isWarning = startsWithNoCase(text, "warning:");
@@ -113,7 +113,7 @@ std::optional<LogLine> parsePrefixed(std::string_view text, std::span<const std:
     return line;
 }
 
-/// 0:12(5): error: text
+/// Reads "0:12(5): error: text".
 std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::string> files) {
     LogLine line;
     line.collapsed = true;
@@ -129,7 +129,7 @@ std::optional<LogLine> parseMesa(std::string_view text, std::span<const std::str
     return line;
 }
 
-/// 0(12) : error C1008: text
+/// Reads "0(12) : error C1008: text".
 std::optional<LogLine> parseNvidia(std::string_view text, std::span<const std::string> files) {
     LogLine line;
     if (!takeSource(text, files, '(', line.source)) return std::nullopt;
@@ -148,7 +148,7 @@ bool isWordPart(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Column in `text` that a preprocessor calls `column` which turned each run of blanks and comments into one
+/// The column in `text` for the `column` of a preprocessor that counts a run of blanks and comments as one
 /// blank.
 int expandColumn(std::string_view text, int column) {
     int counted = 0;
@@ -172,7 +172,7 @@ int expandColumn(std::string_view text, int column) {
     return static_cast<int>(std::min(i, text.size())) + 1;
 }
 
-/// The first word in quotes of a message: `foo', 'foo', "foo".
+/// The first quoted word of a message: `foo', 'foo' or "foo".
 std::string_view quotedWord(std::string_view text) {
     for (std::size_t i = 0; i + 1 < text.size(); ++i) {
         if (text[i] != '`' && text[i] != '\'' && text[i] != '"') continue;
@@ -185,7 +185,7 @@ std::string_view quotedWord(std::string_view text) {
     return {};
 }
 
-/// Where `word` stands nearest to `column`, or `column`.
+/// The column of the `word` that is nearest to `column`; `column` if there is none.
 int nearestWord(std::string_view text, std::string_view word, int column) {
     int best = column;
     int distance = std::numeric_limits<int>::max();
@@ -275,7 +275,7 @@ int userColumn(const TranslatedStage& stage, const LogLine& line, const std::str
             }
             shift = each;
         }
-    // Inside a longer spelling of the translator the place is the word's.
+    // Inside a longer spelling of the translator, the column is that of the user's word.
     return std::max(1, std::min(shift.user + column - shift.emitted, std::max(shift.user, next - 1)));
 }
 

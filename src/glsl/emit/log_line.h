@@ -6,34 +6,34 @@
 #include <string>
 #include <string_view>
 
-#include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 
 struct LogLine {
-    std::string source;  ///< number or file name of the source
+    std::string source;  ///< the number or file name of the source
     int line = 0;
     int column = 0;  ///< 0: not given
     bool isWarning = false;
-    bool collapsed = false;  ///< the column counts runs of blanks as one (Mesa's preprocessor)
+    bool collapsed = false;  ///< the column counts a run of blanks as one (Mesa's preprocessor)
     std::string text;
 };
 
-/// Understands `0:12(5): error: text` (Mesa), `0(12) : error C1008: text` (NVIDIA), `ERROR: 0:12: text` (AMD,
-/// Apple, Intel, glslang), each with a number or a file name as source. `files` are names that may have
-/// colons in them.
+/// Understands `0:12(5): error: text` (Mesa), `0(12) : error C1008: text` (NVIDIA) and `ERROR: 0:12: text`
+/// (AMD, Apple, Intel, glslang), each with a number or a file name as the source. `files` are the known
+/// names, which may contain colons and blanks.
 std::optional<LogLine> parseLogLine(std::string_view line, std::span<const std::string> files);
 
-/// Lines that only count or announce: "ERROR: 2 compilation errors.", "-----------".
+/// True for lines without information: "ERROR: 2 compilation errors.", "-----------".
 bool isLogSummary(std::string_view line);
 
-/// "Vertex info", "Fragment shader(s) failed to link, ...": the stage that the next lines are about, or null.
+/// The stage that the lines after a heading like "Vertex info" are about; null for other lines.
 const TranslatedStage* stageOfHeading(const TranslatedProgram& program, std::string_view line);
 
-/// Takes "error: " or "warning: " from the front; true for a warning.
+/// Removes "error: " or "warning: " from the front; true for a warning.
 bool stripSeverity(std::string_view& text);
 
-/// The user's column for a message, 1 if it is not known.
+/// The user's column for a message; 1 if it is not known.
 int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file);
 
 }  // namespace glibra::glsl

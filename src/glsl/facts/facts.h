@@ -1,11 +1,37 @@
 #pragma once
-// What a translated program tells its users about its declarations.
+// What the stages say about themselves, read from their tokens. Each fact is a field of the translation's
+// result (types/translated_program.h) and has a file of its own. A search that is not sure gives up rather
+// than guesses.
+
+#include <set>
+#include <string>
+#include <vector>
 
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
 
-/// Fills uniforms, textureBindings, vertexInputs and interfaceNames from the units.
-void collectFacts(ProgramUnits& program);
+/// Fills uniforms, textureBindings, vertexInputs and interfaceNames of the result.
+void collectDeclarations(ProgramUnits& program);
+
+/// How the program places its vertices. Call it after the rules have settled the types and storages of all
+/// variables.
+Placement findPlacement(const ProgramUnits& program);
+
+/// TranslatedProgram::isOpaque. Call it after placeFragmentOutputs.
+bool findOpacity(const ProgramUnits& program);
+
+/// TranslatedProgram::levelUniforms. Call it after checkTessellation.
+std::set<std::string> findLevelUniforms(const ProgramUnits& program);
+
+/// What the code of a stage does. Call it after all rules, which may add flat inputs and retype samplers.
+StageFacts factsOf(const Unit& unit);
+
+/// True if a vertex stage names the tangent input.
+bool mayReadTangents(const ProgramUnits& program);
+
+/// The loops that main runs, also in the functions that it calls. A call counts like the loops of the
+/// function, if only one function has that name.
+std::vector<CountedLoop> loopsOf(const Unit& unit);
 
 }  // namespace glibra::glsl

@@ -1,13 +1,12 @@
-// Whether a fragment stage writes 1 for alpha whatever happens, so that blending over what is there gives its
-// colour as it is. It gives up rather than guess.
+// Finds out whether a fragment stage always writes 1 for alpha. Blending then gives its colour unchanged.
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
+#include "glsl/facts/facts.h"
 #include "glsl/parse/straight_line.h"
 #include "glsl/parse/usage.h"
-#include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
 namespace {
@@ -26,7 +25,7 @@ std::optional<std::string> colorName(const Unit& unit) {
     return color->name;
 }
 
-/// name = vec4(..., 1.);
+/// True for the assignment `name = vec4(..., 1.);`
 bool isOpaqueAssignment(const Unit& unit, std::uint32_t at) {
     if (unit.text(at + 1) != "=" || unit.text(at + 2) != "vec4" || unit.text(at + 3) != "(") return false;
     const std::uint32_t close = unit.bodies.matches[at + 3];
@@ -35,7 +34,7 @@ bool isOpaqueAssignment(const Unit& unit, std::uint32_t at) {
     return isLiteralOne(unit.text(close - 1)) && (before == "," || before == "(");
 }
 
-/// name.rgb = ..., name.xy *= ...
+/// True for changes like `name.rgb = ...` and `name.xy *= ...`
 bool leavesAlphaAlone(const Unit& unit, std::uint32_t at) {
     return unit.text(at + 1) == "." && unit.text(at + 2).find_first_of("awq") == std::string_view::npos &&
            behindSuffixes(unit, at) == at + 3;

@@ -1,19 +1,19 @@
-// Whether a vertex stage does nothing to its vertices but the model-view-projection, so that who knows the
-// mesh and the matrices knows where on the picture it can appear. It gives up rather than guess.
+// Finds out whether a vertex stage only applies the model-view-projection to its vertices. Then the mesh and
+// the matrices alone tell where it can appear in the picture.
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "glsl/facts/facts.h"
 #include "glsl/parse/straight_line.h"
 #include "glsl/parse/usage.h"
-#include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
 namespace {
 
-/// What an expression is, among the few that matter. `point`, `eyePoint`, `clipPoint`: of vec4(vertex.xyz,
-/// 1).
+/// The meaning of an expression. `point`, `eyePoint` and `clipPoint` begin with vec4(vertex.xyz, 1) in place
+/// of the vertex.
 enum class Meaning {
     other,
     vertex,
@@ -62,7 +62,7 @@ class PlacementSearch {
     }
 
   private:
-    /// The right side of the only assignment to gl_Position, if main executes it whatever happens.
+    /// The right side of the only assignment to gl_Position, if main always executes it.
     std::optional<Range> positionInMain() {
         const auto writes = unit_.writes.find("gl_Position");
         if (writes == unit_.writes.end() || writes->second.size() != 1) return std::nullopt;
@@ -81,7 +81,7 @@ class PlacementSearch {
         return kNone;
     }
 
-    /// Factors joined by '*'; everything else is `other`.
+    /// The meaning of factors joined by '*'; `other` for all other expressions.
     Meaning meaning(Range range) {
         constexpr int kDeepest = 16;
         if (range.empty() || depth_ >= kDeepest) return Meaning::other;
@@ -101,7 +101,7 @@ class PlacementSearch {
         return all;
     }
 
-    /// One factor; `at` moves behind it.
+    /// The meaning of the factor at `at`, which moves to the index after it.
     Meaning factor(std::uint32_t& at, std::uint32_t end) {
         const std::string_view text = unit_.text(at);
         const bool opens = text == "(";
@@ -119,7 +119,7 @@ class PlacementSearch {
         return text == "vec4" ? constructed(inside) : Meaning::other;
     }
 
-    /// vec4(vertex), vec4(vertex.xyz, 1.).
+    /// The meaning of vec4(vertex) or vec4(vertex.xyz, 1.).
     Meaning constructed(Range inside) {
         const bool isPoint = inside.end - inside.first == 5 && unit_.text(inside.first + 1) == "." &&
                              unit_.text(inside.first + 2) == "xyz" && unit_.text(inside.first + 3) == "," &&
@@ -159,7 +159,7 @@ class PlacementSearch {
         return Meaning::other;
     }
 
-    /// Not something else that the user gave that name.
+    /// True if the name has its built-in meaning here.
     [[nodiscard]] bool isSupplied(std::string_view name, bool isInput) const {
         if (unit_.isWritten(name) || unit_.macros.find(name) != unit_.macros.end()) return false;
         if (!unit_.isDeclared(name)) return true;
@@ -170,7 +170,7 @@ class PlacementSearch {
                found->type == (isInput ? "vec4" : "mat4");
     }
 
-    /// A variable of main that keeps what it is initialised with.
+    /// The meaning of a variable of main that keeps its initial value.
     Meaning local(std::uint32_t at) {
         const std::string_view text = unit_.text(at);
         const LocalVariable* declared = nullptr;
@@ -190,7 +190,8 @@ class PlacementSearch {
         return declared->typeWord == wanted && declared->type.arrayDepth == 0 ? initial : Meaning::other;
     }
 
-    /// Some function writes to its arguments: locals may change without an assignment.
+    /// True if some function writes to its arguments, so that local variables can change without an
+    /// assignment.
     [[nodiscard]] bool hasOutputs() const {
         const auto writes = [](const Parameter& each) {
             return each.qualifiers.storage == Storage::output ||
@@ -208,7 +209,7 @@ class PlacementSearch {
     int depth_ = 0;
 };
 
-/// Something besides the picture may change where this stage runs, or the picture's layer.
+/// True if the stage may change anything except the picture, or chooses the picture's layer.
 bool hasOtherEffects(const Unit& unit) {
     return unit.isUsed("gl_Layer") || unit.isUsed("gl_ViewportIndex") ||
            std::any_of(unit.variables.begin(), unit.variables.end(), [](const Variable& each) {

@@ -7,7 +7,7 @@
 namespace glibra::glsl {
 namespace {
 
-/// Statements of function bodies, one after the other; expressions are left to `Expressions`.
+/// Reads the statements of function bodies in order. `Expressions` reads the expressions in them.
 class BodyWalker {
   public:
     BodyWalker(std::span<const ViewToken> view, const Syntax& syntax, Bodies& bodies)
@@ -121,7 +121,7 @@ class BodyWalker {
         return stop;
     }
 
-    /// The ';', '}' or ':' label end that closes the statement.
+    /// The index of the ';' or '}' that ends the statement.
     [[nodiscard]] std::uint32_t statementEnd(std::uint32_t at, std::uint32_t end) const {
         while (at < end) {
             const std::string_view each = text(at);
@@ -172,7 +172,7 @@ class BodyWalker {
         return scoped && braced ? close + 2 : close + 1;
     }
 
-    /// `type name`, `const type name`, `struct ...`: two words in a row cannot begin an expression.
+    /// True for `type name`, `const type name` and `struct ...`: an expression cannot begin with two words.
     [[nodiscard]] bool isDeclaration(std::uint32_t at) const {
         if (!word(at) || isStatementWord(text(at))) return false;
         if (text(at) == "struct") return true;
@@ -204,7 +204,7 @@ class BodyWalker {
             names_.declareLocal(each.name, own);
         }
         const std::uint32_t stop = parsed.tokens.end;
-        // The ';' also ends the statement that a `for` without braces governs.
+        // The ';' also ends the body of a `for` without braces.
         if (isStatement && stop > at && text(stop - 1) == ";") names_.popStatement();
         return stop;
     }

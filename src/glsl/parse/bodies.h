@@ -1,5 +1,5 @@
 #pragma once
-// What stands inside functions and initialisers: which words are local names, which types expressions have.
+// The content of functions and initialisers: which words are local names, and which types expressions have.
 
 #include <cstdint>
 #include <map>
@@ -20,25 +20,25 @@ struct LocalVariable {
     Type type;
     std::string_view typeWord;
     bool isParameter = false;
-    std::uint32_t constToken = kNone;  ///< the `const` of its declaration
+    std::uint32_t constToken = kNone;  ///< the `const` of its declaration, or kNone
     Range initializer;
 };
 
-/// A call of a function by name (not of a constructor), with what its arguments are.
+/// A call of a function, not of a constructor, and the types of its arguments.
 struct Call {
     std::uint32_t name = 0;
     std::vector<Range> arguments;
     std::vector<Type> types;
 };
 
-/// A `return expression;` in a function of type `wanted`.
+/// A `return expression;` in a function that returns `wanted`.
 struct ReturnValue {
     Range expression;
     Type type;
     Type wanted;
 };
 
-/// A swizzle of a scalar, which only 4.20 and later take: object.member.
+/// A swizzle of a scalar, object.member, which only versions from 4.20 on accept.
 struct ScalarSwizzle {
     Range object;
     std::uint32_t member = 0;
@@ -50,27 +50,29 @@ enum class WordRole : std::uint8_t {
     global,            ///< a use of something that is not local
     local,             ///< a use of a local variable or parameter
     localDeclaration,  ///< the name in its declaration
-    member,            ///< behind a '.'
-    other              ///< part of a declaration at file scope, of a type, ...
+    member,            ///< after a '.'
+    other              ///< part of a declaration: a type, a qualifier, a name at file scope
 };
 
 struct Bodies {
     std::vector<WordRole> roles;         ///< by view index
-    std::vector<std::uint32_t> matches;  ///< of every bracket its partner
+    std::vector<std::uint32_t> matches;  ///< of a bracket: the index of its partner (matchBrackets)
     std::vector<LocalVariable> locals;
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
     std::vector<ScalarSwizzle> scalarSwizzles;
-    std::map<std::string, std::uint32_t, std::less<>>
-        localNames;  ///< locals, parameters, local structs: view index
-    std::map<std::string, std::uint32_t, std::less<>> memberNames;  ///< members of structs and blocks
-    std::vector<std::uint32_t> memberDeclarations;                  ///< the same, every one
+    /// Names of local variables, parameters and local structs, with the view index of the first of each name.
+    std::map<std::string, std::uint32_t, std::less<>> localNames;
+    /// Names of members of structs and blocks, likewise.
+    std::map<std::string, std::uint32_t, std::less<>> memberNames;
+    std::vector<std::uint32_t> memberDeclarations;  ///< view indices of all of these members
 };
 
-/// Index of the matching bracket of every bracket, `view.size()` where there is none.
+/// For every bracket the index of the matching one; `view.size()` for all other tokens.
 std::vector<std::uint32_t> matchBrackets(std::span<const ViewToken> view);
 
-/// Walks all functions and initialisers. Bounded depth, linear in the number of tokens.
+/// Walks all functions and initialisers. The depth is limited, and the time is linear in the number of
+/// tokens.
 Bodies walkBodies(std::span<const ViewToken> view, const Syntax& syntax);
 
 }  // namespace glibra::glsl

@@ -60,7 +60,7 @@ Type Expressions::parse(Range range) {
     at_ = range.first;
     end_ = range.end;
     Type type;
-    // After something that is not understood the rest is still looked through, for the calls in it.
+    // After something that is not understood, the rest is still searched for calls.
     while (at_ < end_) {
         type = assignment();
         if (at_ < end_ && !accept(",")) {
@@ -127,7 +127,7 @@ Type Expressions::binary(int lowest) {
 }
 
 Type Expressions::unary() {
-    // A run of prefix operators is a loop: a source may hold a million of them.
+    // Prefix operators are read in a loop, because a source may contain a million of them in a row.
     bool logical = false;
     while (at_ < end_) {
         const std::string_view text = peek();
@@ -244,7 +244,7 @@ Type Expressions::call(std::uint32_t name) {
     at_ = start;
     while (at_ < end_) {
         const Type type = assignment();
-        // What was not understood up to the next comma belongs to the argument, whose type is then unknown.
+        // If tokens before the next comma were not understood, the type of the argument is unknown.
         const bool whole = at_ >= end_ || peek() == ",";
         while (at_ < end_ && peek() != ",") {
             const bool bracket = peek() == "(" || peek() == "[" || peek() == "{";

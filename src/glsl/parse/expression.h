@@ -1,5 +1,5 @@
 #pragma once
-// Types of expressions, found by a small parser that gives up (unknown) rather than guess.
+// The types of expressions. Where the parser is not sure, the type is unknown.
 
 #include <span>
 #include <string_view>
@@ -16,7 +16,7 @@ class Expressions {
                 Bodies& bodies)
         : view_(view), matches_(matches), names_(names), bodies_(bodies) {}
 
-    /// The type of the expression in `range`. Its calls are recorded, its words get their roles.
+    /// The type of the expression in `range`. Also records its calls and gives its words their roles.
     Type typeOf(Range range);
     /// Gives the words in `range` their roles.
     void markUses(Range range);

@@ -1,5 +1,5 @@
 #pragma once
-// The names that are visible at one place of a stage, with their types.
+// The names that are visible at the current place of a stage, and their types.
 
 #include <map>
 #include <set>
@@ -19,7 +19,7 @@ class Names {
   public:
     Names(std::span<const ViewToken> view, Bodies& bodies) : view_(view), bodies_(bodies) {}
 
-    /// Opens a scope that the bracket at `closesAt` ends; `statement`: that the next ';' ends.
+    /// Opens a scope that ends at the bracket `closesAt`, or, if `statement` is true, at the next ';'.
     void push(std::uint32_t closesAt, bool statement = false);
     void popTo(std::uint32_t closesAt);
     void popStatement();
@@ -28,7 +28,7 @@ class Names {
     void declareLocal(std::uint32_t name, const Type& type);
     void declareGlobal(std::string_view name, const Declaration& declaration, Type type,
                        std::size_t dimensions);
-    /// Members of a block without instance name are global names.
+    /// Declares the members of a block without an instance name, which are global names.
     void declareBlockMembers(const Declaration& block);
     void addStructure(const Declaration& declaration);
     void addFunction(const Declaration& declaration);
@@ -41,7 +41,7 @@ class Names {
     [[nodiscard]] Type typeOfName(std::string_view name) const;
     [[nodiscard]] Type typeOfStructure(std::string_view name) const;
     [[nodiscard]] Type memberType(const Type& owner, std::string_view member) const;
-    /// What the user's function returns if that is certain for these arguments.
+    /// The type that the user's function returns for these arguments, if that is certain.
     [[nodiscard]] Type returnType(std::string_view function, std::span<const Type> arguments) const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// What main executes whatever happens.
+// Statements that main always executes.
 
 #include <optional>
 
@@ -7,14 +7,14 @@
 
 namespace glibra::glsl {
 
-/// The braces of the only function main and what is between them; nothing if there is none, or several.
+/// The body of main with its braces; nothing if there is no main, or several.
 std::optional<Range> bodyOfMain(const Unit& unit);
 
-/// True if the statement that begins at `at` stands directly in the braces of `body`, begun by no if, else or
-/// loop, and behind no return.
+/// True if the statement that begins at `at` is directly in the braces of `body`, is not governed by an if,
+/// else or loop, and comes after no return.
 bool isAlwaysExecuted(const Unit& unit, Range body, std::uint32_t at);
 
-/// A literal 1 as an int or a float.
+/// True for a literal 1 of type int or float.
 bool isLiteralOne(std::string_view number);
 
 }  // namespace glibra::glsl

@@ -8,7 +8,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 32;  ///< structs within blocks within ...
+constexpr int kDeepest = 32;  ///< nesting of structs and blocks
 
 class Parser {
   public:
@@ -49,7 +49,7 @@ class Parser {
         ++at_;
         return true;
     }
-    /// Past the next ';' outside brackets, or past a closing brace that does not belong here.
+    /// Moves past the next ';' outside brackets, or past a closing brace that has no opening one.
     void skipStatement() {
         while (at_ < end_) {
             const std::string_view text = peek();
@@ -90,7 +90,7 @@ class Parser {
         return declaration;
     }
 
-    /// True if the word here is used as a name although it may be a qualifier: `float flat`, `sample = 1.`
+    /// True if the word here is a name although it may be a qualifier: `float flat`, `sample = 1.`
     [[nodiscard]] bool qualifierHere() const {
         if (!word() || !isQualifierWord(peek())) return false;
         const std::string_view next = peek(1);
@@ -290,7 +290,7 @@ class Parser {
             if (!accept(",")) break;
         }
         if (accept(";") || declaration.declarators.empty()) return;
-        // Something else than ';': the next declaration begins here, if its line is one.
+        // The ';' is missing. The next declaration begins here, if this line looks like one.
         if (at_ < end_ && !word() && peek() != "}") skipStatement();
     }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The declarations at file scope of a stage, found in its tokens after macro expansion. It is a light parser:
-// it finds what every declaration is called, its type, qualifiers, sizes and initialiser, and skips what it
+// The declarations at file scope of a stage, found in its tokens after macro expansion. This is a light
+// parser: it finds the name, type, qualifiers, sizes and initialiser of every declaration, and skips what it
 // does not know.
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace glibra::glsl {
 
-/// View tokens first ... end - 1.
+/// The view tokens first ... end - 1.
 struct Range {
     std::uint32_t first = 0;
     std::uint32_t end = 0;
@@ -40,7 +40,7 @@ struct Qualifiers {
     std::vector<std::string> memory;  ///< "readonly", "coherent", ...
     std::string precision;            ///< "highp", ... or empty
     std::vector<LayoutItem> layout;
-    std::vector<Range> layoutTokens;  ///< each layout ( ... ) whole
+    std::vector<Range> layoutTokens;  ///< each layout ( ... ) as a whole
     Range subroutineTypes;            ///< between the parentheses of subroutine( )
     std::uint32_t storageToken = kNone;
 
@@ -48,10 +48,10 @@ struct Qualifiers {
 };
 
 struct TypeUse {
-    Range tokens;  ///< name and the brackets after it, or a whole struct specifier
+    Range tokens;  ///< the name and the brackets after it, or a whole struct specifier
     std::string_view name;
-    std::vector<Range> dimensions;  ///< what stands in each pair of brackets after the name
-    bool isStruct = false;          ///< struct { ... } stands here
+    std::vector<Range> dimensions;  ///< the content of each pair of brackets after the name
+    bool isStruct = false;          ///< the type is struct { ... }
 };
 
 struct Declarator {
@@ -59,7 +59,7 @@ struct Declarator {
     std::vector<Range> dimensions;
     Range dimensionTokens;  ///< the brackets themselves
     Range initializer;      ///< after '='
-    std::uint32_t end = 0;  ///< the ',' or ';' (or ')') behind it
+    std::uint32_t end = 0;  ///< the ',' or ';' (or ')') after it
 };
 
 struct Parameter {
@@ -70,7 +70,7 @@ struct Parameter {
 };
 
 enum class DeclarationKind {
-    variable,  ///< qualifiers type declarators ; (declarators may be empty: struct S {...};)
+    variable,  ///< qualifiers type declarators ; (there may be no declarators: struct S {...};)
     block,     ///< qualifiers Name { members } instance ;
     function,  ///< definition
     prototype,
@@ -85,13 +85,13 @@ struct Declaration {
     DeclarationKind kind = DeclarationKind::unknown;
     Range tokens;  ///< with the final ; or }
     Qualifiers qualifiers;
-    TypeUse type;                         ///< of a variable; what a function returns
-    std::vector<Declarator> declarators;  ///< of a variable; the instance of a block; names of `requalify`
+    TypeUse type;                         ///< of a variable; of the value of a function
+    std::vector<Declarator> declarators;  ///< of a variable; instance of a block; names of `requalify`
     std::uint32_t name = kNone;           ///< of a block, function, or struct specifier
     std::vector<Declaration> members;     ///< of a block or struct specifier
     std::vector<Parameter> parameters;
     Range parameterTokens;
-    Range body;  ///< of a function, with its braces; of a block or struct, with its braces
+    Range body;  ///< of a function, block or struct, with its braces
 };
 
 struct Syntax {
@@ -101,11 +101,11 @@ struct Syntax {
 /// Parses all of `view`.
 Syntax parseSyntax(std::span<const ViewToken> view);
 
-/// Parses one variable declaration that begins at `at` (qualifiers, type, declarators) up to and with its ';'
-/// or up to `end`. Used for members, parameters and local variables.
+/// Parses the variable declaration at `at` (qualifiers, type, declarators) with its ';', or up to `end`. It
+/// serves for members, parameters and local variables.
 Declaration parseVariable(std::span<const ViewToken> view, std::uint32_t at, std::uint32_t end);
 
-/// Index of the bracket that closes the one at `open`, or `end`.
+/// The index of the bracket that closes the one at `open`, or `end`.
 std::uint32_t closing(std::span<const ViewToken> view, std::uint32_t open, std::uint32_t end);
 
 }  // namespace glibra::glsl

@@ -25,7 +25,7 @@ BaseType promoted(BaseType a, BaseType b) {
     return unknown;
 }
 
-/// Functions whose result has the shape of their widest argument.
+/// Functions whose result has as many components as their widest argument.
 constexpr std::string_view kGeneric =
     " radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt "
     "inversesqrt abs sign floor trunc truncate round roundEven ceil fract mod min max clamp mix step "
@@ -33,7 +33,7 @@ constexpr std::string_view kGeneric =
     "normalize faceforward reflect refract dFdx dFdy fwidth dFdxFine dFdyFine fwidthFine dFdxCoarse "
     "dFdyCoarse "
     "fwidthCoarse fma modf ldexp ";
-/// Of these, those that exist for integers too.
+/// Those of these functions that exist for integers too.
 constexpr std::string_view kIntegerToo = " abs sign min max clamp ";
 constexpr std::string_view kToScalar = " length distance dot determinant noise1 ";
 constexpr std::string_view kRelational =
@@ -42,8 +42,8 @@ constexpr std::string_view kRelational =
 Type textureType(std::string_view function, std::span<const Type> arguments) {
     if (function.starts_with("textureSize") || function.starts_with("textureQuery")) return {};
     if (arguments.empty() || arguments[0].base != opaque) {
-        // texture2D and its kin name floating samplers, or integer ones (EXT_gpu_shader4): only the argument
-        // tells.
+        // texture2D and its kin read floating-point or integer samplers (EXT_gpu_shader4), so only the
+        // argument decides.
         return {};
     }
     const std::string_view sampler = arguments[0].word;

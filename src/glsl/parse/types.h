@@ -1,6 +1,6 @@
 #pragma once
-// GLSL types as far as translation has to infer them. What is not known for certain is `unknown`, and stays
-// untouched.
+// GLSL types as far as the translation has to infer them. A type that is not certain is `unknown`, and the
+// rules leave such expressions alone.
 
 #include <cstdint>
 #include <span>
@@ -23,7 +23,7 @@ enum class BaseType : std::uint8_t {
 
 struct Type {
     BaseType base = BaseType::unknown;
-    std::uint8_t columns = 1;  ///< more than 1: matrix
+    std::uint8_t columns = 1;  ///< more than 1: a matrix
     std::uint8_t rows = 1;     ///< components of a vector or of a matrix column
     std::uint16_t arrayDepth = 0;
     std::int32_t structure = -1;  ///< index into the structures of the stage
@@ -32,7 +32,7 @@ struct Type {
     friend bool operator==(const Type&, const Type&) = default;
 
     [[nodiscard]] bool known() const { return base != BaseType::unknown; }
-    /// A number or bool, vector or matrix of them, and not an array.
+    /// True for a number or bool and for a vector or matrix of them, but not for an array.
     [[nodiscard]] bool numeric() const {
         return arrayDepth == 0 && base >= BaseType::floating && base <= BaseType::boolean;
     }
@@ -58,17 +58,17 @@ Type typeOfWord(std::string_view word);
 /// The word of a scalar, vector or matrix type: "vec3".
 std::string wordOf(const Type& type);
 
-/// Type of a variable that the translator or GLSL itself supplies: gl_*, GSTAP names, Timer, ...; else
-/// unknown.
+/// The type of a variable that the translator or GLSL supplies (gl_*, GSTAP names, Timer, ...); unknown for
+/// other names.
 Type typeOfSuppliedName(std::string_view name);
 
-/// Type of `left op right` for + - * / % and comparisons.
+/// The type of `left op right` for + - * / % and comparisons.
 Type binaryType(std::string_view op, const Type& left, const Type& right);
 
-/// Type that a built-in function, of any version, returns.
+/// The type that a built-in function of any version returns.
 Type callType(std::string_view function, std::span<const Type> arguments);
 
-/// "0", "0.", "vec3(0.)", "false", "mat4(0.)": the zero of a numeric type word; empty if there is none.
+/// The zero of a numeric type: "0", "0.", "vec3(0.)", "false", "mat4(0.)"; empty for other types.
 std::string zeroOf(std::string_view typeWord);
 
 }  // namespace glibra::glsl

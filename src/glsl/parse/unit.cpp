@@ -4,12 +4,6 @@
 
 namespace glibra::glsl {
 
-Place Unit::placeOfToken(std::uint32_t token) const {
-    if (token >= tokens.size()) return start();
-    const Token& at = tokens[token];
-    return {files[at.file], at.line, at.column};
-}
-
 bool Unit::isUserName(std::string_view name) const {
     return isDeclared(name) || macros.find(name) != macros.end() ||
            bodies.localNames.find(name) != bodies.localNames.end();

@@ -1,6 +1,5 @@
 #pragma once
-// One stage while it is being translated: its tokens, what the parser found in them, and the changes decided
-// so far.
+// The stages of a program while they are translated.
 
 #include <deque>
 #include <map>
@@ -10,87 +9,50 @@
 #include <vector>
 
 #include "glsl/parse/bodies.h"
-#include "glsl/parse/edits.h"
-#include "glsl/parse/report.h"
 #include "glsl/parse/syntax.h"
 #include "glsl/parse/variables.h"
-#include "glsl/read/macros.h"
-#include "glsl/read/token.h"
-#include "glsl/translate.h"
+#include "glsl/read/report.h"
+#include "glsl/read/stage_text.h"
+#include "glsl/types/request.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 
-/// The version a source declares, after the tolerance of the language (7.2).
-struct Dialect {
-    int version = 330;    ///< a known desktop version
-    int written = 330;    ///< the number that __VERSION__ gives
-    bool given = false;   ///< there is a #version
-    bool core = false;    ///< it says core
-    std::string profile;  ///< "core", "compatibility" or empty, for sources that are not translated
-    Place place;
-};
-
-struct Unit {
-    Unit() = default;
-    Unit(Unit&&) = default;  // not copied: tokens point into `storage`
-    Unit& operator=(Unit&&) = default;
-    Unit(const Unit&) = delete;
-    Unit& operator=(const Unit&) = delete;
-    ~Unit() = default;
-
-    const ProgramRequest* request = nullptr;
-    Stage stage = Stage::vertex;
-    std::string path;
-    std::vector<std::string> files;   ///< [0] is the stage's own
-    std::deque<std::string> storage;  ///< what the tokens' texts point into
-
-    Dialect dialect;
-    std::vector<Token> tokens;
-    std::vector<ViewToken> view;                ///< the active tokens after macro expansion
-    std::set<std::string, std::less<>> macros;  ///< every name the source defines anywhere
-    std::vector<std::string> extensions;        ///< #extension lines to be passed on
-
-    Edits edits;
+/// One stage while it is translated: its text, what the parser found in it, and what the rules decided.
+struct Unit : StageText {
     Syntax syntax;
     Bodies bodies;
 
-    /// Names declared at file scope, members of blocks without instance name included, and where (view
-    /// index).
+    /// Names declared at file scope, also members of blocks without an instance name, and their view indices.
     std::map<std::string, std::uint32_t, std::less<>> declared;
-    /// Uses of names that no local declaration hides, by name (view indices); members after '.' are not among
-    /// them.
+    /// View indices of the uses of each name, except where a local declaration hides it and after a '.'.
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> uses;
-    /// Of these uses, those that may change the variable.
+    /// Those of these uses that may change the variable.
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> writes;
 
     std::vector<Variable> variables;  ///< file-scope variables, in order of declaration
-    /// Words that get another spelling everywhere but behind a '.', and those that get it there too.
+    /// New spellings of words: `renames` everywhere except after a '.', `wordRenames` also there.
     std::map<std::string, std::string, std::less<>> renames, wordRenames;
     std::set<std::uint32_t> keptSpelling;  ///< tokens that `renames` leaves alone
 
     std::vector<std::string> prologue;  ///< lines of GLSL before the user's text
-    int varyingComponents = 0;          ///< of glibra_Varyings as output
-    std::vector<std::string> mainEnd;   ///< statements behind the user's main, which is glibra_main then
+    int varyingComponents = 0;          ///< number of components of the output block glibra_Varyings
+    /// Statements to be executed after the user's main. If there are any, that is renamed to glibra_main.
+    std::vector<std::string> mainEnd;
 
-    [[nodiscard]] Place placeOfToken(std::uint32_t token) const;
-    [[nodiscard]] Place place(std::uint32_t viewIndex) const { return placeOfToken(view[viewIndex].site); }
-    [[nodiscard]] Place start() const { return {path, 1, 1}; }
-    [[nodiscard]] std::string_view text(std::uint32_t viewIndex) const {
-        return viewIndex < view.size() ? view[viewIndex].text : std::string_view{};
-    }
     [[nodiscard]] bool isUsed(std::string_view name) const { return uses.find(name) != uses.end(); }
     [[nodiscard]] bool isWritten(std::string_view name) const { return writes.find(name) != writes.end(); }
     [[nodiscard]] bool isDeclared(std::string_view name) const {
         return declared.find(name) != declared.end();
     }
-    /// Declared anywhere: file scope, local variable, parameter or macro.
+    /// True if the source declares the name anywhere: at file scope, as a local variable, parameter or macro.
     [[nodiscard]] bool isUserName(std::string_view name) const;
     [[nodiscard]] Variable* variable(std::string_view name);
-    /// Adds a line to the prologue unless it is there.
+    /// Adds a line to the prologue if it is not there yet.
     void declare(const std::string& line);
 };
 
-/// All stages of a program, and what translation finds out about them.
+/// All stages of a program, and the result of their translation so far.
 struct ProgramUnits {
     const ProgramRequest* request = nullptr;
     std::vector<Unit> units;  ///< in pipeline order
@@ -98,16 +60,16 @@ struct ProgramUnits {
     Report report;
 
     [[nodiscard]] Unit* find(Stage stage);
-    /// The stage in front of `stage`, or null.
+    /// The nearest stage before `stage`, or null.
     [[nodiscard]] Unit* before(Stage stage);
     /// The last stage before rasterisation, or null.
     [[nodiscard]] Unit* lastBeforeRaster();
 };
 
-/// "in dots.vert:4:1"-like words: file name without folders, and line.
+/// "dots.vert:4": the file name without folders, and the line.
 std::string shortPlace(const Place& place);
 
-/// Text of the given view tokens, with single blanks where words would run together.
+/// The text of the given view tokens, with a blank between adjacent words.
 std::string textOf(const Unit& unit, Range range);
 
 }  // namespace glibra::glsl

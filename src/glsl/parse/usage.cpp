@@ -8,7 +8,7 @@
 namespace glibra::glsl {
 namespace {
 
-/// Built-in functions that write to arguments, as bits.
+/// Built-in functions that write to arguments. Bit i stands for argument i.
 struct Output {
     std::string_view function;
     unsigned arguments;
@@ -38,7 +38,7 @@ void addDeclared(Unit& unit, const Declaration& declaration) {
             for (const Declarator& each : member.declarators) add(each.name);
 }
 
-/// By function name: the arguments that it writes, over all its overloads.
+/// The arguments that each function writes in any of its overloads, as bits, by its name.
 std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
     std::map<std::string_view, unsigned> result;
     for (const Declaration& each : unit.syntax.declarations) {
@@ -96,7 +96,7 @@ bool isWrittenAt(const Unit& unit, std::uint32_t at) {
         const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
         if (isStep(before)) return true;
         if (isAssignment(unit.text(behind)) || isStep(unit.text(behind))) return true;
-        // (name).xy = ..., but not if (name) ++other
+        // `(name).xy = ...` is a change; `if (name) ++other` is none.
         const bool wrapped = before == "(" && unit.text(behind) == ")" && first > 1 &&
                              unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
         if (!wrapped) return false;

@@ -8,16 +8,17 @@ namespace glibra::glsl {
 /// Fills `declared`, `uses` and `writes` of the unit.
 void findUsage(Unit& unit);
 
-/// True if the name at `at`, or a part of it, is assigned to there, incremented or decremented.
+/// True if the name at `at`, or a part of its value, is assigned to, incremented or decremented there.
 bool isWrittenAt(const Unit& unit, std::uint32_t at);
 
-/// Past the subscripts and members behind the name at `at`: the index of what follows.
+/// The index after the name at `at` and the subscripts and members that follow it.
 std::uint32_t behindSuffixes(const Unit& unit, std::uint32_t at);
 
-/// The value of a constant index like the 2 of name[2]; -1 for anything else.
+/// The value of a constant index, such as 2 in name[2]; -1 for anything else.
 int constantIndex(const Unit& unit, std::uint32_t openBracket);
 
-/// The value of an integer expression of literals; false if it is none.
+/// Gives `value` the value of an integer expression of literals; false if the range is not such an
+/// expression.
 bool integerValue(const Unit& unit, Range range, long long& value);
 
 }  // namespace glibra::glsl

@@ -27,7 +27,7 @@ std::string spelled(const Unit& unit, const std::string& word) {
     return found == unit.renames.end() ? word : found->second;
 }
 
-/// One declaration with at least one changed variable.
+/// Writes a declaration with at least one changed variable.
 class Rewriter {
   public:
     Rewriter(Unit& unit, const Declaration& declaration, std::vector<Variable*> variables)
@@ -87,7 +87,7 @@ class Rewriter {
         for (const Variable* each : variables_) separate(*each);
     }
 
-    /// `struct { } a;` cannot be split: only what follows it can be written.
+    /// `struct { } a;` cannot be split. Only what follows it can be written.
     void lastOfStructure() {
         const std::uint32_t end = declaration_.declarators.back().end;
         if (end >= unit_.view.size()) return;
@@ -252,7 +252,7 @@ bool editableTokens(const Unit& unit, Range range, std::vector<std::uint32_t>& t
         const std::uint32_t at = token.body ? token.site : token.raw;
         if (tokens.empty() || tokens.back() != at) tokens.push_back(at);
     }
-    // A macro whose text reaches beyond the range cannot be replaced by a part of it.
+    // A macro whose text extends beyond the range cannot be replaced by a part of it.
     for (const std::uint32_t beyond : {range.first - 1, range.end}) {
         if (beyond >= unit.view.size() || tokens.empty()) continue;
         const ViewToken& token = unit.view[beyond];

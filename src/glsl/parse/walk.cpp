@@ -7,7 +7,7 @@ TokenWalk::TokenWalk(const Unit& unit)
       next_(unit.tokens.size(), kNone),
       previous_(unit.tokens.size(), kNone),
       matches_(unit.tokens.size(), kNone) {
-    // The compiled text, the rest of it, and the current preprocessor line are three sequences.
+    // There are three sequences: compiled text, text that is not compiled, and the current preprocessor line.
     struct Sequence {
         std::uint32_t last = kNone;
         std::vector<std::uint32_t> open;

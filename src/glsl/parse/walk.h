@@ -1,6 +1,6 @@
 #pragma once
-// Moves among the tokens as they are written, so that a rule also works inside the body of a macro. A token
-// of a preprocessor line has its neighbours on that line; a token of the text has them in the text.
+// Moves between the tokens as they are written, so that a rule also works inside the body of a macro. The
+// neighbours of a token on a preprocessor line are on that line; those of other tokens are not on such lines.
 
 #include <string_view>
 #include <vector>
@@ -13,7 +13,7 @@ class TokenWalk {
   public:
     explicit TokenWalk(const Unit& unit);
 
-    /// The significant token behind or in front of `token`, or kNone.
+    /// The significant token after or before `token`, or kNone.
     [[nodiscard]] std::uint32_t next(std::uint32_t token) const;
     [[nodiscard]] std::uint32_t previous(std::uint32_t token) const;
     /// The matching bracket, or kNone.

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kMostSteps = 2'000'000;
 constexpr int kDeepest = 64;
 
-/// Index of the token after the parenthesis that closes the one at `open`, or tokens.size() + 1.
+/// The index after the parenthesis that closes the one at `open`; tokens.size() + 1 if none does.
 std::size_t splitArguments(std::span<const ViewToken> tokens, std::size_t open,
                            std::vector<std::span<const ViewToken>>& arguments) {
     int depth = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The preprocessor's macros: what the grammar sees of a source is its tokens after macro expansion, each of
-// which remembers where it was written, so that edits go to the user's own text.
+// The preprocessor's macros. The grammar sees the tokens of a source after macro expansion. Each of them
+// remembers where it was written, so that edits go to the user's own text.
 
 #include <map>
 #include <set>
@@ -17,8 +17,8 @@ namespace glibra::glsl {
 struct ViewToken {
     std::string_view text;
     std::uint32_t raw = 0;  ///< index of the token where it is spelled
-    std::uint32_t site =
-        0;  ///< index of the outermost macro's name that brought it here; else equal to `raw`
+    /// Index of the name of the outermost macro that it comes from; equal to `raw` outside macros.
+    std::uint32_t site = 0;
     TokenKind kind = TokenKind::word;
     bool body = false;        ///< spelled in a macro's body
     bool objectSite = false;  ///< `site` is the name of a macro without parameters
@@ -30,7 +30,7 @@ struct Macro {
     std::vector<ViewToken> body;
 };
 
-/// Macros defined at one place of a source.
+/// The macros that are defined at the current line of a source.
 class MacroTable {
   public:
     void define(std::string_view name, Macro macro) {
@@ -39,8 +39,7 @@ class MacroTable {
     void undefine(std::string_view name);
     [[nodiscard]] bool isDefined(std::string_view name) const { return macros_.find(name) != macros_.end(); }
 
-    /// Appends the expansion of `tokens` to `out`. Bounded: past some million steps names are left as they
-    /// are.
+    /// Appends the expansion of `tokens` to `out`. After some million steps names are no longer expanded.
     void expand(std::span<const ViewToken> tokens, std::vector<ViewToken>& out);
 
   private:
@@ -54,8 +53,8 @@ class MacroTable {
     std::size_t steps_ = 0;
 };
 
-/// The value of an #if or #elif expression whose macros, and `defined`, are already replaced. Words count as
-/// 0. Nothing if it is not an expression.
+/// Gives `value` the value of an #if or #elif expression in which macros and `defined` are already replaced.
+/// Words count as 0. False if the tokens are not an expression.
 bool evaluateCondition(std::span<const ViewToken> tokens, long long& value);
 
 }  // namespace glibra::glsl

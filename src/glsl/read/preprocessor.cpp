@@ -22,7 +22,7 @@ ViewToken numberToken(bool one) {
 }  // namespace
 
 void Preprocessor::flush() {
-    macros_.expand(pending_, unit_.view);
+    macros_.expand(pending_, stage_.view);
     pending_.clear();
 }
 
@@ -71,10 +71,10 @@ bool Preprocessor::isDefined(std::string_view name) const {
     if (macros_.isDefined(name) || name == "__VERSION__" || name == "__LINE__" || name == "__FILE__")
         return true;
     if (name == "GL_core_profile") return true;
-    if (name == "GL_compatibility_profile") return !unit_.dialect.core;
+    if (name == "GL_compatibility_profile") return !stage_.dialect.core;
     if (!name.starts_with("GL_")) return false;
     if (extensionInCoreSince(name)) return true;
-    const Target& target = unit_.request->target;
+    const Target& target = stage_.request->target;
     return target.hasExtension && target.hasExtension(name);
 }
 
@@ -100,8 +100,8 @@ bool Preprocessor::condition(const SourceLine& line) {
 void Preprocessor::predefined(ViewToken& token) {
     if (token.kind != TokenKind::word) return;
     if (token.text == "__VERSION__") {
-        unit_.storage.push_back(std::to_string(unit_.dialect.written));
-        token.text = unit_.storage.back();
+        stage_.storage.push_back(std::to_string(stage_.dialect.written));
+        token.text = stage_.storage.back();
         token.kind = TokenKind::number;
     } else if (isDefined(token.text)) {
         token = numberToken(true);
@@ -118,9 +118,9 @@ bool Preprocessor::number(const SourceLine& line, std::size_t first, long long& 
 
 void Preprocessor::define(const SourceLine& line) {
     const Token* const name = line.significant[2];
-    unit_.macros.emplace(name->text);
+    stage_.macros.emplace(name->text);
     Macro macro;
-    // A parenthesis belongs to the macro only if it follows its name at once.
+    // A parenthesis begins the parameters only if it follows the name without a blank.
     const Token* const next = name + 1;
     std::size_t at = 3;
     if (next != line.tokens.data() + line.tokens.size() && next->text == "(") {

@@ -1,22 +1,23 @@
 #pragma once
-// Macros and conditions of one stage, in the order of its lines: what is compiled and what it expands to.
+// Macros and conditional branches of one stage, in the order of its lines. They decide which tokens are
+// compiled and what they expand to.
 
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "glsl/parse/unit.h"
 #include "glsl/read/macros.h"
+#include "glsl/read/stage_text.h"
 
 namespace glibra::glsl {
 
-/// A line of a file. `first` is the index that its first token has among the tokens of the stage.
+/// A line of a file. `first` is the index of its first token among the tokens of the stage.
 struct SourceLine {
     std::span<const Token> tokens;
     std::vector<const Token*> significant;
     std::uint32_t first = 0;
 
-    /// The significant word number `i`: 0 is the '#' of a directive, 1 its name; empty behind the end.
+    /// The significant token number `i`: 0 is the '#' of a directive, 1 its name; empty past the end.
     [[nodiscard]] std::string_view word(std::size_t i) const {
         return i < significant.size() ? significant[i]->text : std::string_view{};
     }
@@ -24,23 +25,24 @@ struct SourceLine {
 
 class Preprocessor {
   public:
-    explicit Preprocessor(Unit& unit) : unit_(unit) {}
+    explicit Preprocessor(StageText& stage) : stage_(stage) {}
 
     /// False in branches that are not compiled.
     [[nodiscard]] bool active() const { return active_; }
-    /// A token of compiled text.
+    /// Adds a token of compiled text.
     void text(const ViewToken& token) { pending_.push_back(token); }
-    /// Ends the text so far: it is expanded into the view of the unit.
+    /// Expands the text added so far into the view of the stage.
     void flush();
-    /// Obeys #if, #ifdef, #ifndef, #elif, #else, #endif, #define, #undef; false for other directives.
+    /// Performs #if, #ifdef, #ifndef, #elif, #else, #endif, #define and #undef; false for other directives.
     bool perform(std::string_view directive, const SourceLine& line);
-    /// The value of the integer that the words of a line from `first` on begin with; false if there is none.
+    /// Gives `value` the integer with which the tokens of a line from `first` on begin; false if there is
+    /// none.
     bool number(const SourceLine& line, std::size_t first, long long& value);
 
   private:
     struct Conditional {
-        bool outer;  ///< the surrounding text is compiled
-        bool taken;  ///< one of the branches was
+        bool outer;  ///< true: the surrounding text is compiled
+        bool taken;  ///< true: one of the branches so far was compiled
     };
 
     void conditional(std::string_view directive, const SourceLine& line);
@@ -50,7 +52,7 @@ class Preprocessor {
     bool condition(const SourceLine& line);
     void predefined(ViewToken& token);
 
-    Unit& unit_;
+    StageText& stage_;
     MacroTable macros_;
     std::vector<ViewToken> pending_;
     std::vector<Conditional> conditionals_;

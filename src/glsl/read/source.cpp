@@ -9,7 +9,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr std::size_t kMostBytes = 4U << 20;  // language, section 11
+constexpr std::size_t kMostBytes = 4U << 20;  // language, 11
 constexpr int kDeepestInclude = 32;
 constexpr std::size_t kMostFiles = 256;
 
@@ -24,36 +24,36 @@ std::string lowerName(std::string_view path) {
 
 class SourceReader {
   public:
-    SourceReader(Unit& unit, Report& report) : unit_(unit), report_(report), preprocessor_(unit) {}
+    SourceReader(StageText& stage, Report& report) : stage_(stage), report_(report), preprocessor_(stage) {}
 
     void run(const StageSource& source) {
-        unit_.storage.push_back(normalizeLines(source.text));
-        const std::string& text = unit_.storage.back();
-        const std::vector<Token> tokens = lex(text, unit_.storage);
+        stage_.storage.push_back(normalizeLines(source.text));
+        const std::string& text = stage_.storage.back();
+        const std::vector<Token> tokens = lex(text, stage_.storage);
         bytes_ = text.size();
         if (bytes_ > kMostBytes) return tooLarge(source.path);
         findVersion(tokens);
         addFile(tokens, 0);
         preprocessor_.flush();
-        unit_.edits.resize(unit_.tokens.size());
-        for (const std::uint32_t each : blanked_) unit_.edits.remove(each);
-        for (auto& [token, text2] : replaced_) unit_.edits.replace(token, std::move(text2));
-        if (!unit_.dialect.given && unit_.request->shim)
-            report_.warning("glsl-W01", "no #version, treated as 330 compatibility", unit_.start());
+        stage_.edits.resize(stage_.tokens.size());
+        for (const std::uint32_t each : blanked_) stage_.edits.remove(each);
+        for (auto& [token, text2] : replaced_) stage_.edits.replace(token, std::move(text2));
+        if (!stage_.dialect.given && stage_.request->shim)
+            report_.warning("glsl-W01", "no #version, treated as 330 compatibility", stage_.start());
     }
 
   private:
-    [[nodiscard]] bool shim() const { return unit_.request->shim; }
+    [[nodiscard]] bool shim() const { return stage_.request->shim; }
     [[nodiscard]] Place placeOf(const Token& token) const {
-        return {unit_.files[file_], token.line + shift_, token.column};
+        return {stage_.files[file_], token.line + shift_, token.column};
     }
 
     void tooLarge(const std::string& path) {
-        report_.error("file-E09", "'" + path + "' with its includes is larger than 4 MiB", unit_.start());
+        report_.error("file-E09", "'" + path + "' with its includes is larger than 4 MiB", stage_.start());
     }
 
-    /// The first #version of the stage's own file decides, wherever it stands: conditions before it may ask
-    /// for it.
+    /// The first #version of the stage's own file decides, wherever it stands. It is read before all other
+    /// directives, because conditions before it may use __VERSION__.
     void findVersion(std::span<const Token> tokens) {
         bool first = true;
         bool lineStart = true;
@@ -66,7 +66,7 @@ class SourceReader {
                 for (std::size_t k = i + 1; k < tokens.size() && tokens[k].kind != TokenKind::newline; ++k)
                     if (isSignificant(tokens[k].kind)) words.push_back(tokens[k].text);
                 if (!words.empty() && words[0] == "version") {
-                    setVersion(std::span(words).subspan(1), {unit_.path, token.line, token.column}, first);
+                    setVersion(std::span(words).subspan(1), {stage_.path, token.line, token.column}, first);
                     return;
                 }
             }
@@ -76,7 +76,7 @@ class SourceReader {
     }
 
     void setVersion(std::span<const std::string_view> words, const Place& place, bool atTop) {
-        unit_.dialect = readVersion(words, place, unit_.request->target.version, report_);
+        stage_.dialect = readVersion(words, place, stage_.request->target.version, report_);
         if (!atTop) report_.warning("glsl-W02", "#version moved to the top", place);
     }
 
@@ -110,7 +110,7 @@ class SourceReader {
             include(line);
             return;
         }
-        line.first = static_cast<std::uint32_t>(unit_.tokens.size());
+        line.first = static_cast<std::uint32_t>(stage_.tokens.size());
         push(tokens, true);
         perform(name, line);
     }
@@ -124,8 +124,8 @@ class SourceReader {
             token.directive = directive && each.kind != TokenKind::newline;
             if (each.droppedBackslash && shim())
                 report_.warning("glsl-W08", "backslash at the end of a comment dropped", placeOf(each));
-            const auto index = static_cast<std::uint32_t>(unit_.tokens.size());
-            unit_.tokens.push_back(token);
+            const auto index = static_cast<std::uint32_t>(stage_.tokens.size());
+            stage_.tokens.push_back(token);
             if (!directive && token.active && isSignificant(token.kind)) {
                 ViewToken view;
                 view.text = token.text;
@@ -141,7 +141,7 @@ class SourceReader {
             if (isSignificant(line.tokens[i].kind))
                 blanked_.push_back(line.first + static_cast<std::uint32_t>(i));
     }
-    /// `text` in place of the directive's words.
+    /// Puts `text` in place of the directive.
     void replace(const SourceLine& line, std::string text) {
         blank(line);
         for (std::size_t i = 0; i < line.tokens.size(); ++i)
@@ -162,7 +162,7 @@ class SourceReader {
         } else if (name == "line") {
             lineNumber(line);
         } else if (name == "pragma" && line.word(2) == "once") {
-            once_.insert(unit_.files[file_]);
+            once_.insert(stage_.files[file_]);
             blank(line);
         }
     }
@@ -170,12 +170,12 @@ class SourceReader {
     void version(const SourceLine& line) {
         const Place place = placeOf(*line.significant[0]);
         blank(line);
-        if (!unit_.dialect.given) {
+        if (!stage_.dialect.given) {
             std::vector<std::string_view> words;
             for (std::size_t i = 2; i < line.significant.size(); ++i)
                 words.push_back(line.significant[i]->text);
             setVersion(words, place, false);
-        } else if (!(unit_.dialect.place == place)) {
+        } else if (!(stage_.dialect.place == place)) {
             report_.warning("glsl-W02", "a second #version is ignored", place);
         }
     }
@@ -186,12 +186,13 @@ class SourceReader {
         const std::string_view behaviour = line.significant.size() > 4 ? line.significant[4]->text : "enable";
         const Place place = placeOf(*line.significant[0]);
         blank(line);
-        const Target& target = unit_.request->target;
+        const Target& target = stage_.request->target;
         const bool has = target.hasExtension && target.hasExtension(name);
         const auto pass = [&] {
             const std::string passed = "#extension " + name + " : " + std::string(behaviour);
-            if (std::find(unit_.extensions.begin(), unit_.extensions.end(), passed) == unit_.extensions.end())
-                unit_.extensions.push_back(passed);
+            if (std::find(stage_.extensions.begin(), stage_.extensions.end(), passed) ==
+                stage_.extensions.end())
+                stage_.extensions.push_back(passed);
         };
         if (name == "all") {
             if (behaviour == "warn" || behaviour == "disable") pass();
@@ -214,23 +215,23 @@ class SourceReader {
     void lineNumber(const SourceLine& line) {
         long long number = 0;
         if (!preprocessor_.number(line, 2, number) || number < 0 || number > 1'000'000) return;
-        const long long next = unit_.dialect.version <= 150 ? number + 1 : number;
+        const long long next = stage_.dialect.version <= 150 ? number + 1 : number;
         const std::int32_t physical = line.significant[0]->line;
-        replace(line, lineDirective(unit_, file_, next,
-                                    shim() ? unit_.request->target.version : unit_.dialect.version));
+        replace(line, lineDirective(stage_, file_, next,
+                                    shim() ? stage_.request->target.version : stage_.dialect.version));
         shift_ = static_cast<std::int32_t>(next) - (physical + 1);
     }
 
     void synthetic(std::string text, TokenKind kind) {
-        unit_.storage.push_back(std::move(text));
+        stage_.storage.push_back(std::move(text));
         Token token;
-        token.text = unit_.storage.back();
+        token.text = stage_.storage.back();
         token.kind = kind;
         token.synthetic = true;
         token.directive = kind != TokenKind::newline;
         token.active = preprocessor_.active();
         token.file = static_cast<std::uint16_t>(file_);
-        unit_.tokens.push_back(token);
+        stage_.tokens.push_back(token);
     }
 
     void include(const SourceLine& line) {
@@ -248,23 +249,23 @@ class SourceReader {
             return end();
         }
         if (lowerName(name) == "gstap.h") return end();
-        const IncludeReader& reader = unit_.request->include;
-        std::optional<IncludedFile> found = reader ? reader(name, unit_.files[file_]) : std::nullopt;
+        const IncludeReader& reader = stage_.request->include;
+        std::optional<IncludedFile> found = reader ? reader(name, stage_.files[file_]) : std::nullopt;
         if (!found) {
             synthetic("#error cannot find the included file '" + name + "'", TokenKind::other);
             return end();
         }
         if (once_.contains(found->path)) return end();
         if (std::find(stack_.begin(), stack_.end(), found->path) != stack_.end() ||
-            found->path == unit_.path) {
-            std::string names = unit_.path;
+            found->path == stage_.path) {
+            std::string names = stage_.path;
             for (const std::string& each : stack_) names += ", " + each;
             report_.error("glsl-E04", "#include cycle: " + names + ", " + found->path, place);
             return end();
         }
         bytes_ += found->text.size();
         if (bytes_ > kMostBytes) {
-            tooLarge(unit_.path);
+            tooLarge(stage_.path);
             return end();
         }
         if (stack_.size() >= kDeepestInclude || ++included_ > kMostFiles) {
@@ -280,28 +281,28 @@ class SourceReader {
     }
 
     void enter(IncludedFile found, std::int32_t physicalLine) {
-        const int version = shim() ? unit_.request->target.version : unit_.dialect.version;
-        auto at = std::find(unit_.files.begin(), unit_.files.end(), found.path);
-        const auto index = static_cast<std::size_t>(at - unit_.files.begin());
-        if (at == unit_.files.end()) unit_.files.push_back(found.path);
-        unit_.storage.push_back(normalizeLines(found.text));
-        const std::string& text = unit_.storage.back();
-        const std::vector<Token> tokens = lex(text, unit_.storage);
-        synthetic(lineDirective(unit_, index, 1, version), TokenKind::other);
+        const int version = shim() ? stage_.request->target.version : stage_.dialect.version;
+        auto at = std::find(stage_.files.begin(), stage_.files.end(), found.path);
+        const auto index = static_cast<std::size_t>(at - stage_.files.begin());
+        if (at == stage_.files.end()) stage_.files.push_back(found.path);
+        stage_.storage.push_back(normalizeLines(found.text));
+        const std::string& text = stage_.storage.back();
+        const std::vector<Token> tokens = lex(text, stage_.storage);
+        synthetic(lineDirective(stage_, index, 1, version), TokenKind::other);
         synthetic("\n", TokenKind::newline);
         stack_.push_back(std::move(found.path));
         addFile(tokens, index);
         stack_.pop_back();
         if (!text.empty() && text.back() != '\n') synthetic("\n", TokenKind::newline);
-        synthetic(lineDirective(unit_, file_, physicalLine + shift_ + 1, version), TokenKind::other);
+        synthetic(lineDirective(stage_, file_, physicalLine + shift_ + 1, version), TokenKind::other);
     }
 
-    /// The text between quotes or angle brackets.
+    /// The text between the quotes or angle brackets of an #include.
     static std::string includeName(const SourceLine& line) {
         if (line.significant.size() < 3) return {};
         const Token& open = *line.significant[2];
         const char* const begin = open.text.data();
-        // Tokens of a line lie behind each other in the text; the last one ends it.
+        // The tokens of a line are adjacent in the text, and the last one ends the line.
         const Token& last = line.tokens.back();
         const char* const end = last.text.data() + (last.kind == TokenKind::newline ? 0 : last.text.size());
         if (end <= begin) return {};
@@ -312,10 +313,10 @@ class SourceReader {
         return close == std::string_view::npos ? std::string{} : std::string(rest.substr(1, close - 1));
     }
 
-    Unit& unit_;
+    StageText& stage_;
     Report& report_;
     Preprocessor preprocessor_;
-    std::vector<std::string> stack_;  ///< files that are being included
+    std::vector<std::string> stack_;  ///< files that include each other at the current line
     std::set<std::string> once_;
     std::vector<std::uint32_t> blanked_;
     std::vector<std::pair<std::uint32_t, std::string>> replaced_;
@@ -327,19 +328,19 @@ class SourceReader {
 
 }  // namespace
 
-void readSource(const StageSource& source, Unit& unit, Report& report) {
-    unit.path = source.path;
-    unit.stage = source.stage;
-    unit.files = {source.path};
-    SourceReader(unit, report).run(source);
+void readSource(const StageSource& source, StageText& stage, Report& report) {
+    stage.path = source.path;
+    stage.stage = source.stage;
+    stage.files = {source.path};
+    SourceReader(stage, report).run(source);
 }
 
-std::string lineDirective(const Unit& unit, std::size_t file, long long line, int emittedVersion) {
+std::string lineDirective(const StageText& stage, std::size_t file, long long line, int emittedVersion) {
     std::string text = "#line " + std::to_string(emittedVersion <= 150 ? line - 1 : line) + " ";
-    // Mesa takes few characters in a quoted name, and drops an unquoted number in some messages: so a quoted
-    // number.
-    return unit.request->target.lineDirectiveTakesFileName ? text + '"' + std::to_string(file) + '"'
-                                                           : text + std::to_string(file);
+    // A quoted number, because Mesa accepts few characters in a quoted name and drops an unquoted number from
+    // some messages.
+    return stage.request->target.lineDirectiveTakesFileName ? text + '"' + std::to_string(file) + '"'
+                                                            : text + std::to_string(file);
 }
 
 }  // namespace glibra::glsl

@@ -1,17 +1,21 @@
 #pragma once
 // From the files of a stage to its tokens: versions and their tolerance (language, 7.2), #include, #line,
-// #pragma once, #extension and the conditional branches (7.11), within the limits of section 11.
+// #pragma once, #extension and conditional branches (language, 7.11), within the limits of language, 11.
 
-#include "glsl/parse/unit.h"
+#include <string>
+
+#include "glsl/read/report.h"
+#include "glsl/read/stage_text.h"
+#include "glsl/types/request.h"
 
 namespace glibra::glsl {
 
-/// Reads the stage into `unit`: files, dialect, tokens, view, macros, extensions and the edits of its
-/// directives.
-void readSource(const StageSource& source, Unit& unit, Report& report);
+/// Reads a stage whose `request` is set: files, dialect, tokens, view, macros, extensions, and the edits of
+/// its directives.
+void readSource(const StageSource& source, StageText& stage, Report& report);
 
-/// `#line` so that the next line counts as `line` of file number `file` of the unit. `emittedVersion`: up to
-/// 150 a driver counts one more.
-std::string lineDirective(const Unit& unit, std::size_t file, long long line, int emittedVersion);
+/// A #line directive after which the next line counts as `line` of the stage's file number `file`. Drivers
+/// for an `emittedVersion` up to 150 count one more, which this allows for.
+std::string lineDirective(const StageText& stage, std::size_t file, long long line, int emittedVersion);
 
 }  // namespace glibra::glsl

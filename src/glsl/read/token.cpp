@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 23> kLongPunctuators = {
     "-=",  "*=",  "/=", "%=", "&=", "^=", "|=", "<<", ">>", "##", "->"};
 constexpr std::string_view kShortPunctuators = "+-*/%<>=!&|^~?:;,.()[]{}#";
 
-/// Walks the text; positions are bytes.
+/// Walks the text, whose positions are in bytes.
 class Lexer {
   public:
     Lexer(std::string_view text, std::deque<std::string>& storage) : text_(text), storage_(storage) {}
@@ -100,8 +100,8 @@ class Lexer {
             }
     }
 
-    /// Length of the run of characters of a word or number from `from`; `previous` is the character before
-    /// it.
+    /// The number of characters from `from` on that belong to a word or number; `previous` is the character
+    /// before them.
     [[nodiscard]] std::size_t run(TokenKind kind, std::size_t from, char previous) const {
         std::size_t i = from;
         for (; i < text_.size(); ++i) {
@@ -132,7 +132,7 @@ class Lexer {
         }
         storage_.push_back(std::move(whole));
         push(kind, storage_.back(), next - at_);
-        // The line ends that were inside come after the word, so that line numbers stay right.
+        // The line ends inside the word come after it, so that line numbers stay right.
         for (; splices > 0; --splices) {
             push(TokenKind::splice, "\\\n", 0);
             endLine();
@@ -167,7 +167,7 @@ std::string normalizeLines(std::string_view text) {
             result += '\n';
             if (i + 1 < text.size() && text[i + 1] == '\n') ++i;
         } else {
-            // glShaderSource takes text: a NUL would end it for some drivers.
+            // A NUL would end the source for some drivers.
             result += c == '\0' ? ' ' : c;
         }
     }

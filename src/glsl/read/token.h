@@ -1,6 +1,6 @@
 #pragma once
-// GLSL source text to tokens. Nothing is lost: the tokens' texts, blanks and comments included, make up the
-// text again, except for the backslashes of joined lines, which become `splice` tokens.
+// Splits GLSL source text into tokens. The texts of all tokens, with blanks and comments, joined again give
+// the source. The only exceptions are backslashes that join lines; they become `splice` tokens.
 
 #include <cstdint>
 #include <deque>
@@ -15,8 +15,8 @@ enum class TokenKind : std::uint8_t { word, number, punctuator, blank, splice, n
 
 struct Token {
     std::string_view text;
-    std::int32_t line = 1;    ///< from 1; after `source` as #line directives count it
-    std::int32_t column = 1;  ///< bytes from 1
+    std::int32_t line = 1;    ///< from 1; after readSource, as #line directives count it
+    std::int32_t column = 1;  ///< in bytes, from 1
     std::uint16_t file = 0;   ///< index into the files of the stage
     TokenKind kind = TokenKind::other;
     bool active = true;             ///< false: in a branch of #if that is not compiled
@@ -25,20 +25,20 @@ struct Token {
     bool synthetic = false;         ///< written by the translator
 };
 
-/// No index: tokens are counted in 32 bits, sources are limited to 4 MiB.
+/// Stands for "no token". Indices have 32 bits, because a source has at most 4 MiB.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// True for what the grammar sees: not blanks, comments and line ends.
+/// True for tokens that the grammar sees; false for blanks, comments and line ends.
 constexpr bool isSignificant(TokenKind kind) {
     return kind == TokenKind::word || kind == TokenKind::number || kind == TokenKind::punctuator ||
            kind == TokenKind::other;
 }
 
-/// The text with lines ended by LF alone, without a byte-order mark.
+/// The text with LF line ends and without a byte-order mark.
 std::string normalizeLines(std::string_view text);
 
-/// Tokens of `text`, whose lines end with LF. Words and numbers that a backslash joins over two lines are
-/// stored in `storage`; the other tokens point into `text`.
+/// The tokens of `text`, whose lines end with LF. Tokens point into `text`, except for words and numbers that
+/// a backslash joins over two lines: they point into `storage`.
 std::vector<Token> lex(std::string_view text, std::deque<std::string>& storage);
 
 }  // namespace glibra::glsl

@@ -16,7 +16,7 @@ std::string joined(std::span<const std::string_view> words) {
     return text;
 }
 
-/// Whole number at the start of `text`, -1 if there is none.
+/// The whole number at the start of `text`, -1 if there is none; `rest` is the text after it.
 int leadingNumber(std::string_view text, std::string_view& rest) {
     int value = -1;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);

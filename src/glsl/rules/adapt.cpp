@@ -1,4 +1,4 @@
-// Language 7.10: what targets below 4.20, 4.30 and 4.40 do not take although 4.50 does.
+// Rewrites what 4.50 accepts but targets below 4.20, 4.30 and 4.40 do not (language, 7.10).
 
 #include <algorithm>
 
@@ -33,12 +33,12 @@ class Adaptation {
         if (version_ < 430 && each.storage == Storage::uniform) each.removeLayout("location");
         if (version_ >= 420) return;
         each.removeLayout("binding");
-        // layout(depth_less) is only a promise, made for speed; the redeclaration that carries it is of 4.20
-        // as well.
+        // layout(depth_less) is only a promise that makes drawing faster. The redeclaration with it
+        // needs 4.20 too.
         if (each.name == "gl_FragDepth") each.removed = true;
         const Range tokens = unit_.syntax.declarations[each.declaration].qualifiers.tokens;
         if (tokens.end - tokens.first > 1)
-            each.changed = true;  // written anew in the order of the older versions
+            each.changed = true;  // so that it is written again in the order of the older versions
     }
 
     void removeItem(const Qualifiers& qualifiers, std::string_view name) {
@@ -58,14 +58,14 @@ class Adaptation {
                     : Range{item->tokens.first, item->tokens.end + 1});
     }
 
-    /// Blocks between stages had no locations before 4.40; they connect by name.
+    /// Before 4.40 blocks between stages had no locations. They are matched by name.
     void removeLocations(const Declaration& block) {
         if (block.qualifiers.storage != Storage::input && block.qualifiers.storage != Storage::output) return;
         removeItem(block.qualifiers, "location");
         for (const Declaration& member : block.members) removeItem(member.qualifiers, "location");
     }
 
-    /// `{ a, b }` as `type[](a, b)`; `{ { 1, 2 }, { 3, 4 } }` as `vec2[](vec2(1, 2), vec2(3, 4))`.
+    /// Writes `{ a, b }` as `type[](a, b)` and `{ { 1, 2 }, { 3, 4 } }` as `vec2[](vec2(1, 2), vec2(3, 4))`.
     void braces(Range initializer, std::string_view type) {
         if (initializer.empty() || unit_.text(initializer.first) != "{" || type.empty()) return;
         const bool array = isArrayInitializer(initializer);
@@ -82,7 +82,7 @@ class Adaptation {
             if (unit_.text(i - 1) == ",") unit_.edits.remove(unit_.view[i - 1].raw);
         }
     }
-    /// In front of '=' stands name[ ] or type[ ] name.
+    /// True if name[ ] or type[ ] name comes before the '='.
     [[nodiscard]] bool isArrayInitializer(Range initializer) const {
         const std::uint32_t name = initializer.first - 2;
         return unit_.text(name) == "]" || (name > 0 && unit_.text(name - 1) == "]");
@@ -107,7 +107,7 @@ class Adaptation {
             [&](const Declaration& each) { return each.type.isStruct && each.type.name == name; });
     }
 
-    /// A local `const` had to have a constant initialiser.
+    /// A local `const` needed a constant initialiser.
     void localConstants() {
         std::set<std::string_view> variables, constants;
         for (const LocalVariable& each : unit_.bodies.locals)
@@ -123,7 +123,7 @@ class Adaptation {
         }
     }
 
-    /// `f.xxx` of a float as vec3(f); `f.x` as f.
+    /// Writes `f.xxx` of a float as vec3(f), and `f.x` as f.
     void scalarSwizzles() {
         for (const ScalarSwizzle& each : unit_.bodies.scalarSwizzles) {
             const ViewToken& first = unit_.view[each.object.first];
@@ -139,7 +139,7 @@ class Adaptation {
         }
     }
 
-    /// Values were not converted to the type that the function returns.
+    /// Returned values were not converted to the type of the function.
     void returns() {
         for (const ReturnValue& each : unit_.bodies.returns) {
             const bool converts = each.type.numeric() && each.wanted.numeric() && each.type.integral() &&

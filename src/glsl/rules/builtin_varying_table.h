@@ -1,5 +1,5 @@
 #pragma once
-// Language 7.6: the varyings that core GLSL lacks, one row each.
+// The built-in varyings that core GLSL lacks (language, 7.6), one row each.
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ enum Varying : std::size_t {
 struct Row {
     std::string_view name;  ///< without gl_
     std::string_view type;
-    std::string_view unwritten;  ///< what a reader gets if no stage writes it
+    std::string_view unwritten;  ///< the value that a reader gets if no stage writes it
     bool color;
 };
 inline constexpr std::array<Row, kVaryingCount> kRows = {
@@ -33,16 +33,16 @@ inline constexpr std::array<Row, kVaryingCount> kRows = {
      {"FogFragCoord", "float", "0.", false}}};
 inline constexpr int kMostTexCoords = 32;
 
-/// The name that shaders write.
+/// The user's name of the varying.
 inline std::string user(Varying which) {
     return "gl_" + std::string(kRows[which].name);
 }
-/// The name that translated shaders have instead.
+/// Its name in translated shaders.
 inline std::string own(Varying which) {
     return "glibra_" + std::string(kRows[which].name);
 }
 
-/// The variable that a word names, `input` for the names with In; kVaryingCount for other words.
+/// The varying that a word names; kVaryingCount for other words. Sets `input` for names that end with In.
 inline Varying varyingOf(std::string_view word, bool& input) {
     input = false;
     if (!word.starts_with("gl_")) return kVaryingCount;

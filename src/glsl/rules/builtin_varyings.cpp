@@ -1,6 +1,6 @@
-// Language 7.6: gl_FrontColor and its kin, which core GLSL lacks, as one block of varyings between two
-// stages. A stage writes to variables of its own; they are copied into the block when the vertex leaves it,
-// colours clamped if that is the last stage before rasterisation.
+// gl_FrontColor and its kin, which core GLSL lacks, become one block of varyings between two stages
+// (language, 7.6). A stage writes to variables of its own, which are copied into the block when the vertex
+// leaves the stage. The last stage before rasterisation clamps colours.
 
 #include <algorithm>
 #include <array>
@@ -16,18 +16,18 @@ using namespace varyings;
 
 /// What a stage does with one varying.
 struct Access {
-    bool used = false;  ///< as its output
+    bool used = false;  ///< it is used as an output
     bool written = false;
-    bool read = false;      ///< as its input
-    bool anyIndex = false;  ///< written with an index that is not constant
+    bool read = false;      ///< it is read as an input
+    bool anyIndex = false;  ///< it is written with an index that is not constant
     std::set<int> writtenIndices;
-    std::map<int, std::uint32_t> readIndices;  ///< constant indices, with a place
+    std::map<int, std::uint32_t> readIndices;  ///< constant indices, and the view index of a use
     std::uint32_t place = kNone;
     std::uint32_t readPlace = kNone;
 };
 using Accesses = std::array<Access, kVaryingCount>;
 
-/// How a varying's value comes to a fragment, as a stage redeclared it.
+/// How a varying is interpolated, as a stage redeclares it.
 struct Interpolation {
     std::string qualifier;  ///< "flat", "smooth", "noperspective" or empty
     bool centroid = false;
@@ -51,7 +51,7 @@ class Varyings {
     }
 
   private:
-    // What the stages do.
+    // What the stages do:
 
     Accesses scan(Unit& unit) {
         Accesses result;
@@ -106,7 +106,7 @@ class Varyings {
         if (which == texCoord) index(unit, subscript, at, output, access);
     }
 
-    /// The word before [ ] . in front of a member.
+    /// The word before [ ] . of the member at `at`.
     static std::string_view rootOfMember(const Unit& unit, std::uint32_t at) {
         if (at < 4 || unit.text(at - 2) != "]") return {};
         const std::uint32_t open = unit.bodies.matches[at - 2];
@@ -127,8 +127,9 @@ class Varyings {
             access.readIndices.emplace(value, at);
     }
 
-    /// `varying vec4 gl_TexCoord[4];` gives a size, `flat in vec4 gl_Color;` an interpolation; neither stays.
-    /// The fragment stage has the last word on interpolation: its gl_Color is front and back colour.
+    /// Redeclarations are removed: `varying vec4 gl_TexCoord[4];` gives the size, `flat in vec4 gl_Color;`
+    /// the interpolation. The fragment stage decides the interpolation, and its gl_Color is front and back
+    /// colour.
     void removeRedeclarations(Unit& unit) {
         for (Variable& variable : unit.variables) {
             bool input = false;
@@ -161,7 +162,7 @@ class Varyings {
         own.centroid = own.centroid || variable.centroid;
     }
 
-    /// gl_PerVertex of core GLSL has none of these members; without a declaration it has all that are left.
+    /// gl_PerVertex of core GLSL has none of these members. Without a declaration it has all core members.
     static void dropPerVertex(Unit& unit) {
         for (const Declaration& block : unit.syntax.declarations) {
             if (block.kind != DeclarationKind::block || unit.text(block.name) != "gl_PerVertex") continue;
@@ -178,7 +179,7 @@ class Varyings {
         }
     }
 
-    // What is written for them.
+    // What is emitted for them:
 
     [[nodiscard]] std::string typeOf(Varying which) const { return std::string(kRows[which].type); }
     [[nodiscard]] std::string size(Varying which) const {
@@ -191,13 +192,13 @@ class Varyings {
         return text + ")";
     }
 
-    /// The stage `index` - 1 hands `which` to stage `index`.
+    /// True if stage `index` - 1 passes `which` to stage `index`.
     [[nodiscard]] bool passes(std::size_t index, Varying which) const {
         return index > 0 && accesses_[index - 1][which].written && accesses_[index][which].read;
     }
 
-    /// Of a member of the block that the fragment stage reads; `direction` is the block's, which centroid
-    /// needs before 4.20.
+    /// The qualifiers of a member of the block that the fragment stage reads. Before 4.20 centroid needs the
+    /// block's `direction`.
     [[nodiscard]] std::string qualifiers(Varying which, std::string_view direction) const {
         const Interpolation& own = interpolations_[which];
         const bool byCommand = program_.request->flatColors && kRows[which].color && own.qualifier.empty();
@@ -272,7 +273,7 @@ class Varyings {
         if (which == frontColor || which == backColor) unit.declare("uniform vec4 glibra_CurrentColor;");
     }
 
-    /// A stage without an earlier one still reads what no stage writes.
+    /// Also handles a fragment stage without an earlier stage, which reads the values of unwritten varyings.
     void fragment(std::size_t index, Unit& unit) {
         if (index == 0)
             for (std::size_t k = 0; k < kVaryingCount; ++k)
@@ -319,7 +320,7 @@ class Varyings {
             if (passed) copies.push_back("glibra_out." + std::string(kRows[k].name) + " = " + source + ";");
         }
         if (copies.empty()) return;
-        // In front of the user's text, so that no macro or function of theirs gets into it.
+        // Before the user's text, so that none of its macros or functions changes it.
         std::string body;
         for (const std::string& each : copies) body += " " + each;
         unit.declare("void glibra_copyVaryings() {" + body + " }");
@@ -334,7 +335,7 @@ class Varyings {
         program_.result->userNames["glibra_EmitVertex"] = "EmitVertex";
     }
 
-    // Names that need more than another spelling: array members and the names with In.
+    // Names that need more than another spelling, which are array members and the names with In:
 
     void rewrite(std::size_t index, Unit& unit, const TokenWalk& walk) {
         for (std::uint32_t i = 0; i < unit.tokens.size(); ++i) {
@@ -399,7 +400,7 @@ class Varyings {
         }
     }
 
-    /// EmitStreamVertex takes a constant, so it cannot be put into a function.
+    /// EmitStreamVertex takes a constant, so a function cannot call it with a parameter.
     static void emitStream(Unit& unit, const TokenWalk& walk, std::uint32_t at) {
         const auto emit = unit.renames.find("EmitVertex");
         if (emit == unit.renames.end() || emit->second != "glibra_EmitVertex") return;

@@ -1,4 +1,4 @@
-// Language 7.9: the user's own variables between two stages.
+// Matches the user's own variables between two stages (language, 7.9).
 
 #include <algorithm>
 #include <optional>
@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kMostVertices = 32;
 
-/// Inputs and outputs that hold one element a vertex.
+/// True for inputs and outputs that are arrays with one element per vertex.
 bool isPerVertex(Stage stage, Storage storage, bool patch) {
     if (patch) return false;
     if (stage == Stage::tessControl) return true;
     return storage == Storage::input && (stage == Stage::tessEvaluation || stage == Stage::geometry);
 }
 
-/// `T(0.)`, also for structs and arrays; nothing for what has no such value.
+/// The zero of a type as an expression, also of structs and arrays; empty for types without a zero.
 class Zero {
   public:
     explicit Zero(const Unit& unit) : unit_(unit) {}
@@ -96,8 +96,8 @@ class Interface {
         Variable* source = output(input.name);
         const std::string* location = input.layoutValue("location");
         if (location) {
-            // By location if both sides have one; otherwise the names connect, and a location of one side is
-            // in the way.
+            // Variables match by location if both sides have one. Otherwise they match by name, and a
+            // location on one side only would prevent that.
             if (Variable* there = outputAt(*location)) {
                 if (!isWritten(*there)) unwritten(input);
                 return;
@@ -110,14 +110,14 @@ class Interface {
         if (!sameType(*source, input)) return mismatch(*source, input);
         if (!isWritten(*source)) return unwritten(input);
         if (program_.request->target.version < 440 && source->interpolation != input.interpolation) {
-            source->interpolation = input.interpolation;  // has to be equal before 4.40
+            source->interpolation = input.interpolation;  // before 4.40 both have to be equal
             source->changed = true;
         }
     }
 
     [[nodiscard]] bool isWritten(const Variable& output) const { return writer_.isWritten(output.name); }
 
-    /// Sizes without the one that counts vertices.
+    /// The array sizes without the one that counts vertices.
     [[nodiscard]] static std::vector<std::string> sizes(const Variable& variable, Stage stage) {
         std::vector<std::string> all = variable.sizes();
         if (isPerVertex(stage, variable.storage, variable.patch) && !all.empty()) all.erase(all.begin());
@@ -127,7 +127,7 @@ class Interface {
         if (output.type != input.type || output.patch != input.patch) return false;
         const std::vector<std::string> a = sizes(output, writer_.stage), b = sizes(input, reader_.stage);
         if (a.size() != b.size()) return false;
-        // Sizes that are not plain numbers are left to the linker.
+        // The linker checks sizes that are not plain numbers.
         const auto number = [](const std::string& text) {
             return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
         };
@@ -155,7 +155,7 @@ class Interface {
                                                 : kMostVertices;
     }
 
-    /// The input becomes a variable of its own that holds zero.
+    /// Turns the input into a variable with the value zero.
     void unwritten(Variable& input) {
         if (reader_.isUsed(input.name))
             program_.report.warning("glsl-W11",
@@ -194,7 +194,7 @@ class Interface {
         input.declarators.empty() ? openBlock(input) : structBlock(input, head.front());
     }
 
-    /// Without an instance name the members are names of their own.
+    /// Handles a block that no stage writes. Without an instance name its members are global names.
     void openBlock(const Declaration& input) {
         reader_.edits.remove(reader_.view[input.body.first].site);
         for (std::uint32_t i = input.body.end - 1; i < input.tokens.end; ++i)

@@ -1,5 +1,5 @@
-// Language 7.6: lights, materials, fog and other state of the fixed pipeline, as constants with GL's initial
-// values (OpenGL 2.1 specification, state tables 6.9 to 6.11 and 6.22).
+// Lights, materials, fog and other state of the fixed pipeline, as constants with GL's initial values
+// (language, 7.6; OpenGL 2.1 specification, state tables 6.9 to 6.11 and 6.22).
 
 #include <array>
 
@@ -32,9 +32,9 @@ constexpr std::array kStructures = std::to_array<Structure>({
 
 struct Value {
     std::string_view user;
-    std::string_view structure;  ///< user's name of the type, or a plain type
-    int size;                    ///< of an array, 0: none
-    std::string_view first;      ///< element 0, or the value
+    std::string_view structure;  ///< the user's name of the type, or a plain type
+    int size;                    ///< the array size; 0: no array
+    std::string_view first;      ///< the value; of an array, that of element 0
     std::string_view others;
 };
 constexpr std::string_view kLight0 =
@@ -110,7 +110,7 @@ class FixedState {
     }
 
   private:
-    /// Type names are not uses, so all words of the stage count.
+    /// True if the stage contains the name. A type name does not count as a use, so all words are searched.
     [[nodiscard]] bool isWanted(std::string_view name) {
         if (words_.empty())
             for (const ViewToken& each : unit_.view)

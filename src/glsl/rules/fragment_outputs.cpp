@@ -1,4 +1,4 @@
-// Language 7.6: gl_FragColor, gl_FragData and the locations of the user's own outputs.
+// gl_FragColor, gl_FragData and the locations of the user's own outputs (language, 7.6).
 
 #include <algorithm>
 
@@ -47,7 +47,7 @@ class FragmentOutputs {
         program_.report.error("glsl-E10", first + " and " + second + " cannot be mixed", unit_.place(at));
     }
 
-    /// Outputs that nothing is written to would take a target from gl_FragColor.
+    /// Removes outputs that are never written, because they would take a target from gl_FragColor.
     void dropOwnOutputs() {
         for (Variable& each : unit_.variables) {
             if (!isOwnOutput(each)) continue;
@@ -84,7 +84,7 @@ class FragmentOutputs {
         program_.result->fragmentOutputs = count;
     }
 
-    /// Locations that one output takes.
+    /// The number of locations that an output takes.
     [[nodiscard]] int span(const Variable& variable) const {
         int count = 1;
         const Declaration& declaration = unit_.syntax.declarations[variable.declaration];

@@ -1,4 +1,4 @@
-// Language 7.5: functions of older versions.
+// Replaces functions of older versions (language, 7.5).
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ std::string_view takeDimension(std::string_view& text) {
     return {};
 }
 
-/// What may follow the dimension of texture and shadow functions.
+/// The suffixes that may follow the dimension in names of texture and shadow functions.
 bool takeVariant(std::string_view& text, std::string& core) {
     for (const std::string_view part : {"Proj", "Lod", "Grad", "Offset"}) {
         if (part == "Lod" || part == "Grad") {
@@ -101,7 +101,7 @@ class FunctionRule {
         unit_.edits.remove(open);
         unit_.edits.remove(close);
         if (!unit_.isUsed("ftransform") || unit_.stage != Stage::vertex) return;
-        // Its two names are supplied as if they stood here.
+        // Its two names are supplied as if the user had written them here.
         const std::uint32_t use = unit_.uses["ftransform"].front();
         unit_.uses["gl_ModelViewProjectionMatrix"].push_back(use);
         unit_.uses["gl_Vertex"].push_back(use);

@@ -1,4 +1,4 @@
-// Language 7.7: geometry shaders of EXT_geometry_shader4, and their layouts.
+// Geometry shaders of EXT_geometry_shader4, and the layouts of geometry stages (language, 7.7).
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ class OldNames {
         }
     }
 
-    /// `#define P gl_PositionIn` and `P[0]`: true if all uses of the macro have a subscript.
+    /// Handles `#define P gl_PositionIn` with `P[0]`: true if all uses of the macro have a subscript.
     bool subscriptedByMacro(std::uint32_t at, const std::string& name, const std::string& member) {
         if (!unit_.tokens[at].directive) return false;
         std::vector<std::uint32_t> brackets;
@@ -76,7 +76,7 @@ constexpr std::array<std::string_view, 5> kInputs = {"points", "lines", "lines_a
                                                      "triangles_adjacency"};
 constexpr std::array<std::string_view, 3> kOutputs = {"points", "line_strip", "triangle_strip"};
 
-/// What the layout statements of the stage say.
+/// The content of the layout statements of the stage.
 struct Layout {
     std::string input, output;
     const LayoutItem* vertices = nullptr;
@@ -189,7 +189,7 @@ class Completion {
         return static_cast<int>(count);
     }
 
-    /// Numbers that one emitted vertex carries: what the stage writes.
+    /// The number of components of one emitted vertex, counted over all outputs that the stage writes.
     [[nodiscard]] int componentsPerVertex() const {
         int count = 0;
         if (unit_.isWritten("gl_Position")) count += 4;

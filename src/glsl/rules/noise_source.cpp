@@ -1,4 +1,4 @@
-// Language 7.5: noise1 ... noise4 as GLSL. Gradient noise after Perlin (2002) with integer hashes, so that
+// noise1 ... noise4 as GLSL (language, 7.5): gradient noise after Perlin (2002) with integer hashes, so that
 // every driver gives the same values.
 
 #include <fmt/format.h>

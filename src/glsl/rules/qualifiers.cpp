@@ -1,4 +1,4 @@
-// Language 7.4: storage words of older versions, and names that are taken now.
+// Storage qualifiers of older versions, and names that have become keywords or functions (language, 7.4).
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ bool isVertexCount(const std::string& size) {
     return size == "gl_VerticesIn" || size.empty();
 }
 
-/// `varying` in a stage that has both inputs and outputs.
+/// The storage of a `varying` in a stage that has both inputs and outputs.
 Storage storageOfVarying(Stage stage, const Variable& variable) {
     if (stage == Stage::vertex) return Storage::output;
     if (stage == Stage::fragment) return Storage::input;
@@ -32,7 +32,7 @@ void modernize(Unit& unit, Variable& variable) {
         variable.storage = storageOfVarying(unit.stage, variable);
         variable.changed = true;
     }
-    // Inputs are as invariant as what the earlier stage wrote; 4.50 has the word for outputs only.
+    // An input is invariant if the output of the earlier stage is. 4.50 accepts the word only for outputs.
     if (variable.invariant && variable.storage == Storage::input) {
         variable.invariant = false;
         variable.changed = true;
@@ -45,7 +45,7 @@ void modernize(Unit& unit, Variable& variable) {
     }
 }
 
-/// `invariant vColor;` of an input says nothing any more.
+/// Removes `invariant vColor;` for inputs, where it no longer has a meaning.
 void dropInvariantInputs(Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) {
         if (each.kind != DeclarationKind::requalify || unit.stage != Stage::fragment) continue;
@@ -65,7 +65,7 @@ constexpr std::array<std::string_view, 14> kEmitted = {
     "textureOffset", "textureProjOffset", "textureLodOffset", "textureProjLodOffset", "textureGradOffset",
     "texelFetch",    "texelFetchOffset",  "textureSize",      "textureProjGrad"};
 
-/// Where the word is declared in this unit, or kNone.
+/// The view index of the word's declaration in this unit, or kNone.
 std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool members) {
     if (const auto found = unit.declared.find(word); found != unit.declared.end()) return found->second;
     const Bodies& bodies = unit.bodies;
@@ -78,7 +78,7 @@ std::uint32_t declarationOf(const Unit& unit, std::string_view word, bool member
 
 bool isTaken(const Unit& unit, std::string_view word) {
     const int since = keywordSince(word);
-    // Samplers and such a word as a name can only be a mistake of this parser.
+    // A sampler whose name is such a word can only be a mistake of this parser.
     return since > unit.dialect.version && unit.macros.find(word) == unit.macros.end();
 }
 
@@ -94,7 +94,7 @@ std::set<std::string> takenWords(const Unit& unit) {
     return words;
 }
 
-/// A variable `texture` does not change the calls of the function.
+/// Keeps the calls of the function `texture` when a variable of that name is renamed.
 void keepCalls(Unit& unit, std::string_view word, std::uint32_t declaration) {
     if (unit.text(declaration + 1) == "(") return;
     for (std::uint32_t i = 0; i < unit.view.size(); ++i)
@@ -107,7 +107,7 @@ void modernizeQualifiers(ProgramUnits& program) {
     for (Unit& unit : program.units) {
         for (Variable& variable : unit.variables) modernize(unit, variable);
         dropInvariantInputs(unit);
-        // What is left of the old words stands in macros, whose bodies are translated like ordinary text.
+        // The remaining old words are in macros, whose bodies are translated like ordinary text.
         unit.wordRenames.try_emplace("attribute", "in");
         unit.wordRenames.try_emplace("varying", unit.stage == Stage::fragment ? "in" : "out");
     }
@@ -125,7 +125,7 @@ void renameTakenWords(ProgramUnits& program) {
             program.report.warning("glsl-W05", "'" + word + "' is a reserved word, renamed", unit.place(at));
         }
         for (const std::string_view word : kEmitted) {
-            // A macro of that name would take the calls that translation emits.
+            // A macro of that name would replace the calls that the translation emits.
             if (unit.macros.find(word) != unit.macros.end())
                 unit.wordRenames.try_emplace(std::string(word), "glibra_" + std::string(word));
             const std::uint32_t at = declarationOf(unit, word, false);

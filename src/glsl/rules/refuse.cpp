@@ -1,4 +1,4 @@
-// Language 7.2, 7.10 and 7.12: what is refused, and what to write instead.
+// Reports what is refused, and what to write instead (language, 7.2, 7.10 and 7.12).
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ constexpr std::array kRefusals = std::to_array<Refusal>({
      "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
 });
 
-/// What came after 4.10, the lowest target.
+/// Names that are newer than 4.10, the lowest target.
 struct Feature {
     std::string_view word;
     int version;

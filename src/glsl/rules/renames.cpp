@@ -6,7 +6,7 @@
 namespace glibra::glsl {
 namespace {
 
-/// Macros that drivers reserve get a spelling of our own, and a definition.
+/// Macro names that drivers reserve get another spelling and a definition.
 bool renameDriverMacro(Unit& unit, std::uint32_t at, std::string_view text) {
     if (!text.starts_with("GL_")) return false;
     const bool compatibility = text == "GL_compatibility_profile";

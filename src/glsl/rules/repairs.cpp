@@ -1,10 +1,10 @@
-// Language 7.10: mistakes in declarations that real shaders contain.
+// Repairs mistakes in declarations that real shaders contain (language, 7.10).
 
 #include <algorithm>
 
 #include "glsl/read/words.h"
-#include "glsl/rules/builtins.h"
 #include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {
@@ -50,7 +50,7 @@ class Repairs {
         }
     }
 
-    /// The first word of the initialiser that is no constant, or kNone.
+    /// The first word of the initialiser that is not a constant, or kNone.
     [[nodiscard]] std::uint32_t variableWord(Range range) {
         for (std::uint32_t i = range.first; i < range.end; ++i) {
             if (unit_.bodies.roles[i] != WordRole::global) continue;
@@ -76,7 +76,7 @@ class Repairs {
             const Range value =
                 unit_.syntax.declarations[each.declaration].declarators[each.declarator].initializer;
             if (variableWord(value) == kNone) continue;
-            // All names of one declaration share its qualifiers.
+            // All variables of one declaration share its qualifiers.
             for (Variable& other : unit_.variables)
                 if (other.declaration == each.declaration) {
                     other.storage = Storage::none;
@@ -87,7 +87,7 @@ class Repairs {
         }
     }
 
-    /// `const vec3(1.)`, `= const vec3[2](...)`, `= const 1.`
+    /// Removes `const` from `const vec3(1.)`, `= const vec3[2](...)` and `= const 1.`
     void constructorConstants() {
         for (std::uint32_t i = 0; i < unit_.tokens.size(); ++i) {
             const Token& token = unit_.tokens[i];
@@ -136,7 +136,7 @@ class Repairs {
 
     Unit& unit_;
     const TokenWalk& walk_;
-    const std::string& primitive_;  ///< what a geometry stage takes
+    const std::string& primitive_;  ///< the input primitive of a geometry stage
     Report& report_;
 };
 

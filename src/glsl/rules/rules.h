@@ -1,81 +1,80 @@
 #pragma once
-// The rules of the language, section 7, each in a file of its own. They read the units and change their
-// variables, renames, edits and prologues; the order in which `translate` calls them matters where it says
-// so.
+// The translation rules (language, 7), each in a file of its own. They read the units and change their
+// variables, renames, edits and prologues. Where the order of their calls matters, the comment of the rule
+// says so.
 
 #include "glsl/parse/unit.h"
 #include "glsl/parse/walk.h"
 
 namespace glibra::glsl {
 
-/// 7.4: attribute and varying become in and out; gl_VerticesIn as a size goes.
+/// Replaces attribute and varying by in and out, and removes gl_VerticesIn as an array size (language, 7.4).
 void modernizeQualifiers(ProgramUnits& program);
-/// 7.4: names that 4.50 or the translation takes.
+/// Renames the user's names that are keywords or functions of 4.50, or that the translation uses
+/// (language, 7.4).
 void renameTakenWords(ProgramUnits& program);
-/// 7.2, 7.10, 7.12: what cannot be emulated, what the target is too old for, reserved prefixes, storage
-/// buffers.
+/// Reports what cannot be emulated, what needs a newer target, reserved prefixes and storage buffers
+/// (language, 7.2, 7.10, 7.12).
 void refuse(ProgramUnits& program);
-/// 7.9: subroutine uniforms become calls of the first function.
+/// Replaces subroutine uniforms by calls of their first function (language, 7.9).
 void resolveSubroutines(Unit& unit, Report& report);
-/// 7.9: int uniforms used as textures become samplers.
+/// Turns int and float uniforms that are used as textures into samplers (language, 7.9).
 void retypeSamplers(ProgramUnits& program);
-/// 7.5: function names of older versions, noise functions.
+/// Replaces functions of older versions and supplies the noise functions (language, 7.5).
 void modernizeFunctions(Unit& unit, const TokenWalk& walk);
-/// Section 6: matrices, inputs, Timer, noise textures.
+/// Declares the matrices, inputs, Timer and noise textures that the stages use (language, 6).
 void supplyBuiltins(ProgramUnits& program);
-/// 7.6: lights, materials, fog, limits.
+/// Supplies lights, materials, fog and limits (language, 7.6).
 void supplyFixedState(Unit& unit, Report& report);
-/// 7.6: colours, texture coordinates and fog between stages.
+/// Passes colours, texture coordinates and fog between stages (language, 7.6).
 void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>& walks);
-/// ProgramRequest::tiled. Before connectBuiltinVaryings, whose EmitVertex calls the one from here.
+/// Performs ProgramRequest::tiled. Call it before connectBuiltinVaryings, whose EmitVertex calls the one from
+/// here.
 void placeInTile(ProgramUnits& program);
-/// 7.6: what the fragment stage writes.
+/// Replaces gl_FragColor and gl_FragData, and assigns the locations of outputs (language, 7.6).
 void placeFragmentOutputs(ProgramUnits& program);
-/// 7.7: names of EXT_geometry_shader4.
+/// Replaces the names of EXT_geometry_shader4 (language, 7.7).
 void modernizeGeometry(Unit& unit, const TokenWalk& walk, Report& report);
-/// 7.7: layouts of the geometry stage. After all its outputs are known.
+/// Completes the layouts of the geometry stage (language, 7.7). Call it when all outputs of the stage are
+/// known.
 void completeGeometryLayout(ProgramUnits& program);
-/// What the runtime has to know of a program whose sources stay as they are.
+/// Finds what the runtime has to know about a program that is not translated (--no-shim).
 void readFactsAsIs(ProgramUnits& program);
-/// 7.8.
+/// Checks the tessellation stages, and finds what the runtime has to know about them (language, 7.8).
 void checkTessellation(ProgramUnits& program);
-/// Some drivers get the patches of one draw in several. gl_PrimitiveID of the tessellation stages, and of the
-/// fragment stage right behind them, is then larger by glibra_FirstPatch, the number of patches in the
-/// earlier ones; gl_PrimitiveIDIn of the geometry stage by glibra_FirstPrimitive, the primitives that it got
-/// from those.
+/// Some drivers get the patches of one draw in several draws. So gl_PrimitiveID of the tessellation stages,
+/// and of a fragment stage that directly follows them, is increased by glibra_FirstPatch, the number of
+/// patches in the earlier draws; and gl_PrimitiveIDIn of the geometry stage by glibra_FirstPrimitive, the
+/// number of primitives that it got from those draws.
 void countPatchesInWhole(ProgramUnits& program);
-/// 7.9: the user's own interfaces between stages.
+/// Matches the user's own variables between stages (language, 7.9).
 void connectStages(ProgramUnits& program);
-/// 7.10: W09, W10, W20, W21, W22.
+/// Repairs mistakes in declarations: glsl-W09, W10, W20, W21, W22 (language, 7.10).
 void repairDeclarations(Unit& unit, const TokenWalk& walk, const std::string& geometryInput, Report& report);
 
-/// How the program places its vertices. After the variables' types and storages are known.
-Placement findPlacement(const ProgramUnits& program);
-/// TranslatedProgram::isOpaque. After placeFragmentOutputs.
-bool findOpacity(const ProgramUnits& program);
-
-/// Vertices of a geometry stage's input primitive.
+/// The number of vertices of a geometry stage's input primitive.
 int verticesOfPrimitive(std::string_view primitive);
 
-/// 7.10, W23. After all edits of expressions.
+/// Widens scalar arguments of functions that want vectors: glsl-W23 (language, 7.10). Call it after all other
+/// edits of expressions.
 void widenScalars(Unit& unit, Report& report);
-/// 7.10: what targets below 4.20 and 4.30 do not take.
+/// Rewrites what targets below 4.20, 4.30 and 4.40 do not accept (language, 7.10).
 void adaptToTarget(Unit& unit);
-/// Writes `renames` into the edits. Last.
+/// Writes `renames` into the edits. Call it last.
 void applyRenames(Unit& unit, const TokenWalk& walk);
 
-/// The core name of a texture function of an older version, or empty.
+/// What a texture function of an older version becomes.
 struct TextureFunction {
-    std::string core;       ///< "textureProjLod"
-    std::string sampler;    ///< "sampler2D": what the name says; empty if it says nothing
+    std::string core;       ///< the core name, as "textureProjLod"; empty for other functions
+    std::string sampler;    ///< the sampler that the old name states, as "sampler2D", or empty
     bool shadow = false;    ///< the old function returned a vec4
-    bool dropsLod = false;  ///< the second argument has no place in the core function
+    bool dropsLod = false;  ///< the core function does not take the second argument
 };
 TextureFunction textureFunction(std::string_view name);
-/// A texture function in any spelling.
+/// True for a texture function in any spelling.
 bool isTextureFunction(std::string_view name);
 
-/// Lines of GLSL that define glibra_noiseN for each N that `wanted` has (bit N - 1).
+/// Lines of GLSL that define glibra_noiseN for each N whose bit N - 1 is set in `wanted`.
 std::vector<std::string> noiseFunctions(unsigned wanted);
 
 }  // namespace glibra::glsl

@@ -1,4 +1,4 @@
-// Language 7.9: uniforms of type int or float that a texture function gets as its sampler.
+// Uniforms of type int or float that are passed to a texture function as its sampler (language, 7.9).
 
 #include <fmt/format.h>
 
@@ -27,9 +27,9 @@ std::string_view dimension(SamplerKind kind) {
     return kind == SamplerKind::samplerCube ? "cube" : word(kind).substr(7);
 }
 
-/// A uniform that is used as a texture, over all stages.
+/// A number that is used as a texture in any stage.
 struct Misused {
-    std::string named;  ///< the sampler that a function names
+    std::string named;  ///< the sampler type that a function's name states, or empty
     Place place;
     bool conflicting = false;
 };
@@ -72,7 +72,7 @@ void retype(ProgramUnits& program, const std::string& name, const std::string& s
             unit.syntax.declarations[variable->declaration].declarators[variable->declarator];
         const Range value = declarator.initializer;
         if (!value.empty()) {
-            // The initialiser is the unit then.
+            // The initialiser of a sampler would be its texture unit.
             if (value.end - value.first == 1 && unit.view[value.first].kind == TokenKind::number)
                 program.result->textureBindings[name] =
                     std::atoi(std::string(unit.text(value.first)).c_str());

@@ -1,5 +1,5 @@
-// Language 7.9: a subroutine uniform is its first function. The type's declaration becomes the prototype of
-// that function, so that calls may stand in front of its definition.
+// A subroutine uniform stands for its first function (language, 7.9). The declaration of its type becomes the
+// prototype of that function, so that calls may come before the definition.
 
 #include <map>
 
@@ -67,7 +67,7 @@ class Subroutines {
 
     Unit& unit_;
     Report& report_;
-    std::map<std::string_view, std::string_view> first_;  ///< by subroutine type
+    std::map<std::string_view, std::string_view> first_;  ///< the first function of each subroutine type
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
-// Language, section 6: values that the runtime delivers under known names.
+// Values that the runtime supplies under known names (language, 6).
 
 #include <array>
 
-#include "glsl/rules/builtins.h"
 #include "glsl/rules/rules.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {
@@ -12,7 +12,7 @@ bool isTextureMatrix(std::string_view name) {
     return name.find("TextureMatrix") != std::string_view::npos;
 }
 
-/// "gl_NormalMatrix" for "glibra_NormalMatrix"; other names are the user's spelling already.
+/// "gl_NormalMatrix" for "glibra_NormalMatrix". Users write all other names as they are.
 std::string userSpelling(std::string_view name) {
     return name.starts_with("glibra_") ? "gl_" + std::string(name.substr(7)) : std::string(name);
 }
@@ -45,8 +45,8 @@ class Supply {
     }
 
   private:
-    /// True if the stage uses the name without declaring it. A gl_ name that is declared with its own type is
-    /// renamed.
+    /// True if the stage uses the name without declaring it. Renames a gl_ name that is declared with its
+    /// right type.
     bool isWanted(const std::string& name, std::string_view emitted, const std::string& type) {
         if (unit_.macros.contains(name)) return false;
         if (unit_.isDeclared(name)) {
@@ -89,7 +89,7 @@ class Supply {
             if (variable && variable->storage == Storage::uniform && fitsMeshValue(name, *variable))
                 return declaredUniform(name, *variable);
         }
-        // gl_Color of a fragment stage is what an earlier stage wrote.
+        // gl_Color in a fragment stage is a varying.
         const bool colour = name == "gl_Color" || name == "gl_SecondaryColor";
         if (colour && unit_.stage == Stage::fragment) return;
         if (unit_.stage != Stage::vertex) {

@@ -1,4 +1,4 @@
-// Language 7.8, and what the runtime has to know about the stages.
+// Checks of the tessellation stages (language, 7.8), and what the runtime has to know about the stages.
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kMostClipDistances = 8;  // what every GL 4 has
+constexpr int kMostClipDistances = 8;  // every GL 4 has so many
 
 void readControl(const Unit& unit, TranslatedProgram& result) {
     for (const Declaration& each : unit.syntax.declarations) {
@@ -34,7 +34,8 @@ void readEvaluation(const Unit& unit, TranslatedProgram& result) {
     if (points) result.tessellationOutput = "points";
 }
 
-/// Elements of gl_ClipDistance that the stage writes: by its constant indices, or the size it declares.
+/// The number of gl_ClipDistance elements that the stage writes, by its constant indices or its declared
+/// size.
 int clipDistances(const Unit& unit) {
     const auto writes = unit.writes.find("gl_ClipDistance");
     if (writes == unit.writes.end()) return 0;

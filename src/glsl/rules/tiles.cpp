@@ -1,6 +1,6 @@
-// A part of a larger picture: what the last stage before rasterisation delivers is moved and scaled to the
-// tile, and the fragment stage sees the coordinates of the whole picture. It stands behind the user's own
-// arithmetic, so that also positions that no matrix made land where they belong.
+// Draws a part of a larger picture. The positions from the last stage before rasterisation are moved and
+// scaled to the tile, and the fragment stage sees the coordinates of the whole picture. This happens after
+// the user's own arithmetic, so that it also works for positions that no matrix computes.
 
 #include "glsl/rules/rules.h"
 
@@ -13,7 +13,7 @@ void placeInTile(ProgramUnits& program) {
             "vec4(gl_Position.xy * glibra_Tile.xy + glibra_Tile.zw * gl_Position.w, gl_Position.zw)";
         last->declare("uniform vec4 glibra_Tile;");
         if (last->stage == Stage::geometry) {
-            // Shaders that emit the same position twice get it back.
+            // The position is restored for shaders that emit it twice.
             last->declare("void glibra_emitInTile() { vec4 whole = gl_Position; gl_Position = " + moved +
                           "; EmitVertex(); gl_Position = whole; }");
             last->renames["EmitVertex"] = "glibra_emitInTile";

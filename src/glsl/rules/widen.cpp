@@ -1,4 +1,4 @@
-// Language 7.10, W23: a scalar where a built-in function wants a vector.
+// Widens a scalar where a built-in function wants a vector: glsl-W23 (language, 7.10).
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 namespace glibra::glsl {
 namespace {
 
-/// For each overload of a function the arguments that may be scalars beside vectors, as bits.
+/// The arguments that may be scalars while others are vectors, as bits, for each overload of a function.
 struct Function {
     std::string_view name;
     std::size_t arguments;
-    std::array<unsigned, 2> scalars;  ///< allowed sets, besides none
+    std::array<unsigned, 2> scalars;  ///< the allowed sets, in addition to the empty set
 };
 constexpr std::array kFunctions = std::to_array<Function>({
     {"pow", 2, {0, 0}},
@@ -29,8 +29,8 @@ constexpr std::array kFunctions = std::to_array<Function>({
     {"mix", 3, {4, 4}},
 });
 
-/// The vector size to widen to and the arguments (bits) that are scalars; nothing if the call is in order or
-/// not clear.
+/// The vector size to widen to, and the arguments that are scalars, as bits; nothing if the call is correct
+/// or not certain.
 struct Widening {
     int size = 0;
     unsigned scalars = 0;
@@ -79,14 +79,14 @@ class Widener {
   private:
     using Span = std::pair<std::uint32_t, std::uint32_t>;
     struct Wish {
-        std::string type;  ///< empty: leave it
+        std::string type;  ///< empty: no change
         bool conflicting = false;
         std::string text;
         std::uint32_t place = 0;
         std::size_t order = 0;
     };
 
-    /// The tokens from the first to the last of an argument, if they can be put in brackets.
+    /// The first and the last token of an argument, if the argument can be put in brackets.
     [[nodiscard]] std::optional<Span> spanOf(Range range) const {
         if (range.empty()) return std::nullopt;
         const ViewToken& first = unit_.view[range.first];
@@ -95,7 +95,7 @@ class Widener {
         if (!first.body) return Span{first.raw, last.raw};
         if (first.objectSite && first.site == last.site && wholeMacro(range))
             return Span{first.site, first.site};
-        // Both in the body of the same macro: all its uses have to agree.
+        // If both are in the body of the same macro, all uses of it have to agree.
         for (std::uint32_t i = first.raw; i <= last.raw && i < unit_.tokens.size(); ++i)
             if (unit_.tokens[i].kind == TokenKind::newline) return std::nullopt;
         return first.raw <= last.raw ? std::optional(Span{first.raw, last.raw}) : std::nullopt;
@@ -132,7 +132,7 @@ class Widener {
     }
 
     void apply() {
-        // Inner calls were recorded before the calls around them, so brackets nest in this order.
+        // Inner calls are recorded before the calls around them, so brackets nest in this order.
         std::vector<std::pair<Span, const Wish*>> ordered;
         for (const auto& [span, wish] : wishes_)
             if (!wish.type.empty() && !wish.conflicting) ordered.emplace_back(span, &wish);

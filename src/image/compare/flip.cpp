@@ -16,11 +16,11 @@
 namespace glibra::image {
 namespace {
 
-// A tile's planes fit a core's second-level cache.
+// The planes of a tile fit into the second-level cache of a core.
 constexpr int kTileWidth = 128, kTileHeight = 64;
 constexpr std::size_t kTileColumns = kTileWidth;
 
-/// Rows are filled up to a multiple of this.
+/// Rows are padded to a multiple of this.
 constexpr std::size_t kRowUnit = 8;
 constexpr std::size_t roundedUp(std::size_t count) {
     return (count + kRowUnit - 1) / kRowUnit * kRowUnit;
@@ -54,11 +54,11 @@ float linearValue(const std::byte* row, std::size_t index) {
         return linearTable<Value>()[valueAt<Value>(row, index)];
     } else {
         const float value = valueAt<float>(row, index);
-        return value > 0 ? linearOf(std::min(value, 1.F)) : 0.F;  // NaN is not above 0
+        return value > 0 ? linearOf(std::min(value, 1.F)) : 0.F;  // 0 for NaN
     }
 }
 
-/// Linear RGB of `count` pixels from column x on; columns beyond the picture are its edge's.
+/// Linear RGB of `count` pixels from column x; columns beyond the picture repeat its edge.
 template <class Value>
 void loadRow(const Image& image, int x, int y, std::size_t count, float* r, float* g, float* b) {
     const std::byte* row = image.row(std::clamp(y, 0, image.height - 1)).data();
@@ -83,7 +83,8 @@ void loadRow(const Image& image, int x, int y, std::size_t count, float* r, floa
     }
 }
 
-/// One picture's part of a tile: rows of the tile and of `radius` above and below, filtered along the rows.
+/// The part of one picture in a tile: the rows of the tile and `radius` rows above and below, filtered along
+/// the rows.
 class FilteredTile {
   public:
     explicit FilteredTile(const FlipFilters& filters)
@@ -109,7 +110,7 @@ class FilteredTile {
         }
     }
 
-    /// A row of the tile, filtered down the columns too; valid until the next call.
+    /// A row of the tile, also filtered down the columns; valid until the next call.
     FilteredRow row(int y) {
         const std::size_t at = (static_cast<std::size_t>(y) + filters_.radius) * kTileColumns;
         const auto down = [&](int plane, const HalfFilter& weights, int result) {
@@ -141,7 +142,8 @@ class FilteredTile {
     std::array<std::vector<float>, 8> done_;
 };
 
-/// True if the pictures have the same bytes in the tile and `radius` pixels around it: its errors are 0.
+/// True if the pictures have the same bytes in the tile and `radius` pixels around it, so that its errors are
+/// 0.
 bool sameAround(const Image& a, const Image& b, int left, int top, int radius) {
     const int x = std::max(left - radius, 0), y = std::max(top - radius, 0);
     const int right = std::min(left + kTileWidth + radius, a.width);
@@ -198,7 +200,7 @@ bool isOpaque(const Image& image) {
     return true;
 }
 
-/// The RGBA picture over a grey background, as a browser shows it: mixed in sRGB.
+/// The RGBA picture over a grey background, blended in sRGB as browsers do.
 Image over(const Image& image, float background) {
     Image seen = withType(image, Component::f32);
     for (std::size_t at = 0; at < seen.data.size(); at += 16) {
@@ -212,7 +214,7 @@ Image over(const Image& image, float background) {
     return seen;
 }
 
-/// Error 1 where one of two float pictures is NaN and the other is not.
+/// Sets the error to 1 where one of two float pictures is NaN and the other is not.
 void markNan(const Image& a, const Image& b, std::vector<float>& errors) {
     const auto components = static_cast<std::size_t>(a.components);
     for (std::size_t i = 0; i < errors.size() * components; ++i)

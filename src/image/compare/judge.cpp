@@ -38,8 +38,8 @@ ExcessLimits limitsFor(const Image& a, const Image& b, const Tolerance& toleranc
     return limits;
 }
 
-/// The rungs of plain figures: what they decide, with the reason. `line` names the row or column with the
-/// most pixels beyond.
+/// The plain measures: their decision with the reason. `line` names the row or column with the most pixels
+/// beyond the limit.
 void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const std::string& line,
                   Judgement& result) {
     const std::string limit = limits.relativeOnly
@@ -71,7 +71,7 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
     }
 }
 
-/// One perceptual measure has its say: false if it refuses.
+/// Applies one perceptual measure: false if the picture fails it.
 bool judgeMeasure(Rung rung, const char* what, double value, double limit, Judgement& result) {
     result.same = value <= limit;
     result.decidedBy = rung;

@@ -38,13 +38,13 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
 };
 
-/// A stripe's DEFLATE stream, and the checksum of what is packed in it.
+/// The DEFLATE stream of a stripe, and the checksum of the packed bytes.
 struct PackedStripe {
     std::vector<std::byte> stream;
     std::uint32_t adler = 1;
 };
 
-/// What one thread needs, used for one stripe after another.
+/// The buffers of one thread, used for one stripe after another.
 class StripePacker {
   public:
     StripePacker(const Image& image, int level, std::size_t mostBytes)
@@ -76,7 +76,7 @@ class StripePacker {
     std::size_t bound_ = 0;
 };
 
-/// All stripes, by this thread and others; nothing if there is not enough memory.
+/// Packs all stripes, with this thread and others; empty if there is not enough memory.
 std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stripe>& stripes, int level,
                                       unsigned threads) {
     std::vector<PackedStripe> packed(stripes.size());
@@ -97,15 +97,15 @@ std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stri
         try {
             while (others.size() + 1 < std::min<std::size_t>(threads, stripes.size()))
                 others.emplace_back(work);
-        } catch (const std::system_error&) {  // the machine gives no more; this thread goes on
+        } catch (const std::system_error&) {  // no more threads are available; this one continues
         }
         work();
     }
     return failed ? std::vector<PackedStripe>{} : packed;
 }
 
-/// The Adler-32 checksum of two texts one behind the other, from those of both (RFC 1950, section 9: a is 1
-/// plus the sum of the bytes, b is the sum of all a on the way).
+/// The Adler-32 checksum of two consecutive texts from the checksums of both (RFC 1950, section 9: a is 1
+/// plus the sum of the bytes, b is the sum of all intermediate values of a).
 std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t secondSize) {
     constexpr std::uint64_t kPrime = 65521;
     const std::uint64_t firstA = first & 0xffffU, firstB = first >> 16U;
@@ -116,13 +116,13 @@ std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t s
     return static_cast<std::uint32_t>(b << 16U | a);
 }
 
-/// Rows of so many bytes at a time, so that they are packed while they are in the processor's cache.
+/// Packs a piece of 128 KiB at a time, which stays in the processor's cache.
 std::vector<std::byte> packAtOnce(const Image& image) {
     constexpr std::size_t kPieceBytes = std::size_t{128} << 10;
     const std::size_t rowSize = 1 + image.rowBytes();
     const int rows = static_cast<int>(std::clamp<std::size_t>(kPieceBytes / rowSize, 1, 65536));
     std::vector<std::uint8_t> piece(rowSize * static_cast<std::size_t>(std::min(rows, image.height)));
-    QuickPacker packer;
+    QuickPacker packer(static_cast<std::size_t>(image.components) * bytesOf(image.type));
     for (int y = 0; y < image.height; y += rows) {
         const int count = std::min(rows, image.height - y);
         filterRows(image, y, count, PngFiltering::up, piece.data());
@@ -141,7 +141,7 @@ std::vector<std::byte> packPngData(const Image& image, int level, unsigned threa
     const auto packed = packStripes(image, stripes, level, threads > 0 ? threads : usual);
     if (packed.empty()) return {};
 
-    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // a window of 32 KiB, quickly packed
+    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // window of 32 KiB, packed fast
     std::size_t size = stream.size() + 4;
     for (const PackedStripe& each : packed) size += each.stream.size();
     stream.reserve(size);

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/core/run.h"
+#include "bench/program/commands.h"
+#include "bench/report/csv_report.h"
+#include "bench/report/html_report.h"
+#include "bench/report/json_report.h"
+#include "bench/report/text_report.h"
+#include "bench/subjects/subjects.h"
+#include "cli/commands.h"
+#include "glib/suggest.h"
+#include "image/file.h"
+
+namespace glibra::bench {
+namespace {
+
+void printSubjects() {
+    std::size_t width = 0;
+    for (const Subject& each : subjects()) width = std::max(width, each.name.size());
+    for (const Subject& each : subjects()) fmt::print("{:<{}}  {}\n", each.name, width, each.title);
+}
+
+/// The named subjects, each once, in the order of the table; all subjects if none is named. bench-E01.
+Result<std::vector<const Subject*>> choose(const std::vector<std::string>& names) {
+    const std::span<const Subject> table = subjects();
+    std::vector<std::string_view> known;
+    for (const Subject& each : table) known.push_back(each.name);
+    Diagnostics problems;
+    for (const std::string& each : names) {
+        if (std::ranges::find(known, each) != known.end()) continue;
+        const std::string near = glib::suggestion(each, known);
+        problems.push_back(error("bench-E01", fmt::format("unknown subject '{}'{}", each,
+                                                          near.empty() ? "; --list names them" : near)));
+    }
+    if (!problems.empty()) return problems;
+    std::vector<const Subject*> chosen;
+    for (const Subject& each : table)
+        if (names.empty() || std::ranges::find(names, each.name) != names.end()) chosen.push_back(&each);
+    return chosen;
+}
+
+Result<Report> readEarlier(const std::string& path) {
+    const Result<std::vector<std::byte>> file = image::readFile(path, {path, {}});
+    if (!file) return file.diagnostics;
+    const std::string_view text(reinterpret_cast<const char*>(file->data()), file->size());
+    return readJsonReport(text, path);
+}
+
+Report measureAll(std::span<const Subject* const> chosen, const BenchOptions& options) {
+    const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
+    Report report = run(chosen, options, [&](const Subject& subject, std::size_t index, std::size_t count) {
+        fmt::print(stderr, "{}[{}/{}] {}{}", isTerminal ? "\r\033[K" : "", index + 1, count, subject.title,
+                   isTerminal ? "" : "\n");
+    });
+    if (isTerminal) fmt::print(stderr, "\r\033[K");
+    report.glibra = GLIBRA_VERSION;
+    return report;
+}
+
+Diagnostics writeText(const std::filesystem::path& file, const std::string& text) {
+    return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
+/// Writes the files of --csv, --json and --html, and the three files of -o.
+Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
+                       const RunComparison* comparison) {
+    Diagnostics problems;
+    const std::filesystem::path folder = arguments.folder;
+    if (!folder.empty()) {
+        std::error_code failure;
+        std::filesystem::create_directories(folder, failure);
+        if (failure)
+            return {error("file-E10", fmt::format("cannot make the folder '{}': {}", folder.string(),
+                                                  failure.message()))};
+    }
+    const auto write = [&](const std::string& named, const char* inFolder, const auto& text) {
+        if (named.empty() && folder.empty()) return;
+        const std::string content = text();
+        if (!named.empty()) append(problems, writeText(named, content));
+        if (!folder.empty()) append(problems, writeText(folder / inFolder, content));
+    };
+    write(arguments.csv, "bench.csv", [&] { return csvReport(report); });
+    write(arguments.json, "bench.json", [&] { return jsonReport(report); });
+    write(arguments.html, "bench.html", [&] { return htmlReport(report, comparison); });
+    return problems;
+}
+
+}  // namespace
+
+int measure(const MeasureArguments& arguments) {
+    if (arguments.list) {
+        printSubjects();
+        return cli::kDone;
+    }
+    const Result<std::vector<const Subject*>> chosen = choose(arguments.subjects);
+    if (!chosen) {
+        cli::print(chosen.diagnostics);
+        return cli::kWrongUsage;
+    }
+    std::optional<Report> earlier;
+    if (!arguments.against.empty()) {
+        Result<Report> read = readEarlier(arguments.against);
+        cli::print(read.diagnostics);
+        if (!read) return cli::kWrongUsage;
+        earlier = std::move(*read);
+    }
+
+    const Report report = measureAll(*chosen, arguments.options);
+    fmt::print("glibra {} on {}\n", report.glibra, machineLine(report.machine));
+    Diagnostics problems;
+    for (const SubjectRun& each : report.subjects) {
+        fmt::print("\n{}", textReport(each));
+        append(problems, each.diagnostics);
+    }
+    std::optional<RunComparison> comparison;
+    if (earlier) {
+        comparison = compare(*earlier, report, arguments.comparison);
+        fmt::print("\nagainst {}\n{}", arguments.against, comparisonText(*comparison));
+    }
+    std::fflush(stdout);
+    append(problems, writeFiles(arguments, report, comparison ? &*comparison : nullptr));
+    cli::print(problems);
+    if (lacksDriver(report)) return cli::kNoDriver;
+    if (hasError(problems)) return cli::kSceneIsWrong;
+    return comparison && isWorse(*comparison) ? cli::kDiffers : cli::kDone;
+}
+
+}  // namespace glibra::bench

@@ -1,0 +1,50 @@
+#include "bench/subjects/subjects.h"
+
+#include <vector>
+
+#include "bench/subjects/antialiasing.h"
+#include "bench/subjects/budget.h"
+#include "bench/subjects/builtins.h"
+#include "bench/subjects/curves.h"
+#include "bench/subjects/depth.h"
+#include "bench/subjects/filters.h"
+#include "bench/subjects/fractals.h"
+#include "bench/subjects/lighting.h"
+#include "bench/subjects/minification.h"
+#include "bench/subjects/noise_textures.h"
+#include "bench/subjects/primitives.h"
+#include "bench/subjects/ray_sphere.h"
+#include "bench/subjects/scenes.h"
+#include "bench/subjects/tessellation.h"
+#include "bench/subjects/transforms.h"
+#include "bench/subjects/volume.h"
+
+namespace glibra::bench {
+
+std::span<const Subject> subjects() {
+    static const std::vector<Subject> table{
+        {"primitives", "Primitives: slices and stacks against the analytic surface", measurePrimitives},
+        {"tessellation", "Tessellation shaders: levels and spacings against analytic surfaces",
+         measureTessellation},
+        {"noise", "Noise textures: size and texel format against the function", measureNoise},
+        {"antialiasing", "Antialiasing: samples per pixel and their filters", measureAntialiasing},
+        {"minification", "Texture filters: minified and magnified, against many samples",
+         measureMinification},
+        {"depth", "Depth buffers: the smallest gap that is resolved", measureDepth},
+        {"transforms", "Transforms: float and double against 100 digits", measureTransforms},
+        {"lighting", "Lighting: per vertex and per fragment against the analytic surface", measureLighting},
+        {"curves", "Curves and streamlines: fixed steps, adaptive steps, accumulated parameters",
+         measureCurves},
+        {"volume", "Volume ray casting: steps against a fine integration", measureVolume},
+        {"fractals", "Fractals: float and double by zoom", measureFractals},
+        {"ray-sphere", "Ray and sphere: textbook and stable formulas", measureRaySphere},
+        {"filters", "Image filters: direct and separable, through bytes and floats", measureFilters},
+        {"builtins", "GLSL functions: their errors, and the errors that the specification allows",
+         measureBuiltins},
+        {"scenes", "Shipped scenes: time and error of each, largest first", measureScenes},
+        {"budget", "--max-error on the shipped scenes: a bound instead of counts", measureBudget},
+    };
+    return table;
+}
+
+}  // namespace glibra::bench

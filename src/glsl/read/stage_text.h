@@ -1,0 +1,57 @@
+#pragma once
+// The text of one stage as it was read: its files, its tokens, what they look like after macro expansion, and
+// the changes decided for them.
+
+#include <glibra/diagnostic.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/read/edits.h"
+#include "glsl/read/macros.h"
+#include "glsl/read/token.h"
+#include "glsl/read/version.h"
+#include "glsl/types/request.h"
+
+namespace glibra::glsl {
+
+struct StageText {
+    StageText() = default;
+    StageText(StageText&&) = default;  // not copyable: tokens point into `storage`
+    StageText& operator=(StageText&&) = default;
+    StageText(const StageText&) = delete;
+    StageText& operator=(const StageText&) = delete;
+    ~StageText() = default;
+
+    const ProgramRequest* request = nullptr;
+    Stage stage = Stage::vertex;
+    std::string path;
+    std::vector<std::string> files;   ///< [0] is the stage's own
+    std::deque<std::string> storage;  ///< the strings that the tokens point into
+
+    Dialect dialect;
+    std::vector<Token> tokens;
+    std::vector<ViewToken> view;                ///< the active tokens after macro expansion
+    std::set<std::string, std::less<>> macros;  ///< every name that the source defines anywhere
+    std::vector<std::string> extensions;        ///< #extension lines to be passed on
+    Edits edits;
+
+    [[nodiscard]] Place placeOfToken(std::uint32_t token) const {
+        if (token >= tokens.size()) return start();
+        const Token& at = tokens[token];
+        return {files[at.file], at.line, at.column};
+    }
+    [[nodiscard]] Place place(std::uint32_t viewIndex) const { return placeOfToken(view[viewIndex].site); }
+    [[nodiscard]] Place start() const { return {path, 1, 1}; }
+    /// The text of a view token; empty past the end.
+    [[nodiscard]] std::string_view text(std::uint32_t viewIndex) const {
+        return viewIndex < view.size() ? view[viewIndex].text : std::string_view{};
+    }
+};
+
+}  // namespace glibra::glsl

@@ -1,0 +1,67 @@
+#pragma once
+// The input of a translation: the sources of one program, what the scene says about it, and what the driver
+// can do. The driver's facts are plain numbers, so that a translation needs no GL context.
+
+#include <glibra/diagnostic.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/types/stage.h"
+
+namespace glibra::glsl {
+
+/// The source of one stage as read from its file. Messages name `path`.
+struct StageSource {
+    Stage stage = Stage::vertex;
+    std::string path;
+    std::string text;
+};
+
+/// A file that an #include names.
+struct IncludedFile {
+    std::string path;
+    std::string text;
+};
+/// Finds the file that `includingPath` includes as `name`; nothing if there is no such file.
+using IncludeReader =
+    std::function<std::optional<IncludedFile>(std::string_view name, std::string_view includingPath)>;
+
+/// The kind of texture that a sampler reads.
+enum class SamplerKind { sampler1D, sampler2D, sampler3D, samplerCube };
+
+/// What the driver can do.
+struct Target {
+    int version = 450;                        ///< the #version to emit, core profile
+    bool lineDirectiveTakesFileName = false;  ///< GL_ARB_shading_language_include: #line N "file"
+    int maxGeometryOutputVertices = 256;
+    int maxGeometryTotalOutputComponents = 1024;
+    std::function<bool(std::string_view)> hasExtension;  ///< null: none beyond the version's own
+};
+
+/// Everything that decides how one program is translated.
+struct ProgramRequest {
+    std::string name;  ///< the Program's name, for messages
+    Place place;       ///< the scene line of the Program
+    std::vector<StageSource> stages;
+    IncludeReader include;
+    Target target;
+    bool shim = true;         ///< false (--no-shim): only the #version and #include lines are translated
+    bool flatColors = false;  ///< the command Flat: gl_FrontColor and its kin are interpolated flat
+    int colorTargets = 1;     ///< gl_FragColor is copied to this many outputs
+    /// The program draws a part of a larger picture. The last stage before rasterisation maps gl_Position.xy
+    /// to xy * glibra_Tile.xy + glibra_Tile.zw * w, and glibra_TileOrigin (pixels) is added to
+    /// gl_FragCoord.xy.
+    bool tiled = false;
+    std::string geometryInput;    ///< from GeometryInput, a lower-case GLSL word, or empty
+    std::string geometryOutput;   ///< from GeometryOutput, likewise
+    int geometryVerticesOut = 0;  ///< 0: not given
+    /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
+    /// a `uniform int u` that is used as a sampler.
+    std::function<std::vector<SamplerKind>(std::string_view tag)> samplerKindsOfTag;
+};
+
+}  // namespace glibra::glsl

@@ -1,0 +1,104 @@
+#pragma once
+// The result of a translation: the sources for the driver, the origin of each of their lines, and every fact
+// about the program that other rooms need, so that no other room has to read shader text.
+
+#include <glibra/diagnostic.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "glsl/types/counted_loop.h"
+#include "glsl/types/stage.h"
+
+namespace glibra::glsl {
+
+/// The user's line that an emitted line comes from.
+struct LineOrigin {
+    int file = -1;  ///< index into LineMap::files; -1: written by the translator
+    int line = 0;   ///< the user's line, as #line directives count it
+};
+/// From column `emitted` of an emitted line on, the user's columns count from `user`.
+struct ColumnShift {
+    int emitted = 1;
+    int user = 1;
+};
+/// The origins of the lines of an emitted text. lines[i] and columns[i] belong to line i + 1 of that text.
+struct LineMap {
+    std::vector<std::string> files;
+    std::vector<LineOrigin> lines;
+    std::vector<std::vector<ColumnShift>> columns;  ///< an empty entry: the columns are the user's
+};
+
+/// What the code of a stage does, as far as its tokens show it. Code that the preprocessor removes does not
+/// count, and neither do comments.
+struct StageFacts {
+    /// Calls a function other than constructors and normalize(): its results may not be linear in its inputs.
+    bool callsFunctions = false;
+    /// Shows the single triangles: has a flat variable, reads gl_PrimitiveID or gl_VertexID, or computes a
+    /// normal from derivatives (dFdx and cross).
+    bool showsPrimitives = false;
+    /// Refracts, or reflects and has a cube map: small errors of a normal become large ones in the picture.
+    bool magnifiesNormals = false;
+    /// Names gl_FragDepth, perhaps under a condition.
+    bool mayWriteDepth = false;
+};
+
+struct TranslatedStage {
+    Stage stage = Stage::vertex;
+    std::string source;  ///< complete text for glShaderSource; begins with its #version line, if it has one
+    LineMap lineMap;
+    std::string path;                ///< the stage's own file
+    std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
+    StageFacts facts{};
+};
+
+/// A uniform as declared in a source, whether or not the compiler keeps it.
+struct DeclaredUniform {
+    Place place;
+    bool hasInitializer = false;
+};
+
+/// How a program places its vertices, as far as its text proves it. A program with a known placement has only
+/// a vertex and a fragment stage, and has no effects except on the picture.
+enum class Placement {
+    unknown,
+    vertex,  ///< gl_Position is the model-view-projection matrix times the vertex
+    point    ///< gl_Position is that matrix times vec4(vertex.xyz, 1)
+};
+
+struct TranslatedProgram {
+    std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error
+    Diagnostics diagnostics;
+
+    std::map<std::string, std::string> userNames;     ///< emitted name to the user's, where they differ
+    std::map<std::string, DeclaredUniform> uniforms;  ///< of all stages, by the user's name
+    /// layout(binding = n) of samplers and images, by the user's name.
+    std::map<std::string, int> textureBindings;
+    std::map<std::string, Place> vertexInputs;  ///< the inputs that the user's vertex stage declares
+    bool mayReadTangents = false;               ///< the vertex stage names the tangent input
+    bool writesPointSize = false;               ///< in the last stage before rasterisation
+    int clipDistances = 0;                      ///< number of gl_ClipDistance elements that this stage writes
+    int patchVertices = 0;                      ///< layout(vertices = n) of the control stage; 0: none
+    /// Uniforms (by the user's names) whose values reach gl_TessLevelOuter and gl_TessLevelInner by
+    /// assignments in the control stage and, as the text shows, nothing else: no position, no colour, no
+    /// condition. Scalars of type float or int. Empty if the program has a geometry stage or delivers points,
+    /// because then the picture shows the single triangles or vertices.
+    std::set<std::string> levelUniforms;
+    /// The geometry stage's input primitive, a plain GLSL word; empty: no such stage.
+    std::string geometryInput;
+    /// The geometry stage's output: "points", "line_strip" or "triangle_strip"; empty: no such stage.
+    std::string geometryOutput;
+    std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
+    int fragmentOutputs = 1;         ///< number of colour locations written
+    Placement placement = Placement::unknown;
+    bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
+
+    std::string name;  ///< the Program's name, for the notes after compile errors
+    Place place;       ///< the scene line of the Program
+    /// Where the stages declare their inputs, outputs and uniforms, by the user's name: for link logs.
+    std::map<std::string, std::vector<Place>> interfaceNames;
+};
+
+}  // namespace glibra::glsl

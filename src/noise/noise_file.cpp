@@ -1,0 +1,90 @@
+#include "noise/noise_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <span>
+
+#include "image/file.h"
+#include "image/write.h"
+
+namespace glibra::noise {
+namespace {
+
+template <std::size_t N, class Enumerator>
+const char* wordOf(const std::array<const char*, N>& words, Enumerator value) {
+    return words.at(static_cast<std::size_t>(value));
+}
+
+/// " --height 3=0.5" for each point.
+std::string pointArguments(const char* name, const std::map<int, double>& points) {
+    std::string text;
+    for (const auto& [point, value] : points) text += fmt::format(" {} {}={}", name, point, value);
+    return text;
+}
+
+/// The file's name, quoted for a shell where necessary.
+std::string quoted(const std::string& file) {
+    const bool isPlain = !file.empty() && std::all_of(file.begin(), file.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view("/._-+").find(c) != std::string_view::npos;
+    });
+    if (isPlain) return file;
+    std::string text = "'";
+    for (const char c : file) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+}  // namespace
+
+std::string endingOf(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file) {
+    const std::string ending = endingOf(file);
+    if (ending == ".tex")
+        return image::writeFileAtomically(file,
+                                          noise::noiseTexture(noise.options, noise.width, noise.height));
+    if (ending == ".svg") {
+        const std::string svg = noise::graphSvg(noise.options, noise.width, noise.height);
+        return image::writeFileAtomically(file, std::as_bytes(std::span(svg)));
+    }
+    const std::vector<std::uint8_t> pixels =
+        noise.options.dimensions == 1
+            ? noise::graphPixels(noise.options, noise.width, noise.height)
+            : noise::noisePixels(noise.options, noise.colors, noise.width, noise.height);
+    image::Image picture{noise.width, noise.height, 3, image::Component::u8, {}};
+    const auto bytes = std::as_bytes(std::span(pixels));
+    picture.data.assign(bytes.begin(), bytes.end());
+    return image::writeImage(picture, file);
+}
+
+std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
+    const GraphOptions& options = noise.options;
+    const GraphOptions usual;
+    std::string text = fmt::format("glibra noise {}", options.dimensions);
+    if (options.lattice != usual.lattice)
+        text += fmt::format(" --lattice {}", wordOf(kLatticeWords, options.lattice));
+    if (options.smoothness != usual.smoothness)
+        text += fmt::format(" --smooth {}", wordOf(kSmoothnessWords, options.smoothness));
+    if (options.slopes != usual.slopes)
+        text += fmt::format(" --gradients {}", wordOf(kSlopesWords, options.slopes));
+    if (options.dimensions == 2 && noise.colors != ColorScale::grey)
+        text += fmt::format(" --colors {}", wordOf(kColorWords, noise.colors));
+    if (options.octaves != usual.octaves) text += fmt::format(" --octaves {}", options.octaves);
+    if (options.cells != usual.cells) text += fmt::format(" --points {}", options.cells);
+    if (options.seed != usual.seed) text += fmt::format(" --seed {}", options.seed);
+    if (options.turbulence) text += " --turbulence";
+    text += pointArguments("--height", options.heights);
+    text += pointArguments("--gradient", options.gradients);
+    if (options.smoothness == noise::Smoothness::quintic)
+        text += pointArguments("--curvature", options.curvatures);
+    return text + fmt::format(" --size {}x{} -o {}", noise.width, noise.height, quoted(file));
+}
+
+}  // namespace glibra::noise
