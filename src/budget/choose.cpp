@@ -310,7 +310,7 @@ class Chooser {
              fmt::format("{} per pixel: edges at most {} off", choice_.samples, pixelText(pixels)),
              {scene_.path, 1, 1}});
         if (pixels > request_.maxError)
-            choice_.diagnostics.push_back(warning(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-W07",
                 fmt::format(
                     "the driver has {} samples per pixel, with which edges are up to {} off; the bound is {}",
@@ -324,13 +324,13 @@ class Chooser {
         };
         if (beyond_.draw != nullptr)
             choice_.diagnostics.push_back(
-                warning("draw-W07",
-                        fmt::format("{} with {}, the largest possible, is up to {} off; the bound is {}{}",
-                                    beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
-                                    pixelText(request_.maxError), others(beyond_.others)),
-                        beyond_.draw->place));
+                diagnose("draw-W07",
+                         fmt::format("{} with {}, the largest possible, is up to {} off; the bound is {}{}",
+                                     beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
+                                     pixelText(request_.maxError), others(beyond_.others)),
+                         beyond_.draw->place));
         if (beyondVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(warning(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-W07",
                 fmt::format(
                     "the values that the program computes at the vertices of {} with {} are {}; finer "
@@ -339,22 +339,22 @@ class Chooser {
                     pixelText(request_.maxError), others(beyondVertices_.others)),
                 beyondVertices_.draw->place));
         if (stated_.draw == nullptr && statedVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(
-                note("draw-N03",
-                     fmt::format(
-                         "the values that the program computes at the vertices of {} with {}, as the scene "
-                         "states, are {}; use --override-counts to choose finer ones{}",
-                         statedVertices_.draw->word, statedVertices_.counts,
-                         vertexText(statedVertices_.error), others(statedVertices_.others)),
-                     statedVertices_.draw->place));
+            choice_.diagnostics.push_back(diagnose(
+                "draw-N03",
+                fmt::format(
+                    "the values that the program computes at the vertices of {} with {}, as the scene "
+                    "states, are {}; use --override-counts to choose finer ones{}",
+                    statedVertices_.draw->word, statedVertices_.counts, vertexText(statedVertices_.error),
+                    others(statedVertices_.others)),
+                statedVertices_.draw->place));
         if (stated_.draw != nullptr)
-            choice_.diagnostics.push_back(
-                note("draw-N03",
-                     fmt::format(
-                         "{} with {}, as the scene states, is up to {} off; use --override-counts to choose "
-                         "finer ones{}",
-                         stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
-                     stated_.draw->place));
+            choice_.diagnostics.push_back(diagnose(
+                "draw-N03",
+                fmt::format(
+                    "{} with {}, as the scene states, is up to {} off; use --override-counts to choose "
+                    "finer ones{}",
+                    stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
+                stated_.draw->place));
     }
 
     const scene::Scene& scene_;

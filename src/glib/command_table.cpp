@@ -87,8 +87,9 @@ constexpr Argument kLookAt[] = {number("ex"), number("ey"), number("ez"), number
 constexpr Argument kColor[] = {component("r", {}), component("g", {}, 0), component("b", {}, 0),
                                component("a", 1)};
 /// The defaults are the initial background (language, 2.1).
-constexpr Argument kBackground[] = {component("r", 18 / 255.), component("g", 27 / 255., 0),
-                                    component("b", 33 / 255., 0), component("a", 1)};
+constexpr Argument kBackground[] = {component("r", kDefaultBackground[0]),
+                                    component("g", kDefaultBackground[1], 0),
+                                    component("b", kDefaultBackground[2], 0), component("a", 1)};
 constexpr Argument kTranslate[] = {filled("tx", 0), filled("ty", 0), filled("tz", 0)};
 constexpr Argument kRotate[] = {
     {.name = "angle", .unit = "degrees"}, filled("ax", 0), filled("ay", 0), filled("az", 0)};

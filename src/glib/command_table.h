@@ -14,6 +14,9 @@ struct PrimitiveSpec;
 
 namespace glibra::glib {
 
+/// The clear colour until a scene sets one, and that of a Background without numbers.
+inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
+
 enum class ArgumentType { number, integer, file, word, text, name, pointGroups, uniforms };
 
 /// Which numbers an argument accepts, and what happens to others (language, 1.7).

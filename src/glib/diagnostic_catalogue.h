@@ -12,9 +12,10 @@
 namespace glibra::glib {
 
 struct CatalogueRow {
-    std::string_view id;  ///< for example "glib-W04"
-    Severity severity = Severity::error;
+    std::string_view id;       ///< for example "glib-W04"
     std::string_view example;  ///< a possible text of the message, without place and severity
+
+    [[nodiscard]] constexpr Severity severity() const { return severityOf(id); }
 };
 
 /// All rows, by family; in a family errors, then warnings, then notes, each with rising numbers.

@@ -51,11 +51,11 @@ class LineReader {
 
     Line read() {
         if (line_.range.end - line_.range.begin > kLongestLine) {
-            log_.error("glib-E15",
-                       fmt::format("line of {} bytes; the limit is {}",
-                                   groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
-                                   groupedText(static_cast<long long>(kLongestLine))),
-                       position(at_));
+            log_.report("glib-E15",
+                        fmt::format("line of {} bytes; the limit is {}",
+                                    groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
+                                    groupedText(static_cast<long long>(kLongestLine))),
+                        position(at_));
             line_.faulty = line_.tooLong = true;
             return std::move(line_);
         }
@@ -73,10 +73,10 @@ class LineReader {
     void reportControlByte() {
         for (std::size_t i = line_.range.begin; i < line_.range.end; ++i) {
             if (!isControl(text_[i])) continue;
-            log_.error("glib-E03",
-                       fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
-                                   static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
-                       position(i));
+            log_.report("glib-E03",
+                        fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
+                                    static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
+                        position(i));
             line_.faulty = true;
             return;
         }
@@ -103,7 +103,7 @@ class LineReader {
             const std::size_t noBreakSpace = noBreakSpaceAt(at_);
             if (noBreakSpace == 0) break;
             if (afterNoBreakSpace_ == 0)
-                log_.warning("glib-W35", "no-break space read as a blank", position(at_));
+                log_.report("glib-W35", "no-break space read as a blank", position(at_));
             at_ += noBreakSpace - 1;
             afterNoBreakSpace_ = at_ + 1;
         }
@@ -111,9 +111,9 @@ class LineReader {
         const bool comment = atComment(at_);
         if (comment || text_[at_] == '/') {
             if (!comment)
-                log_.warning("glib-W01",
-                             "a single '/' starts a comment here; use '//' or '#', or quote the path",
-                             position(at_));
+                log_.report("glib-W01",
+                            "a single '/' starts a comment here; use '//' or '#', or quote the path",
+                            position(at_));
             line_.isComment = true;
             return false;
         }
@@ -136,7 +136,7 @@ class LineReader {
         const std::size_t close = text_.find('"', at_ + 1);
         if (close != std::string_view::npos)
             return add(TokenKind::quoted, at_, close + 1, text_.substr(at_ + 1, close - at_ - 1));
-        log_.error("glib-E02", "quoted name is not closed on this line", position(at_));
+        log_.report("glib-E02", "quoted name is not closed on this line", position(at_));
         line_.faulty = true;
         add(TokenKind::quoted, at_, text_.size(), text_.substr(at_ + 1));
     }
@@ -160,10 +160,10 @@ class LineReader {
         std::string_view word = written;
         while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
         if (word.size() < written.size()) {
-            log_.warning("glib-W03",
-                         fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
-                                     quoted(written)),
-                         position(begin));
+            log_.report("glib-W03",
+                        fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
+                                    quoted(written)),
+                        position(begin));
         }
         if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {
             line_.continues = false;
@@ -184,7 +184,7 @@ class LineReader {
         const bool comment = next < text_.size() && (atComment(next) || (text_[next] == '/' && next > end));
         if (next < text_.size() && !comment) return false;
         if (next > end)
-            log_.warning("glib-W02", "text after the continuation backslash ignored", position(end - 1));
+            log_.report("glib-W02", "text after the continuation backslash ignored", position(end - 1));
         return true;
     }
 

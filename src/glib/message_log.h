@@ -18,12 +18,7 @@ class MessageLog {
   public:
     explicit MessageLog(std::string path) : path_(std::move(path)) {}
 
-    void error(const char* id, std::string text, Position position) {
-        add(Severity::error, id, std::move(text), position);
-    }
-    void warning(const char* id, std::string text, Position position) {
-        add(Severity::warning, id, std::move(text), position);
-    }
+    void report(const char* id, std::string text, Position position);
 
     /// True if a further error would only be counted, so its text is not needed.
     [[nodiscard]] bool isFull() const { return kept_.size() >= kMostMessages && firstCutError_; }
@@ -37,8 +32,6 @@ class MessageLog {
     Diagnostics take();
 
   private:
-    void add(Severity severity, const char* id, std::string text, Position position);
-
     std::string path_;
     Diagnostics kept_;
     std::optional<Diagnostic> firstCutError_;

@@ -103,9 +103,9 @@ std::optional<Statement> StatementReader::next() {
                                : line->isComment ? "the next line is a comment"
                                                  : "the next line is blank";
             if (!line || !line->tooLong)
-                log_.warning("glib-W12",
-                             fmt::format("backslash, but {}: statement ends unless tags follow", what),
-                             backslash);
+                log_.report("glib-W12",
+                            fmt::format("backslash, but {}: statement ends unless tags follow", what),
+                            backslash);
             pending = false;
             continue;
         }
@@ -133,8 +133,8 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
             }
         }
     }
-    log_.warning("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
-                 first.position);
+    log_.report("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
+                first.position);
     return false;
 }
 
@@ -147,8 +147,8 @@ bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
     } else {
         return false;
     }
-    log_.warning("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
-                 ahead_->tokens.front().position);
+    log_.report("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
+                ahead_->tokens.front().position);
     return true;
 }
 
@@ -160,10 +160,10 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
     if (tokens.size() == 2 && !tokens.front().isWord() && tokens.front().kind != TokenKind::number)
         return false;
     const std::string name = tokens.size() == 2 ? std::string(tokens.front().text) + " " : std::string();
-    log_.error("glib-E10",
-               fmt::format("{}: brace blocks belong to another program's scene language",
-                           quoted("Program " + name + "{")),
-               statement.word.position);
+    log_.report("glib-E10",
+                fmt::format("{}: brace blocks belong to another program's scene language",
+                            quoted("Program " + name + "{")),
+                statement.word.position);
     statement.refused = true;
     return skipBraceBlock();
 }

@@ -23,7 +23,7 @@ std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, s
     if (width > side || height > side)
         return error(
             "file-E09",
-            fmt::format("'{}' has {} x {} pixels, the limit is {} a side", label.name, width, height, side),
+            fmt::format("'{}' has {} x {} pixels, the limit is {} per side", label.name, width, height, side),
             label.place);
     const std::uint64_t bytes = width * height * bytesPerPixel;
     if (bytes > limits.texelBytes)

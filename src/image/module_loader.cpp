@@ -45,10 +45,10 @@ std::optional<Module> loadModule(std::span<const fs::path> folders) {
 }
 
 Diagnostic notInstalled(Format format, const FileLabel& label) {
-    return error(
-        "file-E03",
-        fmt::format("'{}' is {} and the image module is not installed", label.name, describe(format)),
-        label.place);
+    return error("file-E03",
+                 fmt::format("'{}' is {}, but the image module that reads it is not installed", label.name,
+                             describe(format)),
+                 label.place);
 }
 
 /// The results of the module's callback.

@@ -69,9 +69,10 @@ Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const
         would += fmt::format("{} {} would need {} or {}", would.empty() ? ";" : ",", sizes,
                              headerBytes(d) + texels, headerBytes(d) + 4 * texels);
     }
-    if (would.empty()) would = "; it does not begin with sizes";
+    if (would.empty()) would = "; it does not start with sizes";
     const std::string kind = dimensions == 0 ? "raw texture" : fmt::format("raw {}D texture", dimensions);
-    return error("file-E05", fmt::format("'{}': {} bytes fit no {}{}", label.name, file.size(), kind, would),
+    return error("file-E05",
+                 fmt::format("'{}': {} bytes match no {}{}", label.name, file.size(), kind, would),
                  label.place);
 }
 
@@ -112,7 +113,7 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     const std::size_t offset = headerBytes(shape.dimensions);
     if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
         return error("file-E09",
-                     fmt::format("'{}' holds {}, the limits are {} a side and {}", label.name,
+                     fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
                                  describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
                                  readableBytes(limits.texelBytes)),
                      label.place);
@@ -130,9 +131,9 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     if (shapes.size() > 1) {
         std::string all = describe(shapes[0]);
         for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describe(shapes[i]);
-        result.diagnostics.push_back(
-            warning("file-W07", fmt::format("{} bytes fit {}; {}D taken", file.size(), all, shape.dimensions),
-                    label.place));
+        result.diagnostics.push_back(warning(
+            "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
+            label.place));
     }
     return result;
 }

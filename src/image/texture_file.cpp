@@ -104,7 +104,7 @@ Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place
 Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place,
                                const ReadOptions& options) {
     if (six.size() != 6)
-        return error("file-E06", fmt::format("CubeMap: {} faces given, it has 6", six.size()), place);
+        return error("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
     std::vector<TexelBlock> faces;
     Diagnostics remarks;
     Component widest = Component::u8;
@@ -115,10 +115,11 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
         if (!face) continue;  // all six faces are read, so that the messages of all come together
         const TexelBlock& first = faces.empty() ? *face : faces.front();
         if (face->width != face->height || face->width != first.width) {
-            append(remarks, {error("file-E06",
-                                   fmt::format("CubeMap: '{}' is {} x {}, all faces must be square and equal",
-                                               path.filename().string(), face->width, face->height),
-                                   place)});
+            append(remarks,
+                   {error("file-E06",
+                          fmt::format("CubeMap: '{}' is {} x {}, all faces must be squares of equal size",
+                                      path.filename().string(), face->width, face->height),
+                          place)});
             return remarks;
         }
         widest = std::max(widest, face->type);

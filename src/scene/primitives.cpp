@@ -63,11 +63,11 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withT
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {
         diagnostics.push_back(
-            error("glib-E15",
-                  fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command),
-                              file.name, glib::groupedText(static_cast<long long>(mesh->vertexCount())),
-                              glib::groupedText(static_cast<long long>(kMostCommandVertices))),
-                  file.place));
+            diagnose("glib-E15",
+                     fmt::format("{} '{}' needs {} vertices; the limit is {}", glib::nameOf(shape.command),
+                                 file.name, glib::groupedText(static_cast<long long>(mesh->vertexCount())),
+                                 glib::groupedText(static_cast<long long>(kMostCommandVertices))),
+                     file.place));
         return diagnostics;
     }
     mesh.diagnostics = std::move(diagnostics);
@@ -135,9 +135,10 @@ Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
         if (wanted.file) return readModel(wanted, scene.files[wanted.file], withTangents);
-        return error("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)), place);
+        return diagnose("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)),
+                        place);
     } catch (const std::exception& problem) {
-        return error("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);
+        return diagnose("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "geometry/counts.h"
 #include "geometry/mesh.h"
+#include "glib/limits.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {

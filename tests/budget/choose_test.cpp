@@ -19,8 +19,8 @@ namespace {
 TEST(Choose, GivesASphereTheLeastCountsForItsPixels) {
     Budget budget(kEye + "Sphere\n");
     budget.choose();
-    // 300 cot(25 degrees) pixels a unit at distance 1, sideways views included; the sphere's nearest point is
-    // at distance 3.
+    // 300 cot(25 degrees) pixels per unit at distance 1, including sideways views; the nearest point of the
+    // sphere is at distance 3.
     const double straight = 300 / std::tan(25 * std::numbers::pi / 180) / 3;
     const auto& chosen = budget.numbers(0);
     const double off = surfaceModel(glib::commandOf("Sphere"))->deviation(chosen, Fidelity::shape);
@@ -111,7 +111,7 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
     Budget plain(kEye + kProgram + "Sphere\n"), mirror(kEye + kProgram + "Sphere\n");
     for (Budget* each : {&plain, &mirror}) {
         each->request.maxError = 50;
-        each->program.inputs.push_back({"aNormal", 1, false});
+        each->program.inputs.push_back({"aNormal", 1});
     }
     mirror.program.facts.stages[1].facts.magnifiesNormals = true;
     plain.choose();
@@ -193,7 +193,7 @@ TEST(Choose, MeasuresNothingOfProgramsThatOnlyPlace) {
 
 TEST(Choose, IsFinerForAProgramThatReadsTextureCoordinates) {
     Budget plain(kEye + kProgram + "Sphere\n"), textured(kEye + kProgram + "Sphere\n");
-    textured.program.inputs.push_back({"aTexCoord0", 1, false});
+    textured.program.inputs.push_back({"aTexCoord0", 1});
     plain.choose();
     textured.choose();
     EXPECT_GT(textured.numbers(0)[1] * textured.numbers(0)[2],
@@ -273,7 +273,7 @@ TEST(Choose, JudgesAPassIntoATextureInItsTexels) {
     budget.choose();
     Budget whole(kEye + "Sphere\n");
     whole.choose();
-    // A tenth of the pixels, and so a root of ten fewer slices.
+    // A tenth of the pixels, so the slices are fewer by the square root of ten.
     EXPECT_NEAR(budget.numbers(0)[1], whole.numbers(0)[1] / std::sqrt(10), 2);
 }
 

@@ -161,7 +161,7 @@ TEST_F(WriteImage, FloatsBecome16BitsInPng) {
 TEST_F(WriteImage, WithoutTheModuleOtherFormatsAreRejectedAndNothingIsLeft) {
     const auto problems = writeImage(testing::smoothImage(4, 4), folder / "a.exr", {{}, {}});
     ASSERT_EQ(idsOf(problems), "file-E03");
-    EXPECT_NE(problems[0].text.find("an EXR picture and the image module is not installed"),
+    EXPECT_NE(problems[0].text.find("an EXR picture, but the image module that reads it is not installed"),
               std::string::npos);
     EXPECT_EQ(fileCount(), 0U);
 }

@@ -61,7 +61,7 @@ TEST(Judge, OtherSizesDifferAndSayHow) {
     const Judgement result = judge(grey(1), testing::noisyImage(9, 7, 3, Component::u8), loose());
     EXPECT_FALSE(result.same);
     EXPECT_EQ(result.decidedBy, Rung::size);
-    EXPECT_EQ(result.reason, "the sizes differ: 64 x 64 expected, 9 x 7 got");
+    EXPECT_EQ(result.reason, "the sizes differ: expected 64 x 64, found 9 x 7");
     EXPECT_FALSE(result.comparison.sameSize);
     EXPECT_FALSE(judge({}, {}, loose()).same) << "pictures without pixels are no pictures";
 }
@@ -209,7 +209,7 @@ TEST(Judge, NanAndInfinityEqualThemselvesAndAreReported) {
     const Judgement equal = judge(a, a, exactTolerance());
     EXPECT_TRUE(equal.same);
     EXPECT_EQ(equal.comparison.nonFinite, 2U);
-    EXPECT_EQ(equal.reason, "equal, but 2 components are no finite numbers");
+    EXPECT_EQ(equal.reason, "equal, but 2 components are NaN or infinite");
     Tolerance tolerance = loose();
     tolerance.fraction = 0;
     EXPECT_TRUE(judge(a, floats(3, 1, {nan, infinity, 1.00001F}), tolerance).same);

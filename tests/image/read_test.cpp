@@ -86,7 +86,8 @@ TEST_F(ReadImage, WithoutTheModuleTheFormatIsNamed) {
     const auto read = readImage(put("wood.bmp", testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0})), kPlace,
                                 testing::withoutModule());
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
-    EXPECT_EQ(read.diagnostics[0].text, "'wood.bmp' is a TIFF picture and the image module is not installed");
+    EXPECT_EQ(read.diagnostics[0].text,
+              "'wood.bmp' is a TIFF picture, but the image module that reads it is not installed");
     EXPECT_EQ(read.diagnostics[0].place, kPlace);
 }
 

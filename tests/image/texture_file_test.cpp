@@ -73,7 +73,7 @@ TEST(RawTexture, SeveralReadingsAreReportedAndTheFirstTaken) {
     ASSERT_TRUE(read);
     ASSERT_EQ(idsOf(read.diagnostics), "file-W07");
     EXPECT_EQ(read.diagnostics[0].text,
-              "36 bytes fit 2 float texels (1D) and 2 x 1 x 3 byte texels (3D); 1D taken");
+              "36 bytes match 2 float texels (1D) and 2 x 1 x 3 byte texels (3D); read as 1D");
     EXPECT_EQ(read->dimensions, 1);
     EXPECT_EQ(read->type, Component::f32);
     const auto asked = decodeRawTexture(rawFile({2, 1, 3}, 36), 3, kLabel);
@@ -95,7 +95,8 @@ TEST(RawTexture, OnlyTheLengthsOfTheReferenceAreAmbiguous) {
 TEST(RawTexture, AWrongLengthNamesTheRightOnes) {
     const auto two = decodeRawTexture(rawFile({4, 4}, 17), 2, kLabel);
     ASSERT_EQ(idsOf(two.diagnostics), "file-E05");
-    EXPECT_EQ(two.diagnostics[0].text, "'a.tex': 17 bytes fit no raw 2D texture; 4 x 4 would need 72 or 264");
+    EXPECT_EQ(two.diagnostics[0].text,
+              "'a.tex': 17 bytes match no raw 2D texture; 4 x 4 would need 72 or 264");
     EXPECT_EQ(two.diagnostics[0].place, kPlace);
     const auto any = decodeRawTexture(rawFile({4, 4}, 17), 0, kLabel);
     ASSERT_EQ(idsOf(any.diagnostics), "file-E05");
@@ -260,7 +261,8 @@ TEST_F(CubeMapFiles, MustBeSquareAndEqual) {
     paths[3] = put("negy.png", encodePng(testing::noisyImage(5, 4, 4, Component::u8)));
     const auto oblong = readCubeMap(paths, kPlace);
     ASSERT_EQ(idsOf(oblong.diagnostics), "file-E06");
-    EXPECT_EQ(oblong.diagnostics[0].text, "CubeMap: 'negy.png' is 5 x 4, all faces must be square and equal");
+    EXPECT_EQ(oblong.diagnostics[0].text,
+              "CubeMap: 'negy.png' is 5 x 4, all faces must be squares of equal size");
     paths[3] = put("negy.png", encodePng(testing::noisyImage(5, 5, 4, Component::u8)));
     EXPECT_EQ(idsOf(readCubeMap(paths, kPlace).diagnostics), "file-E06");
     paths.pop_back();

@@ -85,7 +85,7 @@ inline ProgramInterface interfaceWith(std::initializer_list<std::pair<std::strin
         result.uniforms.push_back(uniform(name, word));
         result.facts.uniforms[name.substr(0, name.find_first_of(".["))] = {};
     }
-    result.inputs.push_back({"aVertex", 0, false});
+    result.inputs.push_back({"aVertex", 0});
     return result;
 }
 
@@ -213,7 +213,7 @@ struct Programs {
         builtin.usable = true;
         builtin.isBuiltin = true;
         builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
-        builtin.inputs = {{"aVertex", 0, false}, {"aColor", 1, false}};
+        builtin.inputs = {{"aVertex", 0}, {"aColor", 1}};
     }
     FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {}) {
         return planFrame(

@@ -130,9 +130,8 @@ TEST(VertexInput, ThatNobodyKnowsIsReported) {
     Programs programs;
     const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
-    programs.byIndex[program].inputs = {{"aVertex", 0, false},       {"glibra_Normal", 1, false},
-                                        {"aPos", 2, false},          {"glibra_sample", 3, false},
-                                        {"gl_InstanceID", -1, true}, {"glibra_unnamed", 4, false}};
+    programs.byIndex[program].inputs = {{"aVertex", 0},       {"glibra_Normal", 1},  {"aPos", 2},
+                                        {"glibra_sample", 3}, {"gl_InstanceID", -1}, {"glibra_unnamed", 4}};
     programs.byIndex[program].facts.userNames["glibra_sample"] = "sample";
     hand.sphere();
     hand.sphere();

@@ -307,8 +307,7 @@ TEST(Needs, AttributesThatNoProgramReadsAreNotMade) {
     Programs programs;
     const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
-    programs.byIndex[program].inputs = {
-        {"aVertex", 0, false}, {"glibra_Normal", 1, false}, {"gl_VertexID", -1, true}};
+    programs.byIndex[program].inputs = {{"aVertex", 0}, {"glibra_Normal", 1}, {"gl_VertexID", -1}};
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);
@@ -323,7 +322,7 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     plain(hand, programs, "Position");
     hand.sphere();
     const auto program = plain(hand, programs, "Tangents");
-    programs.byIndex[program].inputs.push_back({"Tangent", 1, false});
+    programs.byIndex[program].inputs.push_back({"Tangent", 1});
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);

@@ -228,8 +228,8 @@ void ObjReader::dropForwardFaces() {
 }
 
 Result<ObjModel> ObjReader::failed(std::string_view id, std::string text) && {
-    Diagnostic fault =
-        error(std::string(id), fmt::format("'{}' {}", fileName(remarks_.path()), text), remarks_.place(1, 1));
+    Diagnostic fault = diagnose(std::string(id), fmt::format("'{}' {}", fileName(remarks_.path()), text),
+                                remarks_.place(1, 1));
     Diagnostics all = std::move(remarks_).finish();
     all.push_back(std::move(fault));
     return all;
@@ -261,7 +261,7 @@ bool isCompilerOutput(std::string_view text) {
 
 Result<ObjModel> parseObj(std::string_view text, std::string path) {
     const auto failure = [&](std::string_view id, std::string_view what) {
-        return error(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
+        return diagnose(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
     };
     if (text.size() > kLargestModelFile)
         return failure("file-E09", fmt::format("has {:.1f} GiB, the limit is 1 GiB",

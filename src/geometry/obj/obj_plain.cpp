@@ -5,10 +5,9 @@
 #include <charconv>
 #include <new>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <utility>
 
+#include "base/parallel.h"
 #include "geometry/obj/decimal.h"
 
 namespace glibra::geometry {
@@ -178,23 +177,6 @@ std::vector<Piece> cut(std::string_view text, std::size_t pieceBytes, std::strin
     return pieces;
 }
 
-/// Calls work(i) for every i below `count`, on as many threads as the machine has processors.
-template <class Work>
-void forEachIndex(std::size_t count, const Work& work) {
-    std::atomic<std::size_t> next{0};
-    const auto drain = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    std::vector<std::jthread> others;
-    try {
-        const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-        for (std::size_t i = 1; i < std::min(threads, count); ++i) others.emplace_back(drain);
-    } catch (const std::system_error&) {
-        // No more threads can be started; those that run do all the work.
-    }
-    drain();
-}
-
 /// Joins the values of one kind from all pieces.
 template <class Value>
 std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::*member) {
@@ -229,7 +211,7 @@ std::optional<ObjModel> readPlainObj(std::string_view text, std::size_t pieceByt
     pieces.back().text = std::string_view(padded).substr(0, restBytes);
 
     std::atomic<bool> isPlain{true};
-    forEachIndex(pieces.size(), [&](std::size_t i) {
+    base::forEachIndex(pieces.size(), 0, [&](std::size_t i) {
         try {
             if (isPlain) PieceReader(pieces[i]).read();
         } catch (const std::bad_alloc&) {

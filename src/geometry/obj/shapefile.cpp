@@ -207,7 +207,7 @@ Mesh ShapeReader::mesh() && {
 Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
     const Place place{path, 1, 1};
     const auto failure = [&](std::string id, std::string_view what) {
-        return error(std::move(id), fmt::format("'{}': {}", fileName(path), what), place);
+        return diagnose(std::move(id), fmt::format("'{}': {}", fileName(path), what), place);
     };
     if (bytes.size() > kLargestModelFile)
         return failure("file-E09", fmt::format("{:.1f} GiB, the limit is 1 GiB",
@@ -219,7 +219,7 @@ Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
         return failure("file-E09", fmt::format("more than {} segments or points", grouped(kMostTriangles)));
     Diagnostics remarks;
     if (const std::size_t skipped = reader.multipatches(); skipped > 0)
-        remarks.push_back(warning(
+        remarks.push_back(diagnose(
             "file-W11",
             fmt::format("{} multipatch {} skipped", grouped(skipped), skipped == 1 ? "shape" : "shapes"),
             place));

@@ -101,28 +101,28 @@ Result<BmpHeader> readBmpHeader(Bytes file, const FileLabel& label) {
     const std::uint32_t headerSize = little32(file, 14);
     constexpr std::array<std::uint32_t, 7> kHeaderSizes{12, 40, 52, 56, 64, 108, 124};
     if (std::find(kHeaderSizes.begin(), kHeaderSizes.end(), headerSize) == kHeaderSizes.end())
-        return damaged(label, fmt::format("no BMP header has {} bytes", headerSize));
+        return damaged(label, fmt::format("unknown BMP header of {} bytes", headerSize));
     std::size_t at = kFileHeader + headerSize;
     if (file.size() < at) return tooShort();
 
     BmpHeader header;
     std::uint32_t colorsUsed = 0;
     if (!readGeometry(file, headerSize, header, colorsUsed))
-        return damaged(label, "the BMP header gives no pixels");
+        return damaged(label, "the picture has no pixels by its BMP header");
     // OS/2 2.x uses the numbers 3 and 4 for its own compressions.
     const auto code = static_cast<std::uint32_t>(header.compression);
     if (!isKnown(header) || (headerSize == 64 && code >= 3))
         return damaged(label,
-                       fmt::format("BMP compression {} with {} bits a pixel is unknown", code, header.bits));
+                       fmt::format("unknown BMP compression {} with {} bits per pixel", code, header.bits));
     if (!readMasks(file, headerSize, header, at)) return tooShort();
 
     header.dataOffset = little32(file, 10);
     if (header.dataOffset < at)
         return damaged(
-            label, fmt::format("the pixel data begin at byte {}, inside the BMP header", header.dataOffset));
+            label, fmt::format("the pixel data start at byte {}, inside the BMP header", header.dataOffset));
     if (header.dataOffset >= file.size())
         return damaged(label,
-                       fmt::format("the pixel data begin at byte {} of {}", header.dataOffset, file.size()));
+                       fmt::format("the pixel data start at byte {} of {}", header.dataOffset, file.size()));
     readPalette(file, headerSize, colorsUsed, at, header);
     return header;
 }

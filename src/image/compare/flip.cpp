@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <thread>
 
+#include "base/parallel.h"
 #include "image/compare/alike.h"
 #include "image/compare/flip_color.h"
 #include "image/compare/flip_filters.h"
@@ -162,13 +161,20 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
     std::vector<float> errors(static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height));
     const int columns = (a.width + kTileWidth - 1) / kTileWidth;
     const int tiles = columns * ((a.height + kTileHeight - 1) / kTileHeight);
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        FilteredTile first(filters), second(filters);
+    struct Tiles {
+        FilteredTile first, second;
         std::array<float, kTileColumns> rowErrors{};
-        for (int tile = next++; tile < tiles; tile = next++) {
+    };
+    base::forEachIndex(
+        static_cast<std::size_t>(tiles), options.threads,
+        [&] {
+            return Tiles{FilteredTile(filters), FilteredTile(filters)};
+        },
+        [&](std::size_t index, Tiles& buffers) {
+            auto& [first, second, rowErrors] = buffers;
+            const int tile = static_cast<int>(index);
             const int left = tile % columns * kTileWidth, top = tile / columns * kTileHeight;
-            if (sameAround(a, b, left, top, static_cast<int>(filters.radius))) continue;
+            if (sameAround(a, b, left, top, static_cast<int>(filters.radius))) return;
             const int height = std::min(kTileHeight, a.height - top);
             first.load(a, left, top, height);
             second.load(b, left, top, height);
@@ -180,14 +186,7 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
                                 static_cast<std::size_t>(top + y) * static_cast<std::size_t>(a.width) +
                                 static_cast<std::size_t>(left));
             }
-        }
-    };
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int threads = std::min(options.threads > 0 ? options.threads : std::max(cores, 1), tiles);
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-    others.clear();
+        });
     return errors;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glsl/emit/wrapped_main.h"
+#include "gpu/reflection.h"
 #include "gpu/uniform.h"
 #include "render/derived_program.h"
 #include "render/gl_names.h"
@@ -92,13 +93,13 @@ std::optional<DebugProgram> link(const gpu::Context& context,
     gpu::BuildOutcome built = gpu::buildProgram(
         context.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     if (!built.program) return std::nullopt;
-    gpu::ProgramInterface reflected = gpu::reflect(*built.program);
-    return DebugProgram{std::move(*built.program), std::move(reflected)};
+    base::ActiveResources resources = gpu::reflect(*built.program);
+    return DebugProgram{std::move(*built.program), std::move(resources)};
 }
 
 }  // namespace
 
-bool hasStagesBehindVertices(const render::BuiltProgram& built) {
+bool hasStagesAfterVertices(const render::BuiltProgram& built) {
     return hasGeometryStage(built) || hasStage(built, glsl::Stage::tessEvaluation);
 }
 bool hasGeometryStage(const render::BuiltProgram& built) {
@@ -107,7 +108,7 @@ bool hasGeometryStage(const render::BuiltProgram& built) {
 
 std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
                                              DebugView kind, DebugStages stages) {
-    const bool isVertexAlone = !hasStagesBehindVertices(built);
+    const bool isVertexAlone = !hasStagesAfterVertices(built);
     const bool asLines = stages == DebugStages::normalLines;
     const std::string& tessellated = built.interface.facts.tessellationOutput;
     if (asLines && (hasGeometryStage(built) || !(isVertexAlone || tessellated == "triangles")))
@@ -141,12 +142,12 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
 }
 
 void DebugProgram::set(std::string_view uniform, std::span<const double> values) const {
-    for (const gpu::ActiveUniform& each : reflected.uniforms)
+    for (const base::ActiveUniform& each : resources.uniforms)
         if (each.name == uniform) gpu::setUniform(program, each, values);
 }
 
 void DebugProgram::copyUniforms(const render::BuiltProgram& from) const {
-    render::copyUniforms(from, program, reflected);
+    render::copyUniforms(from, program, resources);
 }
 
 }  // namespace glibra::view

@@ -4,9 +4,9 @@
 #include <optional>
 #include <span>
 
+#include "base/program_resources.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "gpu/reflection.h"
 #include "render/programs.h"
 #include "view/debug_view/debug_view.h"
 
@@ -23,7 +23,7 @@ inline constexpr int kDebugOutput = 7;
 
 struct DebugProgram {
     gpu::Program program;
-    gpu::ProgramInterface reflected;
+    base::ActiveResources resources;
 
     /// Does nothing if the program has no such uniform.
     void set(std::string_view uniform, std::span<const double> values) const;
@@ -44,7 +44,7 @@ std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const 
                                              DebugView kind, DebugStages stages);
 
 /// True if that program has a tessellation or geometry stage.
-bool hasStagesBehindVertices(const render::BuiltProgram& built);
+bool hasStagesAfterVertices(const render::BuiltProgram& built);
 bool hasGeometryStage(const render::BuiltProgram& built);
 
 }  // namespace glibra::view

@@ -55,12 +55,12 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
     const geometry::Mesh* mesh = scene_.meshOf(draw);
     if (mesh && mesh->vertexCount() != device->vertexCount) mesh = nullptr;
     std::vector<gpu::AttributeSource> sources;
-    made.buffers.reserve(made.program->reflected.inputs.size());  // `sources` points to them
-    for (const gpu::ActiveInput& input : made.program->reflected.inputs) {
+    made.buffers.reserve(made.program->resources.inputs.size());  // `sources` points to them
+    for (const base::ActiveInput& input : made.program->resources.inputs) {
         if (input.location < 0) continue;
         gpu::AttributeSource source;
         source.location = static_cast<GLuint>(input.location);
-        const bool isInteger = input.type.base == gpu::BaseType::integer;
+        const bool isInteger = input.type.base == base::BaseType::integer;
         for (const render::DeviceMesh::Attribute& each : device->attributes) {
             if (each.name != sceneAttribute(input.name)) continue;
             const bool asIntegers = isInteger && each.integers;
@@ -94,7 +94,7 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
     if (entry->second.program) connect(draw, entry->second);
     if (!entry->second.program && kind != DebugView::normals &&
         told_.try_emplace({kind, draw.program}, true).second) {
-        const char* why = kind == DebugView::coordinates && hasStagesBehindVertices(*built)
+        const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
                               ? "its stages pass no vST to the fragment stage"
                               : "the driver cannot link its stages with those of the debug view";
         remarks_.push_back(warning(
@@ -126,13 +126,13 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     program.set("glibra_debugNormalMatrix", {glm::value_ptr(normals), 9});
     program.set("glibra_debugReach", {&reach, 1});
     program.set("glibra_debugSize", size);
-    for (const gpu::ActiveInput& input : program.reflected.inputs)
+    for (const base::ActiveInput& input : program.resources.inputs)
         if (input.location >= 0 && !debugAttribute(input.name).empty())
-            gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type.type, {0, 0, 0, 1});
-    for (const gpu::ActiveInput& input : program.reflected.inputs) {
+            gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, {0, 0, 0, 1});
+    for (const base::ActiveInput& input : program.resources.inputs) {
         if (input.location < 0 || sceneAttribute(input.name) != geometry::kColor) continue;
         const glm::dvec4& color = draw.draw->color;
-        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type.type,
+        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type,
                                   {color.r, color.g, color.b, color.a});
     }
     program.program.use();

@@ -47,8 +47,8 @@ struct LiveScene::State {
     std::optional<double> eyeAspect;  ///< the aspect ratio that eyeDistance was computed for
     double eyeDistance = 0;
     std::optional<int> loopLimit;
-    bool isViewSet = false;     ///< the drawer has `view`
-    double setEyeDistance = 0;  ///< the eyeDistance in the drawer's view
+    bool isViewSet = false;     ///< `view` is the view of the last frame
+    double setEyeDistance = 0;  ///< the eyeDistance in `view`
 
     Diagnostics prepare(State* previous);
     void prepareFallback();
@@ -77,7 +77,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
         device.bounds(each.shape, hasTangents(each), &diagnostics);
     append(diagnostics, device.prepare(plan, programs));
     drawer.emplace(context, scene, plan, programs, device, drawStats);
-    drawer->leaveOutOfTile(kSamples);
+    drawer->cullToTile(kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
     return diagnostics;
@@ -183,7 +183,7 @@ const render::Stats& LiveScene::drawStats() const {
 }
 
 void LiveScene::drawOutOfSight(bool on) {
-    state_->drawer->leaveOutOfTile(on ? 0 : kSamples);
+    state_->drawer->cullToTile(on ? 0 : kSamples);
 }
 
 void LiveScene::setValue(const Knob& knob) {
@@ -208,13 +208,12 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     // again.
     if (!state.isViewSet || view != state.view.state() || state.setEyeDistance != state.eyeDistance) {
         state.view = render::ViewMatrices(view, state.scene.view, state.eyeDistance);
-        state.drawer->setView(state.view);
         state.setEyeDistance = state.eyeDistance;
         state.isViewSet = true;
     }
-    state.drawer->setPictureSize(target.width(), target.height());
     const render::Tile whole{0, 0, target.width(), target.height()};
-    append(diagnostics, state.drawer->draw(target, whole, time, true));
+    append(diagnostics,
+           state.drawer->draw(target, {state.view, target.width(), target.height(), whole, time}));
     if (axes && !state.axes) {
         Result<render::Axes> made = render::Axes::create(state.context);
         append(diagnostics, std::move(made.diagnostics));

@@ -75,9 +75,8 @@ void hardcopyPanel(Ui& ui) {
             "The extension selects the format: .png, .bmp, .exr, .jpg, .tif ...; .mp4 or .webm for a video");
     std::array<int, 2> size{entries.width, entries.height};
     if (ImGui::InputInt2("Size", size.data())) {
-        constexpr int kMostPixels = 65536;
-        entries.width = std::clamp(size[0], 0, kMostPixels);
-        entries.height = std::clamp(size[1], 0, kMostPixels);
+        entries.width = std::clamp(size[0], 0, kLargestPictureSide);
+        entries.height = std::clamp(size[1], 0, kLargestPictureSide);
     }
     markField(ui, "hardcopy/size", "Size");
     if (ImGui::IsItemHovered())
