@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "image/texture_file.h"
-#include "noise/cache.h"
 #include "noise/noise.h"
 #include "plan/texture_uses.h"
 #include "render/device_scene.h"
@@ -108,7 +107,8 @@ DeviceScene::NoiseTexels DeviceScene::noiseTexels(const scene::NoiseSource& sour
     const StageTimer timer(stats_, "noise");
     if (!source.file) {
         if (source.texels == scene::NoiseTexels::bytes)
-            return widened(noise::cachedTexels(source.dimensions, source.size));
+            return widened(source.dimensions == 3 ? noise::noise3Texels(source.size)
+                                                  : noise::noise2Texels(source.size));
         return source.dimensions == 3 ? noise::noise3Shorts(source.size) : noise::noise2Shorts(source.size);
     }
     stats_.add("files read", 1);
