@@ -199,18 +199,18 @@ bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
     return true;
 }
 
-std::vector<std::uint8_t> noise3Texels(int n, int threads) {
+TexelBytes noise3Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize3) return {};
     const auto size = static_cast<std::size_t>(n);
-    std::vector<std::uint8_t> texels(4 * size * size * size);
+    TexelBytes texels(4 * size * size * size);
     writeNoise3(n, texels, threads);
     return texels;
 }
 
-std::vector<std::uint8_t> noise2Texels(int n, int threads) {
+TexelBytes noise2Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize2) return {};
     const auto size = static_cast<std::size_t>(n);
-    std::vector<std::uint8_t> texels(4 * size * size);
+    TexelBytes texels(4 * size * size);
     writeNoise2(n, texels, threads);
     return texels;
 }

@@ -17,7 +17,7 @@ namespace glibra::plan {
 /// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
 /// targets.
 struct ProgramVariant {
-    int program = scene::kNone;  ///< index into Scene::programs; kNone: the built-in program
+    scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
@@ -27,13 +27,13 @@ struct ProgramVariant {
 /// is used.
 using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
 /// True if any stage source of the program could write to an image (asked before anything is compiled).
-using MayWriteImages = std::function<bool(int program)>;
+using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
 
 struct TextureUse {
-    int uniform = 0;  ///< of the program's interface
+    UniformIndex uniform{};
     int element = 0;
-    int driverUnit = 0;          ///< texture image unit (or image unit) of GL that the plan chose
-    int texture = scene::kNone;  ///< index into Scene::textures; kNone: empty slot, reads (0, 0, 0, 1)
+    int driverUnit = 0;             ///< texture image unit (or image unit) of GL that the plan chose
+    scene::TextureIndex texture{};  ///< none: an empty slot, which reads (0, 0, 0, 1)
     scene::TextureTarget target = scene::TextureTarget::texture2D;
     bool clamp = false;  ///< repeat otherwise
     bool isImage = false;
@@ -52,10 +52,20 @@ struct PlannedProgram {
     std::vector<Control> controls;
 };
 
+/// A mesh to make, and the attributes of it that some program reads.
+struct PlannedMesh {
+    scene::ShapeIndex shape{};
+    std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
+};
+
+// Indices into the lists of FramePlan.
+using PlannedProgramIndex = scene::Index<PlannedProgram>;
+using PlannedMeshIndex = scene::Index<PlannedMesh>;
+
 struct PlannedDraw {
     const scene::Draw* draw = nullptr;
-    int program = 0;  ///< index into FramePlan::programs
-    int mesh = 0;     ///< index into FramePlan::meshes
+    PlannedProgramIndex program{};
+    PlannedMeshIndex mesh{};
     Submission submission;
     std::vector<TextureUse> textures;
 };
@@ -63,12 +73,6 @@ struct PlannedDraw {
 struct PlannedPass {
     const scene::Pass* pass = nullptr;
     std::vector<std::variant<PlannedDraw, const scene::Clear*>> steps;
-};
-
-/// A mesh to make, and the attributes of it that some program reads.
-struct PlannedMesh {
-    int shape = 0;                        ///< index into Scene::shapes
-    std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
 };
 
 /// Something that is not done, for --explain and --stats.
@@ -81,9 +85,9 @@ struct Skipped {
 
 struct FramePlan {
     std::vector<PlannedPass> passes;
-    std::vector<PlannedProgram> programs;
-    std::vector<PlannedMesh> meshes;
-    std::vector<int> textures;  ///< indices into Scene::textures that must exist (sources and targets)
+    scene::List<PlannedProgram> programs;
+    scene::List<PlannedMesh> meshes;
+    std::vector<scene::TextureIndex> textures;  ///< those that must exist: sources and targets
     std::vector<Skipped> skipped;
     Diagnostics diagnostics;  ///< draw-E.., draw-W.., those of needed programs and uniforms
 };

@@ -17,7 +17,7 @@ std::optional<double> valueOf(const PlannedProgram& program, std::string_view na
     const auto found = std::find_if(uniforms.begin(), uniforms.end(),
                                     [&](const ActiveUniform& each) { return each.name == name; });
     if (found == uniforms.end()) return std::nullopt;
-    const auto index = static_cast<int>(found - uniforms.begin());
+    const UniformIndex index(static_cast<std::size_t>(found - uniforms.begin()));
     std::optional<double> value;
     const auto declared = program.interface->facts.uniforms.find(std::string(name));
     if (declared == program.interface->facts.uniforms.end() || !declared->second.hasInitializer) value = 0;

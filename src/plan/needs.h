@@ -17,13 +17,14 @@ enum class StepNeed { needed, coveredByClear, drawsNothing, outOfSight, passNotN
 struct Needs {
     std::vector<bool> passes;
     std::vector<std::vector<StepNeed>> steps;
-    std::vector<bool> textures;  ///< sampled by a needed draw, or target of a needed pass
+    scene::List<bool, scene::Texture> textures;  ///< sampled by a needed draw, or target of a needed pass
     std::map<const scene::Draw*, std::string> outOfSight;  ///< why, for each such step
     Place clear;  ///< of the last Clear of the window, if steps are coveredByClear
 };
 
-/// Textures that a draw's active samplers and images read (indices into Scene::textures).
-using TexturesOf = std::function<std::vector<int>(const scene::Draw& draw, const scene::Pass& pass)>;
+/// Textures that a draw's active samplers and images read.
+using TexturesOf =
+    std::function<std::vector<scene::TextureIndex>(const scene::Draw& draw, const scene::Pass& pass)>;
 /// PlanOptions::outOfSight.
 using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
 

@@ -15,7 +15,7 @@ namespace glibra::plan {
 
 /// A uniform that a tag names.
 struct NamedUniform {
-    int uniform = 0;          ///< index into ProgramInterface::uniforms
+    UniformIndex uniform{};
     int element = 0;          ///< 0 without a subscript
     bool oneElement = false;  ///< the tag had a subscript: `name[2]`
 };
@@ -30,11 +30,11 @@ class UniformNames {
     [[nodiscard]] std::vector<NamedUniform> find(std::string_view tag) const;
 
   private:
-    [[nodiscard]] const std::vector<int>* indices(std::string_view name) const;
+    [[nodiscard]] const std::vector<UniformIndex>* indices(std::string_view name) const;
 
-    std::map<std::string, std::vector<int>, std::less<>> exact_;
-    std::map<std::string, std::vector<int>, std::less<>> members_;
-    std::vector<int> arraySizes_;  ///< 0: no array
+    std::map<std::string, std::vector<UniformIndex>, std::less<>> exact_;
+    std::map<std::string, std::vector<UniformIndex>, std::less<>> members_;
+    scene::List<int, ActiveUniform> arraySizes_;  ///< 0: no array
 };
 
 /// The table row that fills this uniform: its name and its GLSL type are those of a built-in; else null.

@@ -50,9 +50,7 @@ class Resolver {
     }
 
   private:
-    const ActiveUniform& uniform(int index) const {
-        return interface_.uniforms.at(static_cast<std::size_t>(index));
-    }
+    const ActiveUniform& uniform(UniformIndex index) const { return at(interface_.uniforms, index); }
     Place place(glib::Position position) const { return {scenePath_, position.line, position.column}; }
     void warn(const char* id, std::string text, const Place& place) {
         result_.diagnostics.push_back(warning(id, std::move(text), place));
@@ -75,10 +73,10 @@ class Resolver {
     }
 
     void supply() {
-        for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (const UniformIndex i : rows_.indices())
             if (rows_[i] != nullptr && !isNoise(*rows_[i])) {
                 UniformBinding& binding = result_.values.emplace_back();
-                binding.uniform = static_cast<int>(i);
+                binding.uniform = i;
                 binding.value.emplace<Supplied>(rows_[i]->value);
             }
     }
@@ -127,7 +125,7 @@ class Resolver {
 
     void apply(const GivenValue& given, const NamedUniform& named, bool isOverridden) {
         const ActiveUniform& target = uniform(named.uniform);
-        const glsl::BuiltinUniform* row = rows_.at(static_cast<std::size_t>(named.uniform));
+        const glsl::BuiltinUniform* row = rows_[named.uniform];
         if (row != nullptr && !isNoise(*row)) return reportSupplied(given);
         Reading reading = readValue(given, target, named.oneElement);
         if (isOverridden) {  // the scene's value is not used, but its slider stays
@@ -136,9 +134,9 @@ class Resolver {
         }
         append(result_.diagnostics, std::move(reading.diagnostics));
         if (reading.ignored) return;
-        touched_.at(static_cast<std::size_t>(named.uniform)) = true;
+        touched_[named.uniform] = true;
         if (isOpaque(target)) {
-            std::vector<int>& units = units_.at(static_cast<std::size_t>(named.uniform));
+            std::vector<int>& units = units_[named.uniform];
             const auto first = static_cast<std::size_t>(named.element);
             for (std::size_t i = 0; i < reading.values.size() && first + i < units.size(); ++i)
                 units[first + i] = static_cast<int>(reading.values[i]);
@@ -154,11 +152,11 @@ class Resolver {
         result_.values.push_back({named.uniform, named.element, Literal{std::move(reading.values)}});
     }
 
-    void setCurrent(int index, double value) {
+    void setCurrent(UniformIndex index, double value) {
         for (Control& each : result_.controls)
             if (each.uniform == index && each.form != glib::UniformForm::color) each.current = value;
     }
-    void addControl(int index, Control control) {
+    void addControl(UniformIndex index, Control control) {
         control.uniform = index;
         for (Control& each : result_.controls)
             if (each.uniform == index) {
@@ -223,8 +221,8 @@ class Resolver {
     /// glib-W37: active, and nobody said what it is.
     void reportUnset() {
         if (interface_.isBuiltin) return;
-        for (std::size_t i = 0; i < interface_.uniforms.size(); ++i) {
-            const ActiveUniform& each = interface_.uniforms[i];
+        for (const UniformIndex i : rows_.indices()) {
+            const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
             if (isOpaque(each)) {
                 if (!interface_.facts.textureBindings.contains(each.name))
@@ -243,10 +241,9 @@ class Resolver {
     }
 
     void listSamplers() {
-        for (std::size_t i = 0; i < units_.size(); ++i)
+        for (const UniformIndex i : units_.indices())
             for (std::size_t element = 0; element < units_[i].size(); ++element)
-                result_.samplers.push_back(
-                    {static_cast<int>(i), static_cast<int>(element), units_[i][element]});
+                result_.samplers.push_back({i, static_cast<int>(element), units_[i][element]});
     }
 
     const scene::Program& program_;
@@ -254,10 +251,10 @@ class Resolver {
     const ProgramInterface& interface_;
     std::span<const Override> overrides_;
     UniformNames names_;
-    std::vector<const glsl::BuiltinUniform*> rows_;  ///< what supplies each uniform, or null
-    std::vector<std::vector<int>> units_;            ///< of samplers and images, an element each
-    std::vector<bool> touched_;                      ///< a pair or an override gave it a value
-    std::set<std::pair<int, int>> overridden_;
+    scene::List<const glsl::BuiltinUniform*, ActiveUniform> rows_;  ///< what supplies each uniform, or null
+    scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, an element each
+    scene::List<bool, ActiveUniform> touched_;            ///< a pair or an override gave it a value
+    std::set<std::pair<UniformIndex, int>> overridden_;
     std::vector<std::string> knownNames_;
     UniformResolution result_;
 };

@@ -28,21 +28,21 @@ struct Supplied {
 using Expression = std::variant<Literal, Supplied>;
 
 struct UniformBinding {
-    int uniform = 0;       ///< index into ProgramInterface::uniforms
+    UniformIndex uniform{};
     int firstElement = 0;  ///< for arrays
     Expression value;
 };
 
 /// A sampler or image and the unit of the language that it reads.
 struct SamplerBinding {
-    int uniform = 0;
+    UniformIndex uniform{};
     int element = 0;  ///< of an array of samplers
     int unit = 0;     ///< 0..127
 };
 
 /// What the interface needs for a slider, a check box or a colour button.
 struct Control {
-    int uniform = 0;
+    UniformIndex uniform{};
     glib::UniformForm form = glib::UniformForm::number;
     double minimum = 0, current = 0, maximum = 1;
 };

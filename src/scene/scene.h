@@ -20,11 +20,25 @@
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
+#include "scene/index.h"
 
 namespace glibra::scene {
 
-/// No such thing: "no program", "no texture", "no file".
-inline constexpr int kNone = -1;
+struct FileReference;
+struct Shape;
+struct Texture;
+struct Slot;
+struct Program;
+
+/// What all slots hold at one place of the scene, sorted by unit and target. Draws share these.
+using SlotTable = std::vector<Slot>;
+
+// Indices into the lists of Scene.
+using FileIndex = Index<FileReference>;
+using ShapeIndex = Index<Shape>;
+using TextureIndex = Index<Texture>;
+using SlotTableIndex = Index<SlotTable>;
+using ProgramIndex = Index<Program>;
 
 /// A file that a scene names, looked up but not read. `path` is empty if nothing was found; `remarks`
 /// (file-E01, file-W01 ...) belong to whoever needs the file. Statements that name the same file share one
@@ -44,7 +58,7 @@ struct Shape {
     /// states may follow: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an
     /// Xarrow.
     std::vector<double> numbers;
-    int file = kNone;  ///< index into Scene::files
+    FileIndex file{};
     std::shared_ptr<const geometry::Mesh>
         list;  ///< the mesh itself where the scene's text gives the vertices
 };
@@ -54,7 +68,7 @@ enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
 struct PictureSource {
-    std::vector<int> files;  ///< one, or six for a cube map
+    std::vector<FileIndex> files;  ///< one, or six for a cube map
     bool anyDimension =
         false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
 };
@@ -72,7 +86,7 @@ struct NoiseSource {
     int size = 64;
     bool isSizeGiven = false;                 ///< the scene states it
     NoiseTexels texels = NoiseTexels::bytes;  ///< of built-in noise
-    int file = kNone;                         ///< index into Scene::files
+    FileIndex file{};
     Diagnostics remarks;
 };
 
@@ -97,15 +111,13 @@ inline constexpr int kNoise3Unit = 3;
 struct Slot {
     int unit = 0;
     TextureTarget target = TextureTarget::texture2D;
-    int texture = kNone;
+    TextureIndex texture{};
 };
-/// What all slots hold at one place of the scene, by rising unit and target; draws share these.
-using SlotTable = std::vector<Slot>;
 
 /// Shader files of one stage as they were current at a Program statement.
 struct StageFile {
     glsl::Stage stage = glsl::Stage::vertex;
-    int file = kNone;
+    FileIndex file{};
 };
 
 struct Program {
@@ -145,8 +157,8 @@ struct RasterState {
 struct Draw {
     Place place;
     std::string word;  ///< the command as written, for messages; of a glBegin list its topology
-    int shape = kNone;
-    int program = kNone;
+    ShapeIndex shape{};
+    ProgramIndex program{};
     glm::dmat4 modelView{1.0};
     Projection projection;
     glm::dvec4 color{1.0};
@@ -154,7 +166,7 @@ struct Draw {
     int patchVertices = 3;
     bool flatColors = false;
     Sampling sampling;
-    int slots = 0;  ///< index into Scene::slotTables
+    SlotTableIndex slots{};
     double timerPeriod = 10;
     std::size_t givenNumbers =
         0;  ///< how many of the shape's numbers the scene states; the rest are defaults
@@ -170,8 +182,8 @@ struct Clear {
 /// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors` and
 /// `clearDepth`.
 struct Pass {
-    std::vector<int> targets;  ///< indices into Scene::textures; empty: the window
-    int depthBuffer = 0;       ///< passes with the same number share depth; 0 is the window's
+    std::vector<TextureIndex> targets;  ///< empty: the window
+    int depthBuffer = 0;                ///< passes with the same number share depth; 0 is the window's
     std::vector<std::optional<glm::dvec4>>
         clearColors;  ///< a target each (window: one); nothing: keep content
     bool clearDepth = false;
@@ -182,11 +194,11 @@ struct Pass {
 struct Scene {
     std::string path;
     int width = 600, height = 600;
-    std::vector<FileReference> files;
-    std::vector<Shape> shapes;
-    std::vector<Texture> textures;
-    std::vector<SlotTable> slotTables;
-    std::vector<Program> programs;
+    List<FileReference> files;
+    List<Shape> shapes;
+    List<Texture> textures;
+    List<SlotTable> slotTables;
+    List<Program> programs;
     std::vector<Pass> passes;  ///< in order; the last content of the window is the picture
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt

@@ -32,7 +32,7 @@ struct SavedMatrix {
 /// What RenderToTexture chose; no units: the window.
 struct TargetList {
     std::vector<int> units;
-    std::vector<int> textures;
+    std::vector<TextureIndex> textures;
     int width = 0, height = 0;
     Place place;
 };
@@ -49,10 +49,10 @@ struct State {
     bool flatColors = false;
     Sampling sampling;
     SlotTable slots;
-    std::map<glsl::Stage, int> stageFiles;
+    std::map<glsl::Stage, FileIndex> stageFiles;
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
-    int program = kNone;
+    ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
 };
@@ -79,11 +79,11 @@ struct Interpreter {
     bool isOrphan = false;  ///< the statement before belonged to a list that is not open, and that is told
 
     // What has been made so far, to share it.
-    std::map<std::string, int> files;  ///< by name as written
-    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, int> shapes;
-    std::multimap<std::uint64_t, int> listShapes;  ///< by hash of the mesh
-    int slotTable = kNone;                         ///< the table that equals state.slots, if there is one
-    std::set<int> clearedTextures;
+    std::map<std::string, FileIndex> files;  ///< by name as written
+    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
+    std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
+    SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
+    std::set<TextureIndex> clearedTextures;
     bool isWindowCleared = false;
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;  ///< by units and size
     std::set<int> clearedDepths;
@@ -132,7 +132,7 @@ std::span<const CommandAction> programActions();  // interpret_programs.cpp
 const CommandAction* actionOf(glib::CommandId command);
 
 /// Returns the index of the file that a statement names. A file is looked up where it is named first.
-int fileOf(Interpreter&, const std::string& name, const Place& place);
+FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
 
 // interpret_view.cpp
 
@@ -164,7 +164,7 @@ void doPrimitive(Interpreter&, const glib::Command&);
 /// What a geometry command draws with the current state. `size` describes it for Verbose; `color` replaces
 /// the current colour.
 struct Drawing {
-    int shape = kNone;
+    ShapeIndex shape{};
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
@@ -173,7 +173,7 @@ void draw(Interpreter&, const glib::Command&, const Drawing&);
 /// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.
-int shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
+ShapeIndex shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
 
 /// Returns the statement as messages repeat it: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);

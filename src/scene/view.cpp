@@ -163,7 +163,7 @@ glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
 
 double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
     if (pass.targets.empty()) return windowAspect;
-    const Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+    const Texture& target = scene.textures[pass.targets.front()];
     const auto* size = std::get_if<EmptySource>(&target.source);
     return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
 }

@@ -19,7 +19,7 @@ glm::dmat4 projectionMatrix(const Projection& projection, double aspect);
 double aspectOf(const Scene& scene, const Pass& pass, double windowAspect);
 
 /// The mesh of a shape (index into Scene::shapes); null if there is none, it then counts for nothing.
-using MeshOf = std::function<const geometry::Mesh*(int shape)>;
+using MeshOf = std::function<const geometry::Mesh*(ShapeIndex shape)>;
 
 /// How far the eye is moved back.
 struct ViewMove {

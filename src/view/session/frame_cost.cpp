@@ -34,9 +34,8 @@ std::vector<PassCost> passesOf(const LiveScene& live) {
     for (const plan::PlannedPass& each : live.plan().passes) {
         PassCost pass{"window", each.pass->place.line, 0};
         std::string units;
-        for (const int target : each.pass->targets)
-            units += (units.empty() ? "" : ", ") +
-                     std::to_string(live.scene().textures[static_cast<std::size_t>(target)].unit);
+        for (const scene::TextureIndex target : each.pass->targets)
+            units += (units.empty() ? "" : ", ") + std::to_string(live.scene().textures[target].unit);
         if (!units.empty()) pass.target = (each.pass->targets.size() > 1 ? "units " : "unit ") + units;
         passes.push_back(std::move(pass));
     }
