@@ -151,9 +151,8 @@ class Chooser {
         const SurfaceModel* model = shape.list ? nullptr : surfaceModel(shape.command);
         const glm::dmat4 matrix = request_.clipFromModel(draw, aspect);
         const std::vector<double> numbers = model != nullptr ? model->complete(shape) : std::vector<double>();
-        const std::optional<double> scale =
-            model != nullptr ? pixelsPerUnit(matrix, model->extent(numbers), size.x, size.y)
-                             : std::optional<double>();
+        std::optional<double> scale;
+        if (model != nullptr) scale = pixelsPerUnit(matrix, model->extent(numbers), size.x, size.y);
         noteNoise(planned, scale, size.y);
         if (scene::drawsNothing(shape)) return;
         const ProgramFacts facts = programFacts(program);
