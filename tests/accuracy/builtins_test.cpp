@@ -54,7 +54,7 @@ TEST(JudgedPrecision, OfRoundedResultsIsHalfAUnit) {
     EXPECT_GT(precision.largest, .45);
     EXPECT_NEAR(precision.mean, .25, .03);
     EXPECT_EQ(precision.samples, 1000U);
-    EXPECT_LT(precision.ofBound.value(), 1);
+    EXPECT_LT(precision.timesTheBound.value(), 1);
 }
 
 TEST(JudgedPrecision, CountsTheUnitsByWhichAResultIsWrong) {
@@ -69,8 +69,8 @@ TEST(JudgedPrecision, CountsTheUnitsByWhichAResultIsWrong) {
     };
     EXPECT_NEAR(off(4).largest, 4.25, .25);
     EXPECT_NEAR(off(4).mean, 4, .25);
-    EXPECT_GT(off(4).ofBound.value(), 1);
-    EXPECT_LT(off(2).ofBound.value(), 1.0001);
+    EXPECT_GT(off(4).timesTheBound.value(), 1);
+    EXPECT_LT(off(2).timesTheBound.value(), 1.0001);
 }
 
 TEST(JudgedPrecision, ReportsNotANumberAndItsArguments) {
@@ -196,10 +196,10 @@ TEST(BuiltinFunctions, BoundsHoldForTheEquationsInFloat) {
     for (const auto& [name, evaluate] : inFloat) {
         const BuiltinFunction& function = functionOf(name);
         for (const ArgumentSweep& sweep : function.sweeps) {
-            const double ofBound =
-                judgePrecision(function, sweep, answers(sweep, 20'000, evaluate)).ofBound.value();
-            EXPECT_LE(ofBound, 1.0001) << name << " over " << sweep.words;
-            EXPECT_GT(ofBound, .05) << "the bound says nothing: " << name << " over " << sweep.words;
+            const double timesTheBound =
+                judgePrecision(function, sweep, answers(sweep, 20'000, evaluate)).timesTheBound.value();
+            EXPECT_LE(timesTheBound, 1.0001) << name << " over " << sweep.words;
+            EXPECT_GT(timesTheBound, .05) << "the bound says nothing: " << name << " over " << sweep.words;
         }
     }
 }

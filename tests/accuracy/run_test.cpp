@@ -148,11 +148,11 @@ Result<std::vector<Figure>> works(Bench& /*bench*/) {
 TEST(Run, ContinuesAfterASubjectThatFails) {
     const std::vector<Subject> table{{"bad", "Bad", fails}, {"good", "Good", works}};
     const std::vector<const Subject*> chosen{&table[0], &table[1]};
-    std::vector<std::string> told;
+    std::vector<std::string> started;
     const Report report = run(chosen, {.quick = true}, [&](const Subject& subject, std::size_t, std::size_t) {
-        told.emplace_back(subject.name);
+        started.emplace_back(subject.name);
     });
-    EXPECT_EQ(told, (std::vector<std::string>{"bad", "good"}));
+    EXPECT_EQ(started, (std::vector<std::string>{"bad", "good"}));
     ASSERT_EQ(report.subjects.size(), 2U);
     EXPECT_TRUE(hasError(report.subjects[0].diagnostics));
     EXPECT_TRUE(lacksDriver(report));

@@ -1,5 +1,5 @@
 #pragma once
-// A scene for tests of the choice, without GL: programs are described by hand.
+// A scene for tests of the choice. It needs no GL: programs are described by hand.
 
 #include <gtest/gtest.h>
 

@@ -19,8 +19,8 @@ namespace {
 TEST(Choose, GivesASphereTheLeastCountsForItsPixels) {
     Budget budget(kEye + "Sphere\n");
     budget.choose();
-    // 300 cot(25 degrees) pixels a unit at distance 1, sideways views included; the sphere's nearest point is
-    // at distance 3.
+    // 300 cot(25 degrees) pixels per unit at distance 1, including sideways views; the nearest point of the
+    // sphere is at distance 3.
     const double straight = 300 / std::tan(25 * std::numbers::pi / 180) / 3;
     const auto& chosen = budget.numbers(0);
     const double off = surfaceModel(glib::commandOf("Sphere"))->deviation(chosen, Fidelity::shape);
@@ -273,7 +273,7 @@ TEST(Choose, JudgesAPassIntoATextureInItsTexels) {
     budget.choose();
     Budget whole(kEye + "Sphere\n");
     whole.choose();
-    // A tenth of the pixels, and so a root of ten fewer slices.
+    // A tenth of the pixels, so the slices are fewer by the square root of ten.
     EXPECT_NEAR(budget.numbers(0)[1], whole.numbers(0)[1] / std::sqrt(10), 2);
 }
 

@@ -1,4 +1,4 @@
-// Least counts against trying all of them.
+// Least counts compared with trying all counts.
 
 #include "budget/least_counts.h"
 
@@ -29,7 +29,7 @@ CountsRequest request(CommandId command, std::vector<double> numbers, double all
             .allowed = allowed};
 }
 
-/// The fewest vertices of all counts below 300 that keep the bound.
+/// Returns the smallest number of vertices among all counts below 300 that keep the bound.
 std::uint64_t fewestOfAll(const CountsRequest& wanted) {
     std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
     std::vector<double> numbers = wanted.numbers;
@@ -80,7 +80,7 @@ TEST(LeastCounts, KeepWhatIsNotFree) {
     EXPECT_EQ(coarse.numbers[2], 7);
     EXPECT_FALSE(coarse.isKept);  // seven stacks alone are off by .025
     EXPECT_GT(coarse.deviation, .02);
-    // The slices are as beside enough stacks, not as many as there can be.
+    // The slices are chosen as if there were enough stacks; they are not the largest possible number.
     EXPECT_EQ(coarse.numbers[1],
               leastCounts(request(glib::commandOf("Sphere"), {1, 90, 7}, .001)).numbers[1]);
 

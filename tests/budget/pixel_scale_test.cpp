@@ -1,4 +1,4 @@
-// The scale against steps that are projected one by one.
+// The scale compared with steps that are projected one by one.
 
 #include "budget/pixel_scale.h"
 

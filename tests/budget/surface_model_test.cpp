@@ -1,4 +1,4 @@
-// The error models against meshes as they are drawn: never below the measured distance, and near it.
+// The error models compared with real meshes: never below the measured distance, and near it.
 
 #include "budget/surface_model.h"
 
@@ -23,7 +23,7 @@ double model(CommandId command, const std::vector<double>& numbers, Fidelity fid
     return surfaceModel(command)->deviation(numbers, fidelity);
 }
 
-/// `measured` within the bound and above that part of it.
+/// Expects `measured` to be within the bound and above that part of it.
 void expectTight(double measured, double bound, double part, const std::string& what) {
     EXPECT_LE(measured, bound * (1 + 1e-6) + kFloat) << what;
     EXPECT_GE(measured, bound * part - kFloat) << what;
@@ -44,7 +44,7 @@ TEST(SurfaceModel, BoundsHowFarASphereLiesInside) {
         const double inside =
             test::farthest(mesh, [](const MeshPoint& p) { return std::abs(1.5 - glm::length(p.place)); });
         // With an odd number of stacks a row of quads straddles the equator: there the bound is exact. The
-        // centre of a quad is no point of the grid on its triangles, and with few slices not on the quad.
+        // centre of a quad is not a point of the grid on its triangles, and with few slices not on the quad.
         expectTight(inside, model(glib::commandOf("Sphere"), numbers, Fidelity::shape), .75, text(numbers));
     }
 }
@@ -104,7 +104,7 @@ TEST(SurfaceModel, BoundsTori) {
 TEST(SurfaceModel, BoundsTheRimOfADisk) {
     for (const double slices : {3., 7., 36., 200.}) {
         const std::vector<double> numbers{-.5, 2, slices, 3};
-        // Places on the rim against the mesh: the middle of a slice is where it is cut off most.
+        // The rim is cut off most in the middle of a slice.
         const double cut = 2 - 2 * std::cos(std::numbers::pi / slices);
         EXPECT_NEAR(model(glib::commandOf("DiskXY"), numbers, Fidelity::shape), cut, 1e-12);
         const geometry::Extent extent = surfaceModel(glib::commandOf("DiskXY"))->extent(numbers);
@@ -129,8 +129,8 @@ TEST(SurfaceModel, BoundsArrows) {
     }
 }
 
-/// The surface point that the interpolated texture coordinates of a soccer ball name: they are linear on the
-/// flat faces, so the flat point is interpolated, too.
+/// Returns the surface point that has the interpolated texture coordinates. They are linear on the flat faces
+/// of a soccer ball, so the flat point is also interpolated.
 glm::dvec3 ballPoint(const geometry::Mesh& mesh, const MeshPoint& p, const glm::dvec3& faceNormal) {
     glm::dvec3 flat(0);
     for (int c = 0; c < 3; ++c) {
@@ -188,8 +188,7 @@ TEST(SurfaceModel, BoundsTeapots) {
         };
         const double moved = test::farthest(mesh, [&](const MeshPoint& p) { return glm::length(off(p)); });
         expectTight(moved, model(glib::commandOf("Teapot"), numbers, Fidelity::pattern), .6, text(numbers));
-        // The distance from the surface is no more than the part of that along the surface's normal, but for
-        // its bend.
+        // Except for the bend of the surface, the distance from it is at most the part along its normal.
         const double inside = test::farthest(mesh, [&](const MeshPoint& p) {
             constexpr double kStep = 1e-4;
             const geometry::Patch& patch = patches[p.corners[0] / stride];
@@ -210,8 +209,8 @@ TEST(SurfaceModel, TeapotsOfAnyCellsMeetAlongTheirSeams) {
         const geometry::Mesh mesh = geometry::teapot(cells);
         EXPECT_EQ(mesh.vertexCount(), geometry::teapotCounts(cells).vertices);
         EXPECT_EQ(mesh.indices.size(), 3 * geometry::teapotCounts(cells).primitives);
-        // Edges by the bits of their ends: an edge used once is a border. The pot has its rims as borders, as
-        // many segments as the cells along them.
+        // Edges are identified by the bits of their ends; an edge that is used once is a border. The borders
+        // are the rims of the pot, with one segment per cell.
         using Ends = std::array<float, 6>;
         std::map<Ends, int> edges;
         const auto& places = mesh.attribute(geometry::kPosition)->values;

@@ -1,4 +1,4 @@
-// Reading OBJ text: every rule of the table in the specification, and its messages.
+// Reading OBJ text: every rule of the language, 8, and its messages.
 
 #include <algorithm>
 

@@ -59,6 +59,7 @@ TEST(PrimitiveRows, MakeTheMeshThatTheyAnnounce) {
         expectSound(mesh);
         if (mesh.topology == Topology::triangles) {
             EXPECT_EQ(wronglyWound(mesh), 0U);
+            EXPECT_EQ(openEdges(mesh) == 0, each->isClosed);
         }
     }
 }

@@ -1,4 +1,4 @@
-// Language, 10: the catalogue, and that this room's messages read as its examples do.
+// The catalogue (language, 10), and that the parser's messages equal its examples.
 
 #include "glib/diagnostic_catalogue.h"
 

@@ -39,7 +39,7 @@ TEST(CommandTable, HoldsExactlyTheWordsOfTheLanguage) {
             if (!name.empty()) {
                 EXPECT_TRUE(found.insert(std::string(name)).second) << name;
             }
-    // Shapes that classic scenes do not know are in geometry's list alone.
+    // Newer shapes are only in geometry's list.
     for (const geometry::PrimitiveSpec* each : geometry::primitives()) expected.emplace(each->names[0]);
     EXPECT_EQ(found, expected);
 }

@@ -1,4 +1,4 @@
-// Language, 1.1 characters and lines, 1.2 comments, 1.4 tokens.
+// Characters and lines, comments, tokens (language, 1.1, 1.2, 1.4).
 
 #include <gtest/gtest.h>
 

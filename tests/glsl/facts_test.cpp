@@ -28,7 +28,15 @@ TEST(StageFacts, ConstructorsAndNormalizeAreNoFunctions) {
     EXPECT_TRUE(callsFunctions("vD = pow(uPlane.x, 2.);"));
     EXPECT_TRUE(callsFunctions("vD = float(int(aVertex.x));"));
     EXPECT_TRUE(callsFunctions("#define SQUARE(x) pow(x, 2.)\nvD = SQUARE(aVertex.x);"));
-    EXPECT_TRUE(callsFunctions("gl_FrontColor = gl_Color;"));  // which is clamped
+}
+
+TEST(StageFacts, ColoursAreClampedByAFunction) {
+    const TranslatedProgram translated = translateStages(
+        {{Stage::vertex,
+          "#version 120\nvoid main() { gl_FrontColor = gl_Color; gl_Position = ftransform(); }"},
+         {Stage::fragment, "#version 120\nvoid main() { gl_FragColor = gl_Color; }"}});
+    ASSERT_EQ(translated.stages.size(), 2U) << ids(translated.diagnostics);
+    EXPECT_TRUE(translated.stages[0].facts.callsFunctions);
 }
 
 bool showsPrimitives(const std::string& text) {

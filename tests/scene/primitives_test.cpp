@@ -1,4 +1,4 @@
-// Every geometry command gives the mesh that its row promises (language, 3.3, 4.2 to 4.6).
+// Every geometry command gives the mesh that its row describes (language, 3.3, 4.2 to 4.6).
 
 #include "scene/primitives.h"
 
@@ -24,7 +24,7 @@ struct Expected {
 };
 using enum geometry::Topology;
 
-// The formulas of the tables in section 4, by hand, at other sizes than the defaults.
+// The formulas of the tables in language, 4, computed by hand for other sizes than the defaults.
 const Expected kShapes[] = {
     {"Box 1 2 3", 24, 36, triangles},
     {"Cube 3", 24, 36, triangles},
@@ -79,7 +79,7 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     }
 }
 
-/// Half of the mesh's extent along each axis, and its centre.
+/// The smallest and the largest coordinate of a mesh along each axis.
 struct Extent {
     glm::dvec3 low{1e9}, high{-1e9};
 };

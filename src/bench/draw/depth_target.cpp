@@ -108,8 +108,8 @@ Result<std::vector<std::byte>> DepthTarget::picture() const {
     return gpu::readPixels(*capabilities_, framebuffer_, 0, {0, 0, side_, side_}, {4, gpu::TexelType::u8});
 }
 
-Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double near, double far,
-                                                 std::span<const DepthPair> pairs) {
+Result<std::vector<bool>> DepthTarget::resolvePairs(const DepthKind& kind, double near, double far,
+                                                    std::span<const DepthPair> pairs) {
     std::vector<float> back, front;
     const auto side = static_cast<std::size_t>(side_);
     const auto middle = [this](std::size_t pixel) {
@@ -128,12 +128,12 @@ Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double n
     if (!problems.empty()) return problems;
     Result<std::vector<std::byte>> pixels = picture();
     if (!pixels) return std::move(pixels.diagnostics);
-    std::vector<bool> isTold;
+    std::vector<bool> isResolved;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::size_t row = side - 1 - i / side;  // pictures start at the top
-        isTold.push_back((*pixels)[(row * side + i % side) * 4] == std::byte{255});
+        isResolved.push_back((*pixels)[(row * side + i % side) * 4] == std::byte{255});
     }
-    return isTold;
+    return isResolved;
 }
 
 Result<double> DepthTarget::fighting(const DepthKind& kind, double near, double far, double distance,

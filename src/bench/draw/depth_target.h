@@ -25,8 +25,8 @@ class DepthTarget {
     /// For every pair: draws the farther surface, then the nearer one in the same pixel with a depth test
     /// that passes only nearer surfaces. The result says whether the nearer one is visible. At most side *
     /// side pairs.
-    Result<std::vector<bool>> tellApart(const DepthKind& kind, double near, double far,
-                                        std::span<const DepthPair> pairs);
+    Result<std::vector<bool>> resolvePairs(const DepthKind& kind, double near, double far,
+                                           std::span<const DepthPair> pairs);
     /// The share of pixels, 0..1, in which the farther of two parallel planes wins. The nearer plane fills
     /// the picture from 1 / 1.2 to 1 / .8 of the distance, bottom to top. The farther one is `gap` (a share
     /// of the distance) behind it along every line of sight, is larger than the picture, and is drawn first.

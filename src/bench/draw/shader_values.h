@@ -20,9 +20,9 @@ using Four = std::array<float, 4>;
 class ShaderValues {
   public:
     /// `glsl` defines `vec4 value()` in GLSL 4.10, which reads the inputs of its pixel as given(0), given(1)
-    /// ... `inputs` holds `inputsEach` vectors per value. gpu-E01, or errors of the driver.
+    /// ... `inputs` holds `inputsPerValue` vectors per value. gpu-E01, or errors of the driver.
     static Result<ShaderValues> create(Bench& bench, std::string_view glsl, std::span<const Four> inputs,
-                                       int inputsEach = 1);
+                                       int inputsPerValue = 1);
 
     /// Draws and waits for it.
     void compute() const;

@@ -200,11 +200,11 @@ void Tessellator::prepare(const Levels& levels) const {
     glPatchParameteri(GL_PATCH_VERTICES, 1);
 }
 
-Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels, int patchesADraw) const {
+Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels, int patchesPerDraw) const {
     prepare(levels);
     std::vector<TessellatedVertex> vertices;
-    for (int first = 0; first < patches_; first += patchesADraw) {
-        const int count = std::min(patchesADraw, patches_ - first);
+    for (int first = 0; first < patches_; first += patchesPerDraw) {
+        const int count = std::min(patchesPerDraw, patches_ - first);
         setFloats(program_, "uFirst", {static_cast<float>(first)});
         Result<Captured> captured = bench::capture(*capabilities_, program_, GL_PATCHES, count, GL_TRIANGLES,
                                                    kFloatsAVertex, mostVertices(levels, count));
@@ -221,9 +221,9 @@ Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels
 
 void Tessellator::draw(const Levels& levels) const {
     prepare(levels);
-    for (int first = 0; first < patches_; first += kPatchesADraw) {
+    for (int first = 0; first < patches_; first += kPatchesPerDraw) {
         setFloats(program_, "uFirst", {static_cast<float>(first)});
-        drawVertices(program_, GL_PATCHES, std::min(kPatchesADraw, patches_ - first));
+        drawVertices(program_, GL_PATCHES, std::min(kPatchesPerDraw, patches_ - first));
     }
     glFinish();
 }

@@ -46,7 +46,7 @@ class Tessellator {
   public:
     /// llvmpipe (Mesa 22.3) numbers the vertices of one draw with 16 bits and repeats the first patches
     /// beyond that; 8 patches of level 64 stay below.
-    static constexpr int kPatchesADraw = 8;
+    static constexpr int kPatchesPerDraw = 8;
 
     /// `points`: the control points of all patches, at most 1024.
     static Result<Tessellator> create(const gpu::Capabilities& capabilities, Evaluation evaluation,
@@ -54,7 +54,7 @@ class Tessellator {
 
     /// Three vertices per triangle.
     Result<std::vector<TessellatedVertex>> capture(const Levels& levels,
-                                                   int patchesADraw = kPatchesADraw) const;
+                                                   int patchesPerDraw = kPatchesPerDraw) const;
     [[nodiscard]] int patches() const { return patches_; }
     /// Draws all patches into the bound target, seen along -z, grey by height, and waits.
     void draw(const Levels& levels) const;

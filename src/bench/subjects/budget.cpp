@@ -23,8 +23,8 @@ constexpr double kReference = kBound / 16;
 
 /// One scene with one setting.
 struct Measured {
-    double off = 0;       ///< pixels
-    bool isTold = false;  ///< the program reports that it does not keep the bound
+    double off = 0;           ///< pixels
+    bool isReported = false;  ///< the program reports that it does not keep the bound
     Timing time;
     double bytes = 0;
 };
@@ -64,7 +64,7 @@ class Measuring {
                                           std::pair(allChosen, &row.allChosen), std::pair(fine, &row.fine)}) {
             const Result<image::Image> large = scenePicture(context_, scene_.path, enlarged(options));
             if (!large) return large.diagnostics;
-            to->isTold = tellsOfTheBound(large.diagnostics);
+            to->isReported = tellsOfTheBound(large.diagnostics);
             to->off = static_cast<double>(displacement(*large, *reference, kMostDisplacement)) / kEnlarged;
             // Only meshes and noise are compared: all pictures have the default number of samples.
             RenderOptions timed = options;
@@ -122,7 +122,7 @@ std::string finding(const std::vector<SceneRow>& rows, std::string_view name, Me
                                    least * kEnlarged > kMostDisplacement ? " or more" : "", worst->name);
     std::vector<std::string> silent;
     for (const SceneRow& each : rows)
-        if ((each.*which).off > kBound && !(each.*which).isTold) silent.push_back(each.name);
+        if ((each.*which).off > kBound && !(each.*which).isReported) silent.push_back(each.name);
     if (isBounded && kept < std::ssize(rows))
         text += silent.empty() ? "; the program reports all others"
                                : fmt::format("; without a word: {}", fmt::join(silent, ", "));

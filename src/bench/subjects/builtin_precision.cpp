@@ -129,7 +129,7 @@ Result<std::vector<float>> PrecisionRun::results(const gpu::Capabilities& capabi
 Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& sweep,
                          const std::vector<float>& results) {
     Precision found;
-    double sum = 0, ofBound = 0;
+    double sum = 0, timesTheBound = 0;
     std::size_t finite = 0;
     found.samples = results.size() / 4;
     for (std::size_t i = 0; i < found.samples; ++i) {
@@ -159,11 +159,11 @@ Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& s
             if (!function.allowed || ulps == 0) continue;
             const auto allowed =
                 static_cast<double>(function.allowed(arguments, exact, c) / unitInLastPlace(wanted));
-            ofBound = std::max(ofBound, ulps / allowed);
+            timesTheBound = std::max(timesTheBound, ulps / allowed);
         }
     }
     found.mean = finite > 0 ? sum / static_cast<double>(finite) : 0;
-    if (function.allowed) found.ofBound = ofBound;
+    if (function.allowed) found.timesTheBound = timesTheBound;
     return found;
 }
 

@@ -29,7 +29,7 @@ struct Precision {
     std::size_t notNumbers = 0;  ///< results that are NaN or infinite where the exact one is finite
     /// The largest error as a multiple of what the specification allows; above 1 the bound is broken. Empty
     /// if the specification leaves the precision undefined. 0 / 0 is 0.
-    std::optional<double> ofBound;
+    std::optional<double> timesTheBound;
 };
 
 /// One function over one sweep of arguments on the device.

@@ -44,11 +44,11 @@ std::string found(const Measured& each) {
     if (each.precision.notNumbers > 0)
         return fmt::format("{} gives NaN or infinity {} times in {}", where, each.precision.notNumbers,
                            each.precision.samples);
-    if (each.precision.ofBound.value_or(0) > 1)
+    if (each.precision.timesTheBound.value_or(0) > 1)
         return fmt::format(
             "{} breaks the bound of GLSL ({}): {:.3g} ULP at ({}), {:.3g} times what is allowed there", where,
             each.function->bound, each.precision.largest, argumentsText(*each.function, each.precision.worst),
-            *each.precision.ofBound);
+            *each.precision.timesTheBound);
     return {};
 }
 
@@ -74,9 +74,9 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     for (const Measured& each : all) {
         if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
-        if (each.precision.ofBound) {
+        if (each.precision.timesTheBound) {
             ++bounded;
-            if (*each.precision.ofBound <= 1 && each.precision.notNumbers == 0) ++kept;
+            if (*each.precision.timesTheBound <= 1 && each.precision.notNumbers == 0) ++kept;
         }
         if (std::string sentence = found(each); !sentence.empty()) sentences.push_back(std::move(sentence));
     }

@@ -41,11 +41,11 @@ Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double fa
             const double there = z * (1 - .3 * static_cast<double>(jitter) / static_cast<double>(jitters));
             pairs.push_back({there, std::min(there * (1 + gap), far)});
         }
-    Result<std::vector<bool>> isTold = target.tellApart(kind, kNear, far, pairs);
-    if (!isTold) return std::move(isTold.diagnostics);
+    Result<std::vector<bool>> isResolved = target.resolvePairs(kind, kNear, far, pairs);
+    if (!isResolved) return std::move(isResolved.diagnostics);
     std::size_t first = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (!(*isTold)[i]) first = std::max(first, i % gaps.size() + 1);
+        if (!(*isResolved)[i]) first = std::max(first, i % gaps.size() + 1);
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 

@@ -68,6 +68,39 @@ std::string texelsLabel(int side) {
     return fmt::format("{0} x {0} x {0}", side);
 }
 
+/// Findings about the sum of the octaves. `look` is the median time of the look-ups in the largest texture.
+void addSumFindings(Figure& sum, const Bench& bench, const std::vector<Sample>& samples, double look) {
+    for (const Curve& curve : sum.curves) {
+        sum.findings.push_back(orderSentence(curve, "texels"));
+        sum.findings.push_back(fmt::format("{}: {}/255 at {}", curve.name,
+                                           numberText(curve.points.back().error), curve.points.back().label));
+    }
+    double kept = 0;
+    const Timing direct = bench.time([&] {
+        for (const Sample& each : samples) kept += sumOf(exactNoise(each.place));
+    });
+    sum.findings.push_back(
+        fmt::format("the function itself takes {:.1f} times as long as a look-up in the largest texture",
+                    std::isnan(kept) ? kept : direct.median / look));
+    const Curve &cut = curveNamed(sum, name(NoiseFormat::byteFloor)),
+                &rounded = curveNamed(sum, name(NoiseFormat::byteNearest));
+    sum.findings.push_back(
+        fmt::format("rounding bytes instead of cutting them off leaves {:.0f} % of the error at {}",
+                    100 * rounded.points.back().error / cut.points.back().error, cut.points.back().label));
+}
+
+void addOctaveFindings(Figure& octaves) {
+    for (int i = 0; i < noise::kOctaves; ++i) {
+        const Curve& curve = octaves.curves[static_cast<std::size_t>(i)];
+        const double from = 2 * noise::cellsOf(i);
+        if (!std::isnan(fittedOrder(curve, from)))
+            octaves.findings.push_back(orderSentence(curve, "texels", from));
+    }
+    for (const Point& point : octaves.curves.front().points)
+        octaves.findings.push_back(fmt::format("{:g} texels per cell leave {} of the octave wrong",
+                                               point.setting / noise::cellsOf(0), numberText(point.error)));
+}
+
 /// Interpolates on the CPU, for the sum and for each octave.
 std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     Figure sum{.name = "texels",
@@ -120,32 +153,8 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
                     .points.push_back(point);
             }
         }
-    for (const Curve& curve : sum.curves) {
-        sum.findings.push_back(orderSentence(curve, "texels"));
-        sum.findings.push_back(fmt::format("{}: {}/255 at {}", curve.name,
-                                           numberText(curve.points.back().error), curve.points.back().label));
-    }
-    double kept = 0;
-    const Timing direct = bench.time([&] {
-        for (const Sample& each : samples) kept += sumOf(exactNoise(each.place));
-    });
-    sum.findings.push_back(
-        fmt::format("the function itself takes {:.1f} times as long as a look-up in the largest texture",
-                    std::isnan(kept) ? kept : direct.median / look));
-    const Curve &cut = curveNamed(sum, name(NoiseFormat::byteFloor)),
-                &rounded = curveNamed(sum, name(NoiseFormat::byteNearest));
-    sum.findings.push_back(
-        fmt::format("rounding bytes instead of cutting them off leaves {:.0f} % of the error at {}",
-                    100 * rounded.points.back().error / cut.points.back().error, cut.points.back().label));
-    for (int i = 0; i < noise::kOctaves; ++i) {
-        const Curve& curve = octaves.curves[static_cast<std::size_t>(i)];
-        const double from = 2 * noise::cellsOf(i);
-        if (!std::isnan(fittedOrder(curve, from)))
-            octaves.findings.push_back(orderSentence(curve, "texels", from));
-    }
-    for (const Point& point : octaves.curves.front().points)
-        octaves.findings.push_back(fmt::format("{:g} texels per cell leave {} of the octave wrong",
-                                               point.setting / noise::cellsOf(0), numberText(point.error)));
+    addSumFindings(sum, bench, samples, look);
+    addOctaveFindings(octaves);
     return {std::move(sum), std::move(octaves)};
 }
 

@@ -8,8 +8,8 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/drawn_solid.h"
-#include "bench/reference/cut_shapes.h"
 #include "bench/reference/solids.h"
+#include "bench/subjects/cut_shapes.h"
 #include "bench/subjects/teapot.h"
 #include "geometry/shapes/soccerball.h"
 #include "geometry/shapes/sphere.h"

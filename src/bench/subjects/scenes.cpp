@@ -103,8 +103,8 @@ Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const 
                                     .memory = all[rank].bytes[i]});
         figure.curves.push_back(std::move(curve));
     }
-    constexpr std::size_t kTold = 10;
-    for (std::size_t rank = 0; rank < std::min(kTold, all.size()); ++rank) {
+    constexpr std::size_t kNamed = 10;
+    for (std::size_t rank = 0; rank < std::min(kNamed, all.size()); ++rank) {
         const Measured& each = all[rank];
         figure.findings.push_back(fmt::format(
             "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),

@@ -176,58 +176,71 @@ Result<std::string> wholePatches(const gpu::Capabilities& capabilities) {
                        count.size(), kLevel);
 }
 
-Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
-    const ControlPoints points = turnedTeapot();
-    const std::vector<SharedEdge> shared = sharedEdges(points);
-    const auto reversed = std::ranges::count_if(shared, &SharedEdge::isReversed);
-    Figure figure{.name = "cracks",
-                  .title =
-                      "Vertices that differ on shared edges: the teapot's patches, each turned, with "
-                      "different inner levels",
-                  .settingName = "outer tessellation level",
-                  .errorName = "share of vertices that differ from the neighbour's in any bit",
-                  .errorUnit = "",
-                  .reference = fmt::format(
-                      "the neighbour's own vertex at the same place of the edge; {} edges have the "
-                      "same control points bit for bit, {} of them run the other way",
-                      shared.size(), reversed)};
+/// The curve of one way to tessellate over all levels; `all` receives the sum of its cracks. Draws into
+/// `target`.
+Result<Curve> crackCurve(const Bench& bench, const Tessellator& teapot, const std::vector<SharedEdge>& shared,
+                         int patches, const gpu::Target& target, Cracks& all) {
     const std::vector<float> levels =
         bench.isQuick() ? std::vector<float>{1, 3, 8, 32}
                         : std::vector<float>{1, 2, 3, 4, 5.5, 7, 8, 11.3F, 16, 24, 32, 45.9F, 62};
+    Curve curve;
+    for (const float level : levels) {
+        const Levels stepped{.outer = level, .inner = level, .innerStep = 1};
+        const Result<std::vector<TessellatedVertex>> vertices = teapot.capture(stepped);
+        if (!vertices) return vertices.diagnostics;
+        target.bind();
+        target.clearColor(0, {});
+        const Cracks found = countCracks(shared, edgeVertices(*vertices, patches));
+        curve.points.push_back(
+            {.setting = static_cast<double>(level),
+             .label = fmt::format("level {:g}", level),
+             .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices,
+             .time = bench.time([&] { teapot.draw(stepped); }),
+             .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))});
+        all.vertices += found.vertices;
+        all.different += found.different;
+        all.withoutPartner += found.withoutPartner;
+        all.widest = std::max(all.widest, found.widest);
+    }
+    return curve;
+}
+
+Figure emptyCrackFigure(const std::vector<SharedEdge>& shared) {
+    return {.name = "cracks",
+            .title =
+                "Vertices that differ on shared edges: the teapot's patches, each turned, with different "
+                "inner levels",
+            .settingName = "outer tessellation level",
+            .errorName = "share of vertices that differ from the neighbour's in any bit",
+            .errorUnit = "",
+            .reference = fmt::format(
+                "the neighbour's own vertex at the same place of the edge; {} edges have the same "
+                "control points bit for bit, {} of them run the other way",
+                shared.size(), std::ranges::count_if(shared, &SharedEdge::isReversed))};
+}
+
+Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
+    const ControlPoints points = turnedTeapot();
+    const std::vector<SharedEdge> shared = sharedEdges(points);
+    Figure figure = emptyCrackFigure(shared);
     constexpr int kPicture = 256;  // pixels per side, for the time
-    Result<gpu::Target> target =
+    const Result<gpu::Target> target =
         gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
-    if (!target) return std::move(target.diagnostics);
+    if (!target) return target.diagnostics;
     for (const Evaluation evaluation :
          {Evaluation::bernstein, Evaluation::interpolated, Evaluation::symmetric})
         for (const Spacing spacing : kSpacings) {
-            Result<Tessellator> teapot = Tessellator::create(capabilities, evaluation, spacing, points);
-            if (!teapot) return std::move(teapot.diagnostics);
-            Curve curve{.name = fmt::format("{}, {}", nameOf(evaluation), name(spacing))};
+            const Result<Tessellator> teapot = Tessellator::create(capabilities, evaluation, spacing, points);
+            if (!teapot) return teapot.diagnostics;
             Cracks all;
-            for (const float level : levels) {
-                const Levels stepped{.outer = level, .inner = level, .innerStep = 1};
-                Result<std::vector<TessellatedVertex>> vertices = teapot->capture(stepped);
-                if (!vertices) return std::move(vertices.diagnostics);
-                target->bind();
-                target->clearColor(0, {});
-                const Cracks found =
-                    countCracks(shared, edgeVertices(*vertices, static_cast<int>(points.size() / 16)));
-                curve.points.push_back(
-                    {.setting = static_cast<double>(level),
-                     .label = fmt::format("level {:g}", level),
-                     .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices,
-                     .time = bench.time([&] { teapot->draw(stepped); }),
-                     .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))});
-                all.vertices += found.vertices;
-                all.different += found.different;
-                all.withoutPartner += found.withoutPartner;
-                all.widest = std::max(all.widest, found.widest);
-            }
+            Result<Curve> curve =
+                crackCurve(bench, *teapot, shared, static_cast<int>(points.size() / 16), *target, all);
+            if (!curve) return std::move(curve.diagnostics);
+            curve->name = fmt::format("{}, {}", nameOf(evaluation), name(spacing));
             figure.findings.push_back(fmt::format(
-                "{}: {} of {} vertices differ, by up to {} teapot units; {} have no partner", curve.name,
+                "{}: {} of {} vertices differ, by up to {} teapot units; {} have no partner", curve->name,
                 all.different, all.vertices, numberText(all.widest), all.withoutPartner));
-            figure.curves.push_back(std::move(curve));
+            figure.curves.push_back(std::move(*curve));
         }
     Result<std::string> whole = wholePatches(capabilities);
     if (!whole) return std::move(whole.diagnostics);

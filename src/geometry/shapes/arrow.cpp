@@ -56,6 +56,7 @@ constexpr PrimitiveSpec kXarrowRow{
     .summary = "arrow along x",
     .counts = [](Numbers n) { return xarrowCounts(countAt(n, 0), countAt(n, 1)); },
     .make = [](Numbers n) { return xarrow(countAt(n, 0), countAt(n, 1)); },
+    .isClosed = true,
     .deviation = deviation,
     .extent =
         [](Numbers) {

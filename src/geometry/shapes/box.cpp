@@ -64,6 +64,7 @@ constexpr PrimitiveSpec kBoxRow{.names = {"Box", "Cube"},
                                 .summary = "box with these sides, centred",
                                 .counts = [](Numbers) { return boxCounts(); },
                                 .make = [](Numbers n) { return box(n[0], n[1], n[2]); },
+                                .isClosed = true,
                                 .oneSizeForAll = true,
                                 .twin = &kWireBoxRow};
 

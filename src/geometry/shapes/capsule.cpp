@@ -85,6 +85,7 @@ constexpr PrimitiveSpec kCapsuleRow{
     .summary = "cylinder with a half sphere at each end, centred; height is the cylinder's",
     .counts = [](Numbers n) { return capsuleCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return capsule(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
     .deviation = deviation,
     .extent = extent};
 

@@ -59,6 +59,7 @@ constexpr PrimitiveSpec kConeRow{
     .summary = "closed cone, base at y = 0",
     .counts = [](Numbers n) { return coneCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return cone(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
     .twin = &kWireConeRow,
     .deviation = deviation,
     .extent = [](Numbers n) { return standingExtent(n[0], n[1]); }};

@@ -62,6 +62,7 @@ constexpr PrimitiveSpec kCylinderRow{
     .summary = "closed cylinder, base at y = 0",
     .counts = [](Numbers n) { return cylinderCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return cylinder(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
     .twin = &kWireCylinderRow,
     .deviation = deviation,
     .extent = [](Numbers n) { return standingExtent(n[0], n[1]); }};

@@ -61,6 +61,7 @@ constexpr PrimitiveSpec kHalfSphereRow{
     .summary = "upper half of a sphere, closed by a disk at y = 0",
     .counts = [](Numbers n) { return halfSphereCounts(countAt(n, 1), countAt(n, 2)); },
     .make = [](Numbers n) { return halfSphere(n[0], countAt(n, 1), countAt(n, 2)); },
+    .isClosed = true,
     .deviation = deviation,
     .extent = [](Numbers n) { return standingExtent(n[0], n[0]); }};
 

@@ -84,6 +84,7 @@ struct PrimitiveSpec {
     Topology topology = Topology::triangles;
     Counts (*counts)(Numbers) = nullptr;
     Mesh (*make)(Numbers) = nullptr;
+    bool isClosed = false;                ///< each edge has a triangle on both sides, bit for bit
     bool oneSizeForAll = false;           ///< a lone number stands for the first three arguments
     bool hasFaceIndex = false;            ///< the mesh has the attribute kFaceIndex
     const PrimitiveSpec* twin = nullptr;  ///< draws the same as lines; for lines: as triangles

@@ -51,6 +51,7 @@ constexpr PrimitiveSpec kPyramidRow{.names = {"Pyramid"},
                                     .arguments = kArguments,
                                     .summary = "closed pyramid with a square base at y = 0",
                                     .counts = [](Numbers) { return pyramidCounts(); },
-                                    .make = [](Numbers n) { return pyramid(n[0], n[1]); }};
+                                    .make = [](Numbers n) { return pyramid(n[0], n[1]); },
+                                    .isClosed = true};
 
 }  // namespace glibra::geometry

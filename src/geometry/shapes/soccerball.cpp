@@ -196,6 +196,7 @@ constexpr PrimitiveSpec kSoccerballRow{.names = {"Soccerball"},
                                        .summary = "sphere of 12 pentagons and 20 hexagons",
                                        .counts = [](Numbers n) { return soccerballCounts(countAt(n, 1)); },
                                        .make = [](Numbers n) { return soccerball(n[0], countAt(n, 1)); },
+                                       .isClosed = true,
                                        .hasFaceIndex = true,
                                        .deviation = deviation,
                                        .extent = [](Numbers n) { return ballExtent(n[0]); }};

@@ -85,6 +85,7 @@ constexpr PrimitiveSpec kSphereRow{
     .summary = "sphere, poles on the y axis",
     .counts = [](Numbers n) { return sphereCounts(countAt(n, 1), countAt(n, 2)); },
     .make = [](Numbers n) { return sphere(n[0], countAt(n, 1), countAt(n, 2)); },
+    .isClosed = true,
     .twin = &kWireSphereRow,
     .deviation = deviation,
     .extent = [](Numbers n) { return ballExtent(n[0]); }};

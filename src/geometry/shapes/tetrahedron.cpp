@@ -48,6 +48,7 @@ constexpr PrimitiveSpec kTetrahedronRow{.names = {"Tetrahedron"},
                                         .arguments = kArguments,
                                         .summary = "regular tetrahedron, centred, its corners at this radius",
                                         .counts = [](Numbers) { return tetrahedronCounts(); },
-                                        .make = [](Numbers n) { return tetrahedron(n[0]); }};
+                                        .make = [](Numbers n) { return tetrahedron(n[0]); },
+                                        .isClosed = true};
 
 }  // namespace glibra::geometry

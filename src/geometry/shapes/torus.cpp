@@ -71,6 +71,7 @@ constexpr PrimitiveSpec kTorusRow{
     .summary = "torus about the z axis; the larger radius is the ring's",
     .counts = [](Numbers n) { return torusCounts(countAt(n, 2), countAt(n, 3)); },
     .make = [](Numbers n) { return torus(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
     .twin = &kWireTorusRow,
     .deviation = deviation,
     .extent = extent};

@@ -1,4 +1,4 @@
-#include "bench/reference/cut_shapes.h"
+#include "bench/subjects/cut_shapes.h"
 
 #include <fmt/format.h>
 
