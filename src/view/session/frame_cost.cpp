@@ -17,8 +17,9 @@ double seconds(std::chrono::steady_clock::time_point since) {
 
 void drawOnce(Session& session) {
     const gpu::Target& picture = *session.picture();
-    session.live().drawer().draw(picture, {0, 0, picture.width(), picture.height()}, session.clock().time(),
-                                 true);
+    const int width = picture.width(), height = picture.height();
+    session.live().drawer().draw(
+        picture, {session.live().view(), width, height, {0, 0, width, height}, session.clock().time()});
 }
 
 /// Index of the pass that the draw belongs to.
