@@ -8,14 +8,15 @@ pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 
 glibra_room(view ROOMS render suite image noise LINK nlohmann_json::nlohmann_json)
 
-file(GLOB lens_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/lens/shaders/*)
-glibra_embed(glibra_view lens_shaders ${lens_shaders})
+file(GLOB debug_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/debug_view/shaders/*)
+glibra_embed(glibra_view debug_shaders ${debug_shaders})
 
 file(GLOB_RECURSE window_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/view/window/*.cpp)
 add_executable(glibra_window ${window_sources})
 set_target_properties(glibra_window PROPERTIES OUTPUT_NAME glibra-view RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_window)
 glibra_quick_to_compile(glibra_window)
+glibra_precompile(glibra_window glibra_window)
 target_compile_definitions(glibra_window PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
 target_link_libraries(glibra_window PRIVATE glibra_view PkgConfig::imgui PkgConfig::glfw CLI11::CLI11 Threads::Threads)
 install(TARGETS glibra_window RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)

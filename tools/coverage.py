@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Writes glib/README.md: every scene with the inventory ids that its header line and those of its shaders answer.
+"""Writes glib/README.md: every scene with what it shows and where it comes from.
 
-usage: tools/coverage.py [--check]     --check writes nothing and fails if the file is not up to date
+The first line of a scene and of each of its shaders begins with the ids of the exercises that it answers, for example
+`SH033`. This program turns the ids into the book and its chapters.
+
+usage: tools/coverage.py [--check]     --check writes nothing and fails if the file is not current
 """
 import os
 import re
@@ -10,6 +13,13 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 IDENTIFIER = re.compile(r"\b(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?\b")
 STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment)\s+(\S+)", re.IGNORECASE)
+
+# The chapters of the book. GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the next one.
+CHAPTERS = {
+    "GX": {1: 3, 3: 4, 7: 7, 8: 9, 10: 11, 13: 12, 14: 13, 18: 15},
+    "SH": {1: 3, 8: 4, 10: 6, 16: 7, 20: 8, 27: 9, 36: 10, 45: 11, 74: 12, 78: 13, 94: 14, 95: 15, 113: 16},
+    "D": {1: 9, 3: 6, 6: 7, 8: 8, 9: 9, 13: 10, 15: 11, 17: 13, 18: 15, 23: 16},
+}
 
 
 def first_line(path):
@@ -32,11 +42,27 @@ def identifiers(scene, topic):
     return found
 
 
+def chapter(identifier):
+    family = identifier.rstrip("0123456789.")
+    number = int(re.sub(r"\D", "", identifier.split(".")[0]))
+    starts = [start for start in CHAPTERS[family] if start <= number]
+    return CHAPTERS[family][max(starts)]
+
+
+def source(ids):
+    chapters = sorted({chapter(each) for each in ids})
+    return ", ".join(str(each) for each in chapters) if chapters else "-"
+
+
 def table():
     lines = ["# The example scenes", "",
-             "One folder a topic; shaders lie in `shaders/TOPIC`, pictures and volumes in `textures`, models in",
-             "`scenes/models`. The ids are those of the inventory that a scene and its shaders answer. Written by",
-             "`tools/coverage.py` from the header lines.", "", "| scene | ids | what it shows |", "|---|---|---|"]
+             "There is one folder per topic. Shaders are in `shaders/TOPIC`, pictures and volumes in",
+             "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md).", "",
+             "Nearly all scenes answer exercises of the book \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham,",
+             "second edition, 2012). The shaders were written anew from the behaviour that the book describes; the column",
+             "\"chapter\" names the chapters. The first lines of scenes and shaders have the exact ids of the exercises.", "",
+             "`tools/coverage.py` writes this page from those first lines.", "",
+             "| scene | what it shows | chapter |", "|---|---|---|"]
     folder = os.path.join(ROOT, "glib")
     for topic in sorted(os.listdir(folder)):
         if not os.path.isdir(os.path.join(folder, topic)):
@@ -46,9 +72,10 @@ def table():
                 continue
             path = os.path.join(folder, topic, name)
             header = first_line(path)
-            ids = identifiers(path, topic)
             text = re.sub(r"^(?:" + IDENTIFIER.pattern + r"[\s,/()–-]*)+", "", header).replace("|", "\\|")
-            lines.append(f"| [{topic}/{name[:-5]}]({topic}/{name}) | {' '.join(ids)} | {text} |")
+            lines.append(f"| [{topic}/{name[:-5]}]({topic}/{name}) | {text} | {source(identifiers(path, topic))} |")
+    lines += ["", "---", "", "[README](../README.md) · [Tutorial](../docs/tutorial.md) · "
+              "[The scene language](../docs/language.md)"]
     return "\n".join(lines) + "\n"
 
 
@@ -57,7 +84,7 @@ def main():
     text = table()
     if "--check" in sys.argv:
         with open(path, encoding="utf-8") as file:
-            sys.exit(0 if file.read() == text else "glib/README.md is not up to date: run tools/coverage.py")
+            sys.exit(0 if file.read() == text else "glib/README.md is not current: run tools/coverage.py")
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 

@@ -1,8 +1,8 @@
 #pragma once
-// What glibra tells a user about a scene: one message with a place, a severity and an id that never changes
-// meaning.
+// A message about a scene: a text with a place, a severity and an id. An id never changes its meaning.
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace glibra {
 
 enum class Severity { note, warning, error };
 
-/// A place in a file. Line and column count from 1; columns count bytes, a tab is one column.
+/// A place in a file. Lines and columns count from 1; a column is a byte, and a tab is one column.
 struct Place {
     std::string file;
     int line = 1;
@@ -19,7 +19,7 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// One message. `id` is the catalogue's id without brackets, for example "glib-W04".
+/// One message. `id` is the id in the catalogue without brackets, for example "glib-W04".
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string id;
@@ -28,6 +28,19 @@ struct Diagnostic {
 };
 
 using Diagnostics = std::vector<Diagnostic>;
+
+/// The severity of an id: the letter after the dash, E, W or N.
+constexpr Severity severityOf(std::string_view id) {
+    const std::size_t dash = id.find('-');
+    const char letter = dash + 1 < id.size() ? id[dash + 1] : 'E';
+    return letter == 'W' ? Severity::warning : letter == 'N' ? Severity::note : Severity::error;
+}
+
+/// Makes a message; the id decides its severity.
+inline Diagnostic diagnose(std::string id, std::string text, Place place = {}) {
+    const Severity severity = severityOf(id);
+    return {severity, std::move(id), std::move(text), std::move(place)};
+}
 
 inline Diagnostic error(std::string id, std::string text, Place place = {}) {
     return {Severity::error, std::move(id), std::move(text), std::move(place)};
@@ -39,7 +52,7 @@ inline Diagnostic note(std::string id, std::string text, Place place = {}) {
     return {Severity::note, std::move(id), std::move(text), std::move(place)};
 }
 
-/// True if any of them is an error.
+/// True if any message is an error.
 inline bool hasError(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics)
         if (each.severity == Severity::error) return true;
@@ -64,7 +77,7 @@ inline const char* name(Severity severity) {
     return "error";
 }
 
-/// `file:line:col: severity: text [id]`, without a line end. A place without a file is left out.
+/// Returns `file:line:col: severity: text [id]` without a line end. The place is omitted if it has no file.
 inline std::string toString(const Diagnostic& diagnostic) {
     std::string line;
     if (!diagnostic.place.file.empty())

@@ -1,7 +1,8 @@
 #pragma once
-// The library's front door: a scene file in, a picture out. Everything else is behind it.
+// The library's entry point: reads a scene file and renders its picture.
 
 #include <glibra/diagnostic.h>
+#include <glibra/driver.h>
 #include <glibra/result.h>
 
 #include <array>
@@ -14,27 +15,26 @@
 
 namespace glibra {
 
-/// Which GL the pictures are drawn with. `automatic`: EGL without a surface, an EGL device, OSMesa, in this
-/// order.
-enum class Driver { automatic, egl, eglDevice, osmesa };
-
-/// How the eye is placed: `automatic` moves it back from a scene that would be seen from inside.
+/// How the eye is placed. `automatic` moves it back if the scene would be seen from inside.
 enum class ViewPolicy { automatic, glman };
 
-/// 4 x 4 numbers, column by column.
+/// A 4 x 4 matrix, column by column.
 using Matrix = std::array<double, 16>;
 inline constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-/// Whether the scene's own projections hold. `orthographic` shows what lies at the origin of the world as
-/// large as the scene's perspective does; `perspective` (50 degrees) shows an orthographic scene so.
+/// Which projection is used instead of the scene's. `orthographic` keeps the size that the scene's
+/// perspective gives to what lies at the world's origin; `perspective` (50 degrees) likewise for an
+/// orthographic scene.
 enum class ProjectionMode { scene, perspective, orthographic };
 
-/// What a window adds to the matrices of a scene, and replaces of it. The default changes nothing.
+/// The transforms that a window adds to a scene, and the settings that it replaces. The default changes
+/// nothing.
 struct ViewState {
     Matrix scene = kIdentity;    ///< Projection becomes Projection * scene
     Matrix eye = kIdentity;      ///< ModelView becomes eye * ModelView
     Matrix texture = kIdentity;  ///< gl_TextureMatrix[0]
-    /// One object's own transform: ModelView * matrix for the draw of that line of the scene, counted from 1.
+    /// The transform of one object: ModelView * matrix for the draw of that line of the scene, counted from
+    /// 1.
     struct Object {
         int line = 0;
         Matrix matrix = kIdentity;
@@ -46,28 +46,33 @@ struct ViewState {
     friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
-/// What may be asked of a picture beyond what the scene says.
+/// The limits of RenderOptions::width, height and maxError, in pixels.
+inline constexpr int kLargestPictureSide = 65'536;
+inline constexpr double kLeastMaxError = 1e-9, kLargestMaxError = 1e6;
+
+/// The options of a picture, in addition to what the scene states.
 struct RenderOptions {
     int width = 0;  ///< pixels; 0: the scene's WindowSize
     int height = 0;
     double time = 0;                 ///< seconds since loading; Timer = fract(time / period)
     std::vector<std::string> set{};  ///< "NAME=VALUE" for uniforms
     ViewPolicy view = ViewPolicy::automatic;
-    int samples = 0;  ///< multisampling, limited to what the driver has; 0: one, or as maxError needs
-    /// Pixels. Above 0: counts, samples and noise sizes that the scene leaves open are chosen so that nothing
-    /// is drawn further from its place, at the least cost. 0: the language's defaults.
+    int samples = 0;  ///< per pixel, limited to the driver's maximum; 0: one, or as maxError needs
+    /// The largest error in pixels. Above 0, glibra chooses the counts, samples and noise sizes that the
+    /// scene leaves open, so that nothing is drawn further from its place, at the least cost. 0: the
+    /// language's defaults.
     double maxError = 0;
-    bool overrideCounts = false;  ///< with maxError: numbers that the scene states are chosen as well
+    bool overrideCounts = false;  ///< with maxError: also chooses numbers that the scene states
     bool axes = false;            ///< draws axes two units long at the origin of eye space
     bool alpha = false;           ///< keeps the window's alpha; otherwise pictures are opaque
     bool floatPixels = false;     ///< 32-bit float pixels, not limited to 0..1
     bool strict = false;          ///< warnings are errors
-    bool checkNan = false;        ///< searches the draws that put NaN or infinity into the picture
-    bool shim = true;             ///< false: shaders are compiled as they are
-    bool skip = true;  ///< false: what the picture does not need is read, made and drawn all the same
+    bool checkNan = false;        ///< finds the draws that put NaN or infinity into the picture
+    bool shim = true;             ///< false: shaders are compiled without translation
+    bool skip = true;             ///< false: reads, makes and draws even what the picture does not need
     std::vector<std::filesystem::path>
         libraryRoots{};  ///< searched for files besides the scene's own folders
-    int tileSize = 0;    ///< pixels a side of the tiles of a large picture; 0: as large as the driver allows
+    int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
@@ -82,13 +87,14 @@ struct Picture {
     std::vector<std::byte> data;
 };
 
-/// A GL context and what pictures share. Use it from the thread that made it; one at a time in a process.
+/// A GL context and the parts that pictures share. Use it on the thread that made it; a process can have one
+/// at a time.
 class Renderer {
   public:
-    /// Opens a context; the error says what was tried.
+    /// Opens a context. The error names each way that was tried.
     static Result<Renderer> open(Driver driver = Driver::automatic);
 
-    /// Reads and draws one scene file. Errors of the scene are diagnostics with file, line and column.
+    /// Reads and draws one scene file. Errors in the scene are diagnostics with file, line and column.
     Result<Picture> render(const std::filesystem::path& scene, const RenderOptions& options = {});
 
     Renderer(Renderer&&) noexcept;

@@ -7,7 +7,7 @@
 
 namespace glibra {
 
-/// A value, or the errors that prevented it. Warnings and notes may accompany either.
+/// A value, or the errors that prevented it. Either may come with warnings and notes.
 template <class T>
 struct Result {
     std::optional<T> value;

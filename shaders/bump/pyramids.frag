@@ -1,9 +1,9 @@
 // SH034 Pyramid bump map: in every cell of the texture square one of four slopes, or the flat ground around them.
 #version 330 core
 
-uniform float uBumpDensity;   // pyramids along t, twice as many along s
+uniform float uBumpDensity;   // number of pyramids along t; along s there are twice as many
 uniform float uHeight;
-uniform float uAng;           // the pyramids' turn, degrees
+uniform float uAng;           // rotation of the pyramids, degrees
 uniform float uAmbient;
 uniform vec3 uSurfaceColor;
 
@@ -19,7 +19,7 @@ void main() {
 
     vec3 normal = vec3(0., 0., 1.);
     vec2 size = abs(turned);
-    if (max(size.x, size.y) < .3) {   // on the pyramid: its slope points away from the longer side
+    if (max(size.x, size.y) < .3) {   // on the pyramid: the slope points along the larger offset
         vec2 slope = size.x > size.y ? vec2(sign(turned.x), 0.) : vec2(0., sign(turned.y));
         vec2 back = mat2(cos(angle), -sin(angle), sin(angle), cos(angle)) * slope;
         normal = normalize(vec3(uHeight * back, 1.));

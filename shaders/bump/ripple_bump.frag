@@ -2,9 +2,9 @@
 #version 330 core
 
 uniform float uAmp0, uAmp1;
-uniform float uPd;           // wave length
-uniform float uTime;         // periods
-uniform float uPhaseShift;   // of the second wave, periods
+uniform float uPd;           // wavelength
+uniform float uTime;         // in periods
+uniform float uPhaseShift;   // of the second wave, in periods
 uniform float uLightX, uLightY, uLightZ;   // model space
 uniform vec3 uColor;
 

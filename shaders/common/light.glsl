@@ -1,4 +1,4 @@
-// SH010 Ambient, diffuse and specular light of one white point light, everything in eye space; `normal` is unit.
+// SH010 Ambient, diffuse and specular light of one white point light, everything in eye space; `normal` has unit length.
 vec3 adsLight(vec3 color, vec3 normal, vec3 position, vec3 light, float shininess) {
     vec3 toEye = normalize(-position);
     vec3 toLight = normalize(light - position);

@@ -1,9 +1,9 @@
-// SH119 Bathroom glass: the normal turned about x and about y by two lookups of noise, then refraction.
+// SH119 Bathroom glass: two lookups of noise turn the normal about x and about y; then the line of sight is refracted.
 #version 330 core
 
 uniform samplerCube uTexUnit;
 uniform float uNoiseAmp, uNoiseFreq;
-uniform float uMix;   // white
+uniform float uMix;   // share of white
 
 in vec3 vModel;
 in vec3 vPosition;

@@ -1,4 +1,4 @@
-// SH114 Compact disc: light of wave length lambda is bright where the path difference d |T.L + T.E| is m lambda.
+// SH114 Compact disc: light of wavelength lambda is bright where the path difference d |T.L + T.E| is m lambda.
 #version 330 core
 
 #include "../common/rainbow.glsl"

@@ -1,7 +1,7 @@
-// SH127 Circle squared: odd integers are left out, even ones coloured by their remainder of 360.
+// SH127 Circle squared: odd integers are discarded, even ones are coloured by their remainder modulo 360.
 #version 330 core
 
-uniform float uSide;   // a pixel's side; a change of a per cent changes everything
+uniform float uSide;   // side of a pixel; a change of one per cent changes the whole picture
 
 out vec4 fColor;
 

@@ -1,5 +1,5 @@
-// SH123 Disco ball, the room: a place is bright when the mirror that would have to reflect the lamp to it, whose
-// normal is half way between lamp and place, lies close to the middle of one of the ball's mirrors.
+// SH123 Disco ball, the room: a place is bright if a mirror of the ball reflects the lamp to it. The normal of such a
+// mirror lies half way between lamp and place; it has to be close to the middle of one of the mirrors.
 #version 330 core
 
 uniform int uNum;   // mirrors from pole to pole
@@ -14,7 +14,7 @@ const vec3 kBall = vec3(0., 1.45, -4.4);   // eye space
 const vec3 kLamp = vec3(2., 0., 0.);       // from the ball, eye space
 const float kPi = 3.14159265;
 
-// The normal of the mirror that `direction` belongs to, on a ball turned by `turn`.
+// The normal of the mirror that contains `direction`, on a ball rotated by `turn`.
 vec3 mirrorNormal(vec3 direction, float turn) {
     float step = kPi / float(uNum);
     float latitude = asin(clamp(direction.y, -1., 1.));

@@ -1,4 +1,4 @@
-// SH124 Noisy fog: noise moves the depth before it decides how much fog there is.
+// SH124 Noisy fog: noise changes the depth that decides how much fog there is.
 #version 330 core
 
 uniform float uNoiseScale, uNoiseFreq;

@@ -1,4 +1,4 @@
-// SH118 Lens: what the bent line of sight meets, a little whitened, with a dark rim.
+// SH118 Lens: what the refracted line of sight meets, a little whitened, with a dark rim.
 #version 330 core
 
 uniform samplerCube uRefractUnit;

@@ -1,5 +1,5 @@
-// SH117 Lens: the line of sight, bent at the front and at the back; both faces are spheres, and the
-// lens is so thin that both lie in the disk. A radius above 0 bulges outwards, below 0 inwards.
+// SH117 Lens: the line of sight, refracted at the front and at the back. Both faces are spheres, and the
+// lens is so thin that both lie in the disk. A face with a positive radius bulges outwards, with a negative one inwards.
 #version 330 core
 
 uniform float uR1;   // front
@@ -10,7 +10,7 @@ out vec2 vXY;
 
 const float kEta = .66;   // air to glass
 
-// The outward normal of a face at the disk's point, towards +z; flat for radius 0.
+// The outward normal of a face at a point of the disk, towards +z. A face of radius 0 is flat.
 vec3 faceNormal(vec2 xy, float radius) {
     if (abs(radius) < 1e-3) return vec3(0., 0., 1.);
     vec2 slope = xy / radius;

@@ -1,4 +1,4 @@
-// SH123 Disco ball, the ball itself: mirrors of different brightness with dark joints, turning with the time.
+// SH123 Disco ball, the ball itself: mirrors of different brightness with dark joints, rotating with time.
 #version 330 core
 
 uniform int uNum;   // mirrors from pole to pole

@@ -1,4 +1,4 @@
-// SH116 Oil slick: a film of thickness d = H exp(-A r^2) brightens the wave lengths 2 d eta / (m + 1/2).
+// SH116 Oil slick: a film of thickness d = H exp(-A r^2) brightens the wavelengths 2 d eta / (m + 1/2).
 #version 330 core
 
 #include "../common/rainbow.glsl"
@@ -29,7 +29,7 @@ void main() {
         float lambda = 2. * thickness * kEta / (float(m) + .5);
         if (lambda < kShortest) break;
         if (lambda > kLongest) continue;
-        float nearEnd = min(lambda - kShortest, kLongest - lambda) / 60.;   // colours fade in and out of sight
+        float nearEnd = min(lambda - kShortest, kLongest - lambda) / 60.;   // colours fade at both ends of the visible range
         sum += clamp(nearEnd, 0., 1.) * rainbow((lambda - kShortest) / (kLongest - kShortest));
         ++count;
     }

@@ -1,4 +1,4 @@
-// SH115 Oil slick: where on the road.
+// SH115 Oil slick: the place on the road.
 #version 330 core
 
 out vec2 vXY;   // model space

@@ -1,12 +1,12 @@
-// SH120 Rainbow: violet at 40 degrees from the point opposite the sun, red at 42, half a degree of fading on both
-// sides; the sky inside the bow is a little brighter.
+// SH120 Rainbow: violet at 40 degrees from the point opposite the sun, red at 42, fading over half a degree on both
+// sides. The sky inside the bow is a little brighter.
 #version 330 core
 
 #include "../common/rainbow.glsl"
 
 uniform sampler2D uImageUnit;
-uniform float uUpDown, uLeftRight;   // of the point opposite the sun, in the picture
-uniform float uInOut;                // from the eye to the picture
+uniform float uUpDown, uLeftRight;   // position of the point opposite the sun, in the picture
+uniform float uInOut;                // distance from the eye to the picture
 uniform float uAlf;                  // strength
 
 in vec2 vST;

@@ -1,4 +1,4 @@
-// SH118 Lens, the court: the cube map as one sees it.
+// SH118 Lens, the court: the cube map itself.
 #version 330 core
 
 uniform samplerCube uRefractUnit;

@@ -1,4 +1,4 @@
-// SH074 Bezier: the colour as it is.
+// SH074 Bezier: the plain colour.
 #version 330 core
 
 in vec4 gColor;

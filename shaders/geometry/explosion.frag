@@ -1,4 +1,4 @@
-// SH130 Explosion: the colour as it is.
+// SH130 Explosion: the plain colour.
 #version 330 core
 
 in vec3 gColor;

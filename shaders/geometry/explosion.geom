@@ -1,4 +1,4 @@
-// SH130 Explosion: a triangle becomes (n + 1)(n + 2) / 2 points, n = 2^uLevel, that leave its centroid C with the
+// SH130 Explosion: a triangle becomes (n + 1)(n + 2) / 2 points, n = 2^uLevel, which leave its centroid C with the
 // velocity uVelScale (v - C) and fall with uGravity.
 #version 330
 #extension GL_EXT_geometry_shader4 : enable
@@ -7,10 +7,10 @@
 layout(triangles) in;
 layout(points, max_vertices = 45) out;
 
-uniform int uLevel;        // 0..3: the last one emits 45 points
+uniform int uLevel;        // 0..3; level 3 emits 45 points
 uniform float uT;          // time
 uniform float uVelScale;
-uniform float uGravity;    // along y, below 0 down
+uniform float uGravity;    // acceleration along y; negative is down
 uniform mat4 uModelViewMatrix;
 uniform mat4 uProjectionMatrix;
 

@@ -1,4 +1,4 @@
-// SH130 Explosion: model space is left to the geometry stage.
+// SH130 Explosion: passes the model position on; the geometry stage transforms it.
 #version 330 core
 
 out vec4 vColor;

@@ -1,4 +1,4 @@
-// SH112 Hedgehog: from the colour of the root to that of the tip.
+// SH112 Hedgehog: the colour changes from that of the root to that of the tip.
 #version 330 core
 
 uniform vec3 uRoot, uTip;

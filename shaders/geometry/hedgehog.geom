@@ -1,12 +1,12 @@
-// SH112 Hedgehog: at every lattice point of the triangle a hair of uLength pieces; after i of them it has sunk by
-// uDroop i^2. The normal is interpolated between the corners, never divided by a difference that may be zero.
+// SH112 Hedgehog: a hair of uLength pieces grows at every lattice point of the triangle; after i pieces it has sunk
+// by uDroop i^2. The normal is interpolated between the corners, without a division that could be by zero.
 #version 330
 #extension GL_EXT_geometry_shader4 : enable
 
 layout(triangles) in;
 layout(line_strip, max_vertices = 110) out;
 
-uniform int uDetail;    // 1..3: 3, 6 or 10 lattice points
+uniform int uDetail;    // 1..3, which gives 3, 6 or 10 lattice points
 uniform float uDroop;   // model units
 uniform int uLength;    // 1..10 pieces
 uniform float uStep;    // length of a piece, model units

@@ -1,4 +1,4 @@
-// SH112 Hedgehog: model space, with the normal along which the hair grows.
+// SH112 Hedgehog: the model position, and the normal along which the hair grows.
 #version 330 core
 
 out vec3 vNormal;

@@ -1,4 +1,4 @@
-// SH075 Shrink: the colour as it is.
+// SH075 Shrink: the plain colour.
 #version 330 core
 
 in vec3 gColor;

@@ -1,4 +1,4 @@
-// SH075 Shrink: V' = C + uShrink (V - C), C the centroid.
+// SH075 Shrink: V' = C + uShrink (V - C), where C is the centroid.
 #version 330
 #extension GL_EXT_geometry_shader4 : enable
 

@@ -1,4 +1,4 @@
-// SH075 Shrink: model space is left to the geometry stage.
+// SH075 Shrink: passes the model position on; the geometry stage transforms it.
 #version 330 core
 
 out vec4 vColor;

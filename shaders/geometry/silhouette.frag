@@ -1,4 +1,4 @@
-// SH077 Silhouettes: the ink.
+// SH077 Silhouettes: the colour of the lines.
 #version 330 core
 
 uniform vec3 uInk;

@@ -12,7 +12,7 @@ bool facesEye(vec3 a, vec3 b, vec3 c) {
     return dot(cross(b - a, c - a), a) < 0.;
 }
 
-// A little nearer to the eye along the line of sight: the same place in the picture, in front of the body.
+// Moved toward the eye along the line of sight: the same place in the picture, but in front of the body.
 void emitPoint(vec4 position) {
     gl_Position = uProjectionMatrix * vec4(.997 * position.xyz, 1.);
     EmitVertex();
@@ -23,7 +23,7 @@ void main() {
     if (!facesEye(v0, v2, v4)) return;
     for (int i = 0; i < 6; i += 2) {
         int j = (i + 2) % 6;
-        // The neighbour meets the edge the other way round.
+        // The neighbour traverses the edge in the other direction.
         if (facesEye(gl_PositionIn[j].xyz, gl_PositionIn[i].xyz, gl_PositionIn[i + 1].xyz)) continue;
         emitPoint(gl_PositionIn[i]);
         emitPoint(gl_PositionIn[j]);

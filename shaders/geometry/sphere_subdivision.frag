@@ -1,4 +1,4 @@
-// SH076 Sphere subdivision: the colour as it is.
+// SH076 Sphere subdivision: the plain colour.
 #version 330 core
 
 in vec3 gColor;

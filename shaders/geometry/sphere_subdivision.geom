@@ -1,11 +1,11 @@
-// SH076 Sphere subdivision: 2^uLevel strips over V0 + s V01 + t V02, every point pushed to the sphere.
+// SH076 Sphere subdivision: 2^uLevel strips over V0 + s V01 + t V02, with every point pushed to the sphere.
 #version 330
 #extension GL_EXT_geometry_shader4 : enable
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 80) out;
 
-uniform int uLevel;     // 0..3: the last one emits 80 vertices
+uniform int uLevel;     // 0..3; level 3 emits 80 vertices
 uniform float uRadius;
 uniform mat4 uModelViewMatrix;
 uniform mat4 uProjectionMatrix;

@@ -1,4 +1,4 @@
-// SH076 Sphere subdivision: model space is left to the geometry stage.
+// SH076 Sphere subdivision: passes the model position on; the geometry stage transforms it.
 #version 330 core
 
 out vec4 vColor;

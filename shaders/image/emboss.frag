@@ -1,4 +1,4 @@
-// SH055 Emboss: the largest change of a channel to the diagonal neighbour, about a middle grey.
+// SH055 Emboss: the largest change of a channel toward the diagonal neighbour, added to a middle grey.
 #version 330 core
 
 uniform bool uColored;

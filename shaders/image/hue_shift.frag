@@ -1,4 +1,4 @@
-// SH049 Hue shift: from red, green, blue to hue, saturation, value, and back with the hue turned.
+// SH049 Hue shift: converts red, green, blue to hue, saturation, value, shifts the hue, and converts back.
 #version 330 core
 
 uniform float uT;   // degrees

@@ -1,4 +1,4 @@
-// SH056 Toon: black where the Sobel gradient of the luminance is large, else every colour rounded to 1 / uQuantize.
+// SH056 Toon: black where the Sobel gradient of the luminance is large, otherwise each colour rounded to multiples of 1 / uQuantize.
 #version 330 core
 
 uniform float uMagTol;

@@ -10,7 +10,7 @@ in vec2 vST;
 
 out vec4 fColor;
 
-// Where (sum - 1) / 2 of the noise texture lies; uT is spread over that range, so that all of it shows a change.
+// The range of (sum - 1) / 2 of the noise texture. uT is spread over it, so that every value of uT shows a change.
 const float kLowest = .36, kHighest = .64;
 
 void main() {

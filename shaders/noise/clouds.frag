@@ -1,4 +1,4 @@
-// SH042 Clouds: noise with three parts of its lowest octave, through a cosine, mixes sky and cloud.
+// SH042 Clouds: noise with three times its lowest octave goes through a cosine and mixes sky and cloud.
 #version 330 core
 
 #include "../common/light.glsl"

@@ -1,4 +1,4 @@
-// SH040 Erosion: only what has a noise value between uMin and uMax is left.
+// SH040 Erosion: only fragments whose noise lies between uMin and uMax are kept.
 #version 330 core
 
 #include "../common/light.glsl"
@@ -20,7 +20,7 @@ void main() {
     float noise = (octaves.r + octaves.g + octaves.b + octaves.a - 1.) / 2.;
     if (noise < uMin || noise > uMax) discard;
 
-    float rust = smoothstep(0., .02, min(noise - uMin, uMax - noise));   // darker along the bitten edges
+    float rust = smoothstep(0., .02, min(noise - uMin, uMax - noise));   // darker along the eroded edges
     vec3 color = uColor * (gl_FrontFacing ? mix(.45, 1., rust) : .45);
     fColor = vec4(adsLight(color, normalize(vNormal), vPosition, kLight, 30.), 1.);
 }

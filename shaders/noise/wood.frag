@@ -1,4 +1,4 @@
-// SH043 Wood: rings around the y axis, moved by noise; from light to dark and back within a ring.
+// SH043 Wood: rings around the y axis, displaced by noise. Each ring goes from light to dark and back.
 #version 330 core
 
 #include "../common/light.glsl"

@@ -1,9 +1,9 @@
-// SH030 Brick: brick or mortar by the fraction of the angle around the axis and of the height.
+// SH030 Brick: the fractions of the angle around the axis and of the height decide between brick and mortar.
 #version 330 core
 
-uniform float uRows;      // rows a unit of height
+uniform float uRows;      // rows per unit of height
 uniform float uBricks;    // bricks around
-uniform float uMortar;    // the joint's share of a row
+uniform float uMortar;    // share of a row that is mortar
 uniform vec3 uBrickColor;
 uniform vec3 uMortarColor;
 

@@ -1,4 +1,4 @@
-// SH026 ChromaDepth: the depth's colour with diffuse light.
+// SH026 ChromaDepth: the colour of the depth, with diffuse light.
 #version 330 core
 
 #include "../common/chromadepth.glsl"

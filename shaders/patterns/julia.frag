@@ -1,9 +1,9 @@
-// D09 Julia: z = z^2 + c with one c for all points, z starting at the point.
+// D09 Julia: z = z^2 + c with the same c for all points; z starts at the point.
 #version 330 core
 
 uniform int uMaxIters;
 uniform float uCReal, uCImag;
-uniform float uSize;   // of the window, a model unit
+uniform float uSize;   // of the window, per model unit
 uniform vec3 uColor1, uColor2;
 
 in vec2 vXY;

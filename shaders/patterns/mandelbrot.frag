@@ -1,10 +1,10 @@
-// SH031 Mandelbrot: z = z^2 + c from z = c until |z| passes a limit; the colour goes round with the iterations.
+// SH031 Mandelbrot: z = z^2 + c from z = c until |z| passes a limit; the number of iterations chooses the colour.
 #version 330 core
 
 uniform int uMaxIters;
 uniform float uTS;        // side of the window
 uniform float uS0, uT0;   // its lower left corner
-uniform float uCS;        // iterations a turn of the colours
+uniform float uCS;        // iterations per cycle of the colours
 uniform float uLimit;
 uniform vec3 uConvergeColor;
 uniform vec3 uDivergeColor1, uDivergeColor2;

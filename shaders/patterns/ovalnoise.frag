@@ -1,11 +1,11 @@
-// D01 OvalNoise: one ellipse in every cell uAd x uBd of the texture square, its radius moved by noise.
+// D01 OvalNoise: one ellipse in every cell uAd x uBd of the texture square; noise changes its radius.
 #version 330 core
 
 #include "../common/chromadepth.glsl"
 
 uniform float uAd, uBd;                // width and height of a cell, which the ellipse fills
 uniform float uNoiseAmp, uNoiseFreq;
-uniform float uAlpha;                  // of the ground between the spots; 0 cuts it away
+uniform float uAlpha;                  // alpha of the ground between the spots; 0 discards it
 uniform float uTol;                    // half the width of the spots' soft edge
 uniform bool uUseChromaDepth;
 uniform float uChromaBlue, uChromaRed; // eye-space z of the farthest and the nearest colour
@@ -25,7 +25,7 @@ void main() {
     vec2 cell = vec2(uAd, uBd);
     vec2 fromCentre = vST - (floor(vST / cell) + .5) * cell;
 
-    // The noise is added to the distance from the centre, the direction stays.
+    // The noise is added to the distance from the centre; the direction stays.
     vec4 octaves = texture(Noise3, uNoiseFreq * vModel);
     float shake = uNoiseAmp * .5 * (octaves.r + octaves.g + octaves.b + octaves.a - 2.);
     float distance = length(fromCentre);

@@ -1,8 +1,8 @@
-// SH004 Screen discard: holes where both texture coordinates are past the wire's width.
+// SH004 Screen discard: a hole where both texture coordinates lie beyond the width of the wire.
 #version 330 core
 
-uniform float uDensity;     // the wire's share of a mesh, 0..1
-uniform float uFrequency;   // meshes along t; along s twice as many, which makes them square at the equator
+uniform float uDensity;     // share of a mesh that is wire, 0..1
+uniform float uFrequency;   // meshes along t; along s there are twice as many, so that they are square at the equator
 
 in vec4 vColor;
 in vec2 vST;

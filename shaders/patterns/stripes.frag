@@ -1,4 +1,4 @@
-// SH029 Stripes: a smooth pulse of half width uP in the middle of every period 1 / uA.
+// SH029 Stripes: a smooth pulse of half-width uP in the middle of every period 1 / uA.
 #version 330 core
 
 uniform float uA, uP, uTol;

@@ -1,4 +1,4 @@
-// SH016 Stripes: x of the model or of the eye's space.
+// SH016 Stripes: x in model space or in eye space.
 #version 330 core
 
 uniform bool uUseModelCoords;

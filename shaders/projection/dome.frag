@@ -1,4 +1,4 @@
-// SH019 Dome: the colour as it is.
+// SH019 Dome: the plain colour.
 #version 330 core
 
 in vec3 vColor;

@@ -1,4 +1,4 @@
-// SH019 Dome: the angle from straight ahead becomes the distance from the picture's centre, 90 degrees its rim.
+// SH019 Dome: the angle from straight ahead becomes the distance from the centre of the picture; 90 degrees is its rim.
 #version 330 core
 
 out vec3 vColor;

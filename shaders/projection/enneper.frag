@@ -1,4 +1,4 @@
-// D07 Enneper's surface: its two sides in two colours, with lines of equal parameters.
+// D07 Enneper's surface: the two sides in two colours, with lines of equal parameters.
 #version 330 core
 
 #include "../common/light.glsl"

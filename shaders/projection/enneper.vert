@@ -1,4 +1,4 @@
-// D07 Enneper's surface: position and normal at the parameters (u, v) that a grid vertex stands for.
+// D07 Enneper's surface: position and normal at the parameters (u, v) of a grid vertex.
 #version 330 core
 
 uniform float uSize;   // u and v run from -uSize to uSize

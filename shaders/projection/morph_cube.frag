@@ -1,4 +1,4 @@
-// SH126 Morph: the faces' own normals, as those of the model no longer fit.
+// SH126 Morph: normals of the triangles, because those of the model no longer fit.
 #version 330 core
 
 #include "../common/light.glsl"

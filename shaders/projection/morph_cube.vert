@@ -1,4 +1,4 @@
-// SH126 Morph: every vertex goes straight from its place to the cube -2..2 around the model's middle.
+// SH126 Morph: each vertex moves in a straight line from its place to the cube -2..2 around the middle of the model.
 #version 330 core
 
 uniform float uBlend;

@@ -1,4 +1,4 @@
-// SH125 Morph: the planet's map with diffuse light.
+// SH125 Morph: the map of the planet, with diffuse light.
 #version 330 core
 
 uniform sampler2D uPlanetUnit;

@@ -1,5 +1,5 @@
-// SH125 Morph: the sphere's place and normal, mixed with those on the disk of radius 1 - t at the angle 2 pi s, which
-// lies in the plane of the equator with the north pole in its middle.
+// SH125 Morph: mixes position and normal on the sphere with those on the disk of radius 1 - t at the angle 2 pi s. The
+// disk lies in the plane of the equator with the north pole in its middle.
 #version 330 core
 
 uniform float uBlend;

@@ -22,8 +22,8 @@ void main() {
     float acrossLight = sqrt(max(1. - alongLight * alongLight, 0.));
     float acrossEye = sqrt(max(1. - alongEye * alongEye, 0.));
 
-    // A thread throws light into the cone that makes the same angle with it as the light, on the other side.
-    float lit = smoothstep(-.1, .4, dot(normalize(vNormal), toLight));   // the ball's own shadow
+    // A thread reflects light into a cone that makes the same angle with it as the light does, on the other side.
+    float lit = smoothstep(-.1, .4, dot(normalize(vNormal), toLight));   // the unlit side of the ball
     float specular = pow(max(acrossLight * acrossEye - alongLight * alongEye, 0.), uShininess);
     vec3 light = uKa * uColor + lit * uLightColor * (uKd * acrossLight * uColor + uKs * min(specular, 1.));
     fColor = vec4(light, 1.);

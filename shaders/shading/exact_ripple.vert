@@ -1,4 +1,4 @@
-// SH024 Exact shading: raises the grid; the place on the surface goes to the fragments, not the normal.
+// SH024 Exact shading: raises the grid. The fragments get the place on the surface, not the normal.
 #version 330 core
 
 uniform float uHeight;

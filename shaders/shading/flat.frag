@@ -1,4 +1,4 @@
-// SH020 Flat shading: one intensity a triangle.
+// SH020 Flat shading: one intensity per triangle.
 #version 330 core
 
 uniform vec3 uColor;

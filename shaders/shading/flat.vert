@@ -1,4 +1,4 @@
-// SH012 Flat shading: the light of a whole triangle is that of its last vertex.
+// SH012 Flat shading: the light of the last vertex holds for the whole triangle.
 #version 330 core
 
 flat out float vIntensity;

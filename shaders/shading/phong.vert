@@ -1,4 +1,4 @@
-// SH014 Phong shading: eye-space position and normal, to be interpolated.
+// SH014 Phong shading: eye-space position and normal, which are interpolated.
 #version 330 core
 
 out vec3 vPosition;

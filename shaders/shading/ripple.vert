@@ -1,4 +1,4 @@
-// SH002 Ripple: the height of a vertex from its distance to the centre, and its normal from the two slopes.
+// SH002 Ripple: the height of a vertex follows from its distance to the centre, and its normal from the two slopes.
 #version 330 core
 
 uniform mat4 uModelViewMatrix;

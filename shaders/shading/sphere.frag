@@ -1,4 +1,4 @@
-// SH001 Sphere: the interpolated light on the object's colour.
+// SH001 Sphere: the interpolated light times the colour of the object.
 #version 330 core
 
 in vec4 vColor;

@@ -1,7 +1,7 @@
-// SH001 Sphere: how much light a vertex gets, from either side of the surface.
+// SH001 Sphere: how much light a vertex gets, on either side of the surface.
 #version 330 core
 
-// Declared here and not left to the runner, as the first shader in a course would do.
+// Declared here, as the first shader of a course would do. The program supplies them in any case.
 uniform mat4 uModelViewMatrix;
 uniform mat4 uProjectionMatrix;
 uniform mat3 uNormalMatrix;

@@ -1,7 +1,7 @@
-// SH011 Fuzzy spot light: full light inside the cone, a smooth fall to none across its edge.
+// SH011 Fuzzy spot light: full light inside the cone, falling smoothly to none across its edge.
 #version 330 core
 
-uniform float uAngle;       // of the cone's middle edge, degrees
+uniform float uAngle;       // of the middle of the edge of the cone, degrees
 uniform float uWidth;       // half the width of the edge, degrees
 uniform float uLeftRight;   // where the light is aimed, model space
 uniform vec3 uColor;

@@ -14,7 +14,7 @@ in float vHeight;
 
 out vec4 fColor;
 
-// 1 within `halfWidth` of `centre`, with an edge about a pixel wide.
+// 1 within `halfWidth` of `centre`, with an edge about one pixel wide.
 float band(float x, float centre, float halfWidth) {
     float edge = max(fwidth(x), 1e-5);
     return 1. - smoothstep(halfWidth - edge, halfWidth + edge, abs(x - centre));
@@ -24,7 +24,7 @@ void main() {
     vec3 normal = normalize(vNormal);
     vec3 toEye = normalize(-vPosition);
     vec3 toLight = normalize(vec3(uLightX, uLightY, uLightZ) - vPosition);
-    if (dot(normal, toEye) < 0.) normal = -normal;   // the inside of the pot is seen through the spout
+    if (dot(normal, toEye) < 0.) normal = -normal;   // the inside of the pot can be seen through the spout
 
     vec3 color = uGlazeColor;
     if (uBands) color = mix(color, uBandColor, max(band(vHeight, .16, .035), band(vHeight, .07, .012)));

@@ -1,8 +1,8 @@
-// Start, the teapot: positions and normals in eye space, where the light is, for the lighting of every fragment.
+// Start, the teapot: positions and normals in eye space, where the light is, for lighting per fragment.
 #version 330 core
 
 out vec3 vPosition;   // eye space
-out vec3 vNormal;     // eye space, not unit
+out vec3 vNormal;     // eye space, not of unit length
 out vec2 vST;
 out float vHeight;    // model space
 

@@ -1,4 +1,4 @@
-// Start, the table: where on the table each fragment lies.
+// Start, the table: the place of each fragment on the table.
 #version 330 core
 
 out vec2 vPlace;   // x and z, model space

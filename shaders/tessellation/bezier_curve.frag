@@ -1,4 +1,4 @@
-// SH079 Bezier curve: the colour as it is.
+// SH079 Bezier curve: the plain colour.
 #version 400
 
 in vec4 teColor;

@@ -1,4 +1,4 @@
-// SH028 Texture: the picture's colour where the fragment lies, made darker or brighter.
+// SH028 Texture: the colour of the picture at the fragment, made darker or brighter.
 #version 330 core
 
 uniform sampler2D uImageUnit;

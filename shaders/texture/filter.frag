@@ -1,10 +1,10 @@
-// D02 Second pass: blurred to sharpened by uTSharp, and the Sobel edges of the picture by uTEdge.
+// D02 Second pass: uTSharp goes from blurred to sharpened, and uTEdge mixes in the Sobel edges of the picture.
 #version 330 core
 
 uniform sampler2D uInUnit;
 uniform bool uEdgeDetect;
 uniform float uTEdge;    // 0 the picture, 1 the edges
-uniform float uTSharp;   // 0 blurred, 1 as it is, above sharpened
+uniform float uTSharp;   // 0 blurred, 1 unchanged, above 1 sharpened
 
 in vec2 vST;
 

@@ -1,4 +1,4 @@
-// SH035 Reflection and refraction: what the mirrored and the bent ray see, whitened glass, mixed.
+// SH035 Reflection and refraction: mixes what the reflected ray sees with what the refracted ray sees, a little whitened.
 #version 330 core
 
 uniform samplerCube uTexUnit;
@@ -10,7 +10,7 @@ in vec3 vNormal;
 
 out vec4 fColor;
 
-// The cube map stands still in the world, the rays are in eye space.
+// The cube map is fixed in the world; the rays are in eye space.
 vec3 seen(vec3 eyeDirection) {
     return texture(uTexUnit, mat3(uModelViewMatrixInverse) * eyeDirection).rgb;
 }

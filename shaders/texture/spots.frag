@@ -1,4 +1,4 @@
-// D01 First pass: elliptical spots, their outlines moved by noise.
+// D01 First pass: elliptical spots with outlines that noise displaces.
 #version 330 core
 
 uniform float uAd, uBd;

@@ -1,4 +1,4 @@
-// SH035 Surroundings: the cube map as one sees it.
+// SH035 Surroundings: the cube map itself.
 #version 330 core
 
 uniform samplerCube uTexUnit;

@@ -1,7 +1,7 @@
 // SH035 Surroundings: the direction from the middle of the box is the direction into the cube map.
 #version 330 core
 
-out vec3 vDirection;   // world space, as no transformation follows the view
+out vec3 vDirection;   // world space, because no transformation follows the view
 
 void main() {
     vDirection = aVertex.xyz;

@@ -1,4 +1,4 @@
-// SH027 Texture: the texture coordinates pass through.
+// SH027 Texture: passes the texture coordinates on.
 #version 330 core
 
 out vec2 vST;

@@ -1,4 +1,4 @@
-// D12 Render to texture, second pass: turns the square the other way round.
+// D12 Render to texture, second pass: rotates the square in the other direction.
 #version 330 core
 
 uniform float uStart;   // turns at time 0

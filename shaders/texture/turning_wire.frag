@@ -1,4 +1,4 @@
-// D12 Render to texture, first pass: the colour as it is.
+// D12 Render to texture, first pass: the plain colour.
 #version 330 core
 
 in vec3 vColor;

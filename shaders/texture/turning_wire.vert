@@ -1,4 +1,4 @@
-// D12 Render to texture, first pass: turns the model around y, once in a timer period.
+// D12 Render to texture, first pass: rotates the model around y, once per timer period.
 #version 330 core
 
 uniform float uStart;   // turns at time 0

@@ -1,10 +1,10 @@
-// SH111 Streamtube arrow: the arrow's x becomes the way along a helix, its y and z the helix' normal and binormal.
+// SH111 Streamtube arrow: x of the arrow becomes the way along a helix; y and z become its normal and binormal.
 #version 330 core
 
 uniform float uN;            // turns
 uniform float uK;            // height of the helix
 uniform float uPeristaltic;  // growth of the radius in the bulge
-uniform float uSpeed;        // of the bulge, arrow lengths a timer period
+uniform float uSpeed;        // of the bulge, arrow lengths per timer period
 uniform float uPhase;        // where the bulge is at time 0
 
 out vec3 vPosition;   // eye space
@@ -12,12 +12,12 @@ out vec3 vNormal;     // eye space
 
 const float kTwoPi = 6.2831853;
 const float kRadius = 2.;      // of the helix
-const float kThickness = 2.4;  // of the tube, times that of the arrow
+const float kThickness = 2.4;  // of the tube, relative to that of the arrow
 const float kHeadShare = .04;
 const float kHalfBulge = .1;
 
 void main() {
-    // 0..1 along the helix: the shaft, x = -1..6/10, takes all but the last part, so that the head is not drawn out.
+    // 0..1 along the helix: the shaft, x = -1..6/10, takes all but the last part, so that the head is not stretched.
     bool onHead = aVertex.x > .6;
     float tSlope = onHead ? kHeadShare / .4 : (1. - kHeadShare) / 1.6;   // d t / d x
     float t = onHead ? 1. - (1. - aVertex.x) * tSlope : (aVertex.x + 1.) * tSlope;
@@ -44,7 +44,7 @@ void main() {
     float y = aVertex.y, z = aVertex.z;
     vec3 place = point + grow * (y * normal + z * binormal);
 
-    // The columns of the deformation's derivative; their cross products turn a normal as the surface turns.
+    // The columns of the derivative of the deformation. Their cross products transform a normal with the surface.
     vec3 alongT = speed * (tangent + grow * (y * (torsion * binormal - curvature * tangent) - z * torsion * normal)) +
                   growSlope * (y * normal + z * binormal);
     vec3 alongX = tSlope * alongT, alongY = grow * normal, alongZ = grow * binormal;

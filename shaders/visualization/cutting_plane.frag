@@ -5,7 +5,7 @@
 
 uniform sampler3D uTexUnit;
 uniform float uMin, uMax;
-uniform float uTol;   // half the width of a contour, in units of the field; 0 none
+uniform float uTol;   // half the width of a contour, in units of the field; 0 for none
 
 in vec3 vModel;
 
@@ -16,7 +16,7 @@ void main() {
     if (any(lessThan(stp, vec3(0.))) || any(greaterThan(stp, vec3(1.)))) discard;   // outside the field
     float value = texture(uTexUnit, stp).r;
     if (value < uMin || value > uMax) discard;
-    float toContour = abs(value - 10. * floor(value / 10. + .5));   // floor, so that negative values work alike
+    float toContour = abs(value - 10. * floor(value / 10. + .5));   // floor, so that negative values work in the same way
     float line = toContour < uTol ? .35 : 1.;
     fColor = vec4(line * rainbow(value / 100.), 1.);
 }

@@ -1,4 +1,4 @@
-// D20 SH104 Isosurface: the first step over the value, made exact by bisection.
+// D20 SH104 Isosurface: the first step that crosses the value, refined by bisection.
 #version 330 core
 
 uniform sampler3D uTexUnit;

@@ -1,4 +1,4 @@
-// SH097 Point cloud: the field's value at the point; values outside uMin..uMax leave no point.
+// SH097 Point cloud: the value of the field at the point. Points with values outside uMin..uMax are discarded.
 #version 330 core
 
 #include "../common/rainbow.glsl"

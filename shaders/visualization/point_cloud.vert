@@ -1,4 +1,4 @@
-// SH096 Point cloud: the points' model positions.
+// SH096 Point cloud: the model positions of the points.
 #version 330 core
 
 out vec3 vModel;

@@ -1,4 +1,4 @@
-// SH102 Probe: the field at the fragment's place in eye space, with a little light to show the shape.
+// SH102 Probe: the field at the eye-space position of the fragment, with a little light to show the shape.
 #version 330 core
 
 #include "../common/rainbow.glsl"
@@ -11,7 +11,7 @@ in vec3 vNormal;
 
 out vec4 fColor;
 
-const vec3 kFieldCentre = vec3(0., 0., -3.4);   // eye space; the field's box is 2 wide
+const vec3 kFieldCentre = vec3(0., 0., -3.4);   // eye space; the box of the field is 2 wide
 
 void main() {
     vec3 stp = clamp((vPosition - kFieldCentre + 1.) / 2., 0., 1.);

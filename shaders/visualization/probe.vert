@@ -1,4 +1,4 @@
-// SH101 Probe: eye-space position, as the field stands before the eye and the probe moves through it.
+// SH101 Probe: eye-space position: the field is fixed in front of the eye, and the probe moves through it.
 #version 330 core
 
 out vec3 vPosition;

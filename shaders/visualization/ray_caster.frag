@@ -1,11 +1,11 @@
-// SH104 Volume ray casting: C += a* alpha c, a* *= 1 - alpha, step by step until little light is left to come.
+// SH104 Volume ray casting: C += a* alpha c, a* *= 1 - alpha, step by step, until little light is left.
 #version 330 core
 
 #include "../common/rainbow.glsl"
 
 uniform sampler3D uTexUnit;
 uniform int uNumSteps;       // along the diagonal of the volume
-uniform float uMin, uMax;    // values outside are clear
+uniform float uMin, uMax;    // values outside are transparent
 uniform float uAmax;         // opacity of one step where the value is uMax
 
 in vec3 vModel;
@@ -28,6 +28,6 @@ void main() {
         left *= 1. - alpha;
         if (left < .001) break;
     }
-    if (left > .999) discard;   // also the far faces, where the ray leaves at once
+    if (left > .999) discard;   // this includes the far faces, where the ray leaves at once
     fColor = vec4(color / (1. - left), 1. - left);
 }

@@ -1,11 +1,11 @@
-// SH108 Terrain: normals from the slopes of the height field; sea, green land, brown rock and snow by height.
+// SH108 Terrain: normals from the slopes of the height field; the height decides between sea, green land, brown rock and snow.
 #version 330 core
 
 uniform sampler2D uHgtUnit;   // metres in red
-uniform float uExag;          // how many times too high the mountains are lit
+uniform float uExag;          // exaggeration of the heights in the lighting
 uniform float uLevel1;        // from green to brown, metres
 uniform float uLevel2;        // from brown to white
-uniform float uTol;           // half the width of those changes
+uniform float uTol;           // half the width of both changes
 uniform float uLightX, uLightY, uLightZ;   // a direction: x east, y north, z up
 
 in vec2 vST;

@@ -9,7 +9,7 @@ namespace {
 
 using Key = std::pair<glib::CommandId, std::vector<double>>;
 
-/// Shapes that some draw has; a draw between two shapes has none.
+/// Returns the shapes that are drawn. A draw whose shape is about to be replaced has none.
 std::set<int> drawnShapes(const scene::Scene& scene) {
     std::set<int> drawn;
     for (const scene::Pass& pass : scene.passes)
@@ -31,7 +31,7 @@ std::vector<int> apply(const Choice& choice, scene::Scene& scene) {
         draws.push_back(&draw);
         draw.shape = scene::kNone;
     }
-    // Shapes that nobody draws any more make room for the new ones, so that none is left over.
+    // Shapes that are no longer drawn are replaced by the new ones, so that none is left over.
     const std::set<int> stillDrawn = drawnShapes(scene);
     std::vector<int> vacant, replaced;
     for (int i = static_cast<int>(scene.shapes.size()) - 1; i >= 0; --i)

@@ -1,13 +1,14 @@
 #pragma once
-// From a bound in pixels to the counts, tessellation levels, samples and noise textures of a scene that keep
-// it at the least cost.
+// Chooses counts, tessellation levels, samples and noise textures for a scene: the cheapest ones that keep a
+// bound in pixels.
 //
-// The bound holds for each of these by itself: a mesh against the surface it stands for, edges against the
-// places that the samples tell, noise against the function it samples. For meshes it is proved for programs
-// whose text shows that they place vertices by the model-view-projection alone (glsl::Placement). What
-// programs compute at the vertices or from their normals is measured, on small pictures. Not in it: where two
-// surfaces cut each other at a flat angle the cut moves further than the surfaces do; what tessellation
-// stages compute at their vertices but places. Passes into a texture are judged in its texels.
+// The bound holds for each of these separately: for a mesh compared with its surface, for edges compared with
+// where the samples show them, for noise compared with the function that the texture samples. For meshes it
+// is proved if the program's text shows that it places vertices by the model-view-projection alone
+// (glsl::Placement). Everything else that programs compute at the vertices or from their normals is measured
+// on small pictures. Two things are not covered: where two surfaces intersect at a flat angle, the
+// intersection moves further than the surfaces do; and tessellation stages may compute other values than
+// places. Passes into a texture are judged in its texels.
 
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -29,9 +30,9 @@ struct NoiseChoice {
     NoiseFormat format;
 };
 
-/// A value of a uniform; an index into ProgramInterface::uniforms of the draw's program.
+/// A value of a uniform that decides a tessellation level.
 struct LevelValue {
-    int uniform = 0;
+    int uniform = 0;  ///< index into ProgramInterface::uniforms of the draw's program
     double value = 0;
 };
 
@@ -39,26 +40,26 @@ struct Choice;
 
 struct Request {
     double maxError = 0;          ///< pixels, above 0
-    bool overrideCounts = false;  ///< choose also what the scene states, levels always among it
+    bool overrideCounts = false;  ///< also choose what the scene states; levels always count as stated
     int width = 0, height = 0;    ///< of the window, pixels
     bool areSamplesFree = true;
-    int mostSamples = 1;  ///< of the driver
-    /// Projection * ModelView as the draw will have them; aspect is width / height of what it draws into.
+    int mostSamples = 1;  ///< the driver's limit
+    /// Returns Projection * ModelView of a draw; aspect is width / height of what it draws into.
     std::function<glm::dmat4(const scene::Draw& draw, double aspect)> clipFromModel;
-    /// How far contours move, in pixels of the picture, from the one shapes, noise and samples to the other.
-    /// Without an answer a period of noise is taken to be one unit of the model that it is seen on, and what
-    /// programs compute at the vertices has no bound.
+    /// Measures how far contours move, in pixels of the picture, from one choice to the other. Without it, or
+    /// if it returns nothing, a period of noise is taken to be one unit of the model on which it is seen, and
+    /// the values that programs compute at the vertices have no bound.
     std::function<std::optional<ContourShifts>(const Choice& from, const Choice& to)> contourShift{};
-    int mostLevel = 64;                           ///< of tessellation, of the driver
-    std::span<const plan::Override> overrides{};  ///< values that nothing else replaces
-    /// What the tessellation stages make of the patches of the draw at Scene::passes[pass].steps[step] with
-    /// these values in place of the scene's; the same patches at every call. Without it levels are kept.
+    int mostLevel = 64;                           ///< the driver's limit for tessellation levels
+    std::span<const plan::Override> overrides{};  ///< values that must not be replaced
+    /// Returns the tessellated patches of the draw at Scene::passes[pass].steps[step] with these values in
+    /// place of the scene's; the same patches at every call. Without it levels are kept.
     std::function<std::optional<std::vector<Patch>>(std::size_t pass, std::size_t step,
                                                     std::span<const LevelValue> values)>
         patches{};
 };
 
-/// For --explain and --stats: what was chosen or kept, and why.
+/// What was chosen or kept, and why; for --explain and --stats.
 struct Decision {
     std::string what;  ///< "Sphere", "samples", "Noise3D"
     std::string why;
@@ -72,20 +73,20 @@ struct ShapeChoice {
 };
 
 struct Choice {
-    std::vector<ShapeChoice> shapes;  ///< of draws whose numbers change
+    std::vector<ShapeChoice> shapes;  ///< only for draws whose numbers change
     std::vector<NoiseChoice> noise;
     std::vector<plan::Override> levels;  ///< values of uniforms that decide tessellation levels
-    int samples = 1;  ///< as many as the bound needs and the driver has; 1 if they are not free
+    int samples = 1;  ///< as many as the bound needs, up to the driver's limit; 1 if they are not free
     std::vector<Decision> decisions;
-    Diagnostics diagnostics;  ///< draw-W07: the bound cannot be kept; draw-N03: it is not, for stated numbers
+    Diagnostics diagnostics;  ///< draw-W07: the bound cannot be kept; draw-N03: stated numbers do not keep it
 };
 
-/// Chooses for everything in the plan, which is one of the scene. Draws of one shape share a mesh unless some
-/// need four times the deviation of others or more, which is half the counts.
+/// Chooses for everything in the plan, which must belong to the scene. Draws of one shape share a mesh,
+/// unless some of them allow at least four times the deviation of others and so need only half the counts.
 Choice choose(const scene::Scene& scene, const plan::FramePlan& plan, const Request& request);
 
-/// Puts shapes and noise into the scene. Returns the indices of the shapes that were there and are now
-/// others.
+/// Puts the chosen shapes and noise textures into the scene. Returns the indices of the shapes that have been
+/// replaced.
 std::vector<int> apply(const Choice& choice, scene::Scene& scene);
 
 }  // namespace glibra::budget

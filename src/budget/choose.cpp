@@ -13,53 +13,43 @@
 #include "budget/choose_levels.h"
 #include "budget/choose_noise.h"
 #include "budget/least_counts.h"
+#include "budget/pixel_scale.h"
 #include "budget/pixel_text.h"
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
 #include "budget/vertex_values.h"
-#include "glib/command_table.h"
 #include "scene/primitives.h"
 #include "scene/view.h"
 
 namespace glibra::budget {
 namespace {
 
-/// By which counts have to be larger than for smooth light: a reflected ray turns by twice what its normal
-/// does, and a refracted one by more still at a flat angle.
+/// The factor by which counts must be larger than for smooth light: a reflected ray turns by twice the angle
+/// of its normal, and a refracted one turns even more at a flat angle.
 constexpr int kMirror = 2;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
-
-std::string_view countName(const SurfaceModel& model, const CountArgument& count) {
-    if (count.byDefault > 0) {
-        if (model.command == glib::CommandId::teapot) return "cells a side";
-        return model.command == glib::CommandId::soccerball ? "cuts" : "sides";
-    }
-    for (const glib::CommandRow& row : glib::commandTable())
-        if (row.id == model.command) return row.arguments[count.index].name;
-    return {};
-}
 
 /// "44 slices, 22 stacks"
 std::string countsText(const SurfaceModel& model, const std::vector<double>& numbers) {
     std::string text;
     for (const CountArgument& each : model.usedCounts())
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", numbers[each.index], countName(model, each));
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", numbers[each.index], each.name);
     return text;
 }
 
-/// One draw whose counts may be chosen, and how fine its mesh has to be.
+/// One draw whose counts may be chosen, and how fine its mesh must be.
 struct Need {
     std::size_t pass = 0, step = 0;
     const scene::Draw* draw = nullptr;
-    double scale = 0;    ///< pixels a model unit
+    double scale = 0;    ///< pixels per model unit
     double allowed = 0;  ///< deviation in model units
     int program = 0;     ///< index into FramePlan::programs
     bool isMoved = false;
-    bool isMeasured = false;  ///< its program makes more of the vertices than places
+    bool isMeasured = false;  ///< its program computes more at the vertices than their places
 };
 
-/// What a draw's shape gets.
+/// The result for the shape of one draw.
 struct Drawn {
     Need need;
     const SurfaceModel* model = nullptr;
@@ -75,7 +65,7 @@ struct Drawn {
     }
 };
 
-/// What draws must have in common to share a mesh.
+/// Draws with equal keys may share a mesh.
 using MeshKey = std::tuple<int, std::array<bool, 2>, std::array<int, 2>, Fidelity>;
 
 class Chooser {
@@ -98,7 +88,7 @@ class Chooser {
     }
 
   private:
-    /// The draw that is furthest from keeping the bound, and how many others do not.
+    /// The draw that exceeds the bound most, and how many others exceed it.
     struct Worst {
         double pixels = 0;
         const scene::Draw* draw = nullptr;
@@ -115,7 +105,7 @@ class Chooser {
         }
     };
 
-    /// The same of what programs make of their vertices.
+    /// The same for the values that programs compute at their vertices.
     struct WorstVertices {
         VertexError error;
         const scene::Draw* draw = nullptr;
@@ -161,12 +151,10 @@ class Chooser {
             *plan_.programs[static_cast<std::size_t>(planned.program)].interface;
         const SurfaceModel* model = shape.list ? nullptr : surfaceModel(shape.command);
         const glm::dmat4 matrix = request_.clipFromModel(draw, aspect);
-        const auto scaleOf = [&](const Bounds& bounds) {
-            return pixelsPerUnit(matrix, bounds, size.x, size.y);
-        };
         const std::vector<double> numbers = model != nullptr ? model->complete(shape) : std::vector<double>();
         const std::optional<double> scale =
-            model != nullptr ? scaleOf(model->bounds(numbers)) : std::optional<double>();
+            model != nullptr ? pixelsPerUnit(matrix, model->extent(numbers), size.x, size.y)
+                             : std::optional<double>();
         noteNoise(planned, scale, size.y);
         if (scene::drawsNothing(shape)) return;
         const ProgramFacts facts = programFacts(program);
@@ -175,9 +163,9 @@ class Chooser {
         if (model == nullptr) return;
 
         if (draw.flatColors || facts.showsPrimitives)
-            return decide(draw, "kept: its program shows the single triangles");
+            return decide(draw, "kept: its program shows individual triangles");
         if (facts.worksOnPrimitives)
-            return decide(draw, "kept: its tessellation or geometry stage works on the single triangles");
+            return decide(draw, "kept: its tessellation or geometry stage works on individual triangles");
         if (!scale) return decide(draw, "kept: reaches behind the eye, so no bound is known");
 
         need.scale = *scale;
@@ -191,7 +179,7 @@ class Chooser {
         for (std::size_t i = 0; i < model->countsUsed; ++i) {
             const CountArgument& count = model->counts[i];
             const int asGiven = static_cast<int>(numbers[count.index]);
-            isFree[i] = request_.overrideCounts || count.byDefault > 0 || count.index >= draw.givenNumbers;
+            isFree[i] = request_.overrideCounts || count.isFixed || count.index >= draw.givenNumbers;
             least[i] = facts.isBuiltin ? 1 : count.smooth == kAsGiven ? asGiven : count.smooth;
             if (facts.magnifiesNormals && count.smooth != kAsGiven) least[i] *= kMirror;
             if (need.isMoved) least[i] = std::max(least[i], asGiven);
@@ -202,7 +190,7 @@ class Chooser {
             drawn_.push_back({need, model, numbers, numbers, isFree, fidelity});
     }
 
-    /// Draws that need about the same get one mesh, made for the one that needs most.
+    /// Draws with about the same need share one mesh, made for the draw that needs most.
     void chooseCounts(const MeshKey& key, std::vector<Need>& needs) {
         std::stable_sort(needs.begin(), needs.end(),
                          [](const Need& a, const Need& b) { return a.allowed < b.allowed; });
@@ -231,7 +219,7 @@ class Chooser {
             drawn_.push_back({need, &model, before, chosen.numbers, isFree, fidelity});
     }
 
-    /// Light, normals, moved vertices: finer where pictures tell that it is needed.
+    /// Raises counts where pictures show that light, normals or moved vertices need it.
     void measureVertices() {
         if (!request_.contourShift) return;
         VertexRequest vertices{{}, request_.maxError, {}};
@@ -248,7 +236,7 @@ class Chooser {
             Choice coarse, fine;
             coarse.shapes.assign(from.begin(), from.end());
             fine.shapes.assign(to.begin(), to.end());
-            // Of edges a single sample would tell too much or too little.
+            // A single sample would show edges moving by whole pixels or not at all.
             coarse.samples = fine.samples = std::min(4, std::max(1, request_.mostSamples));
             return request_.contourShift(coarse, fine);
         };
@@ -284,7 +272,7 @@ class Chooser {
         if (drawn.need.isMoved) return "no bound, its program moves the vertices";
         std::string shape = fmt::format("at most {}", pixelText(pixels));
         if (!drawn.vertices) return shape;
-        return shape + "; what its program makes of the vertices " + vertexText(*drawn.vertices);
+        return shape + "; values computed at the vertices " + vertexText(*drawn.vertices);
     }
 
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
@@ -320,52 +308,53 @@ class Chooser {
         const double pixels = edgeError(choice_.samples);
         choice_.decisions.push_back(
             {"samples",
-             fmt::format("{} a pixel: edges at most {} off", choice_.samples, pixelText(pixels)),
+             fmt::format("{} per pixel: edges at most {} off", choice_.samples, pixelText(pixels)),
              {scene_.path, 1, 1}});
         if (pixels > request_.maxError)
-            choice_.diagnostics.push_back(warning(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-W07",
                 fmt::format(
-                    "the driver has {} samples a pixel, with which edges are up to {} off; the bound is {}",
+                    "the driver has {} samples per pixel, with which edges are up to {} off; the bound is {}",
                     choice_.samples, pixelText(pixels), pixelText(request_.maxError)),
                 {scene_.path, 1, 1}));
     }
 
     void report() {
         const auto others = [](int count) {
-            return count > 0 ? fmt::format("; so {} {} more", count > 1 ? "are" : "is", count)
-                             : std::string();
+            return count > 0 ? fmt::format("; the same holds for {} more", count) : std::string();
         };
         if (beyond_.draw != nullptr)
             choice_.diagnostics.push_back(
-                warning("draw-W07",
-                        fmt::format("{} with {}, the most there may be, is up to {} off; the bound is {}{}",
-                                    beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
-                                    pixelText(request_.maxError), others(beyond_.others)),
-                        beyond_.draw->place));
+                diagnose("draw-W07",
+                         fmt::format("{} with {}, the largest possible, is up to {} off; the bound is {}{}",
+                                     beyond_.word, beyond_.counts, pixelText(beyond_.pixels),
+                                     pixelText(request_.maxError), others(beyond_.others)),
+                         beyond_.draw->place));
         if (beyondVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(warning(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-W07",
-                fmt::format("what the program makes of the vertices of {} with {} is {}; finer counts "
-                            "do not help, the bound is {}{}",
-                            beyondVertices_.draw->word, beyondVertices_.counts,
-                            vertexText(beyondVertices_.error), pixelText(request_.maxError),
-                            others(beyondVertices_.others)),
+                fmt::format(
+                    "the values that the program computes at the vertices of {} with {} are {}; finer "
+                    "counts do not help, the bound is {}{}",
+                    beyondVertices_.draw->word, beyondVertices_.counts, vertexText(beyondVertices_.error),
+                    pixelText(request_.maxError), others(beyondVertices_.others)),
                 beyondVertices_.draw->place));
         if (stated_.draw == nullptr && statedVertices_.draw != nullptr)
-            choice_.diagnostics.push_back(note(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-N03",
-                fmt::format("what the program makes of the vertices of {} with {}, as the scene states, is "
-                            "{}; --override-counts chooses for it{}",
-                            statedVertices_.draw->word, statedVertices_.counts,
-                            vertexText(statedVertices_.error), others(statedVertices_.others)),
+                fmt::format(
+                    "the values that the program computes at the vertices of {} with {}, as the scene "
+                    "states, are {}; use --override-counts to choose finer ones{}",
+                    statedVertices_.draw->word, statedVertices_.counts, vertexText(statedVertices_.error),
+                    others(statedVertices_.others)),
                 statedVertices_.draw->place));
         if (stated_.draw != nullptr)
-            choice_.diagnostics.push_back(note(
+            choice_.diagnostics.push_back(diagnose(
                 "draw-N03",
-                fmt::format("{} with {}, as the scene states, is up to {} off; --override-counts "
-                            "chooses for it{}",
-                            stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
+                fmt::format(
+                    "{} with {}, as the scene states, is up to {} off; use --override-counts to choose "
+                    "finer ones{}",
+                    stated_.word, stated_.counts, pixelText(stated_.pixels), others(stated_.others)),
                 stated_.draw->place));
     }
 

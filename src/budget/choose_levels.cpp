@@ -12,7 +12,7 @@
 namespace glibra::budget {
 namespace {
 
-/// What the draws' patches differ by in pixels at most. Nothing if that cannot be told.
+/// Returns the largest difference in pixels between the draws' patches; nothing if it cannot be measured.
 std::optional<double> levelError(const std::vector<TessellatedDraw>& draws, const Request& request,
                                  std::span<const LevelValue> coarse, std::span<const LevelValue> fine) {
     double largest = 0;
@@ -29,7 +29,7 @@ std::optional<double> levelError(const std::vector<TessellatedDraw>& draws, cons
     return largest;
 }
 
-/// As plan::Override::program names it.
+/// The program's name as plan::Override::program has it.
 std::string programOf(const scene::Scene& scene, const plan::PlannedProgram& planned) {
     return std::to_string(scene.programs[static_cast<std::size_t>(planned.variant.program)].place.line);
 }

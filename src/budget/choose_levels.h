@@ -1,5 +1,5 @@
 #pragma once
-// Which tessellation levels keep a bound: the part of choose() that is about them.
+// The part of choose() that chooses tessellation levels.
 
 #include <glm/vec2.hpp>
 #include <map>
@@ -10,19 +10,19 @@
 
 namespace glibra::budget {
 
-/// A draw of patches, into a picture of that size.
+/// A draw of patches into a picture of that size.
 struct TessellatedDraw {
     std::size_t pass = 0, step = 0;  ///< indices into Scene::passes and Pass::steps
     const scene::Draw* draw = nullptr;
     glm::dvec2 size{0};  ///< pixels
 };
 
-/// Levels that do not keep the bound.
+/// Levels that exceed the bound.
 struct LevelMiss {
     double pixels = 0;
     const scene::Draw* draw = nullptr;
     std::string with;       ///< "uOuter 64, uInner 64"
-    bool isStated = false;  ///< they are the scene's own
+    bool isStated = false;  ///< the scene states them
 };
 
 struct ChosenLevels {
@@ -31,7 +31,7 @@ struct ChosenLevels {
     std::vector<LevelMiss> misses;
 };
 
-/// `draws`: by index into FramePlan::programs; the draws of one program have its levels in common.
+/// `draws` is indexed like FramePlan::programs; all draws of one program have the same levels.
 ChosenLevels chooseLevels(const scene::Scene& scene, const plan::FramePlan& plan,
                           const std::map<int, std::vector<TessellatedDraw>>& draws, const Request& request);
 

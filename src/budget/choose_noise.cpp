@@ -10,10 +10,10 @@
 namespace glibra::budget {
 namespace {
 
-/// "64 texels a side", "64 texels a side of 16 bits"
+/// "64 texels per side", "64 texels per side with 16 bits"
 std::string noiseText(const NoiseFormat& format) {
-    return fmt::format("{} texels a side{}", format.size,
-                       format.texels == scene::NoiseTexels::shorts ? " of 16 bits" : "");
+    return fmt::format("{} texels per side{}", format.size,
+                       format.texels == scene::NoiseTexels::shorts ? " with 16 bits" : "");
 }
 
 class NoiseChooser {
@@ -43,8 +43,8 @@ class NoiseChooser {
         return noise.file == scene::kNone && (!noise.isSizeGiven || request_.overrideCounts);
     }
 
-    /// What two pictures tell of how contours move: programs stretch noise, add octaves of their own and
-    /// raise its contrast, which all moves them further than the noise's own.
+    /// Measures on two pictures how contours move. Programs stretch noise, add octaves of their own and raise
+    /// its contrast, so the contours that they draw move further than those of the noise itself.
     void measure() {
         Choice from, to;
         for (const auto& [texture, use] : uses_) {
@@ -55,13 +55,14 @@ class NoiseChooser {
         if (!from.noise.empty() && request_.contourShift) measured_ = request_.contourShift(from, to);
     }
 
-    /// Pixels. Changes of a value that are not seen move nothing.
+    /// In pixels. Changes of a value that nobody can see move nothing.
     [[nodiscard]] double errorOf(int dimensions, const NoiseFormat& format, double period) const {
         constexpr double kVisible = 4. / 255;
         const double periods = noiseError(dimensions, format);
         if (!measured_) return periods * period;
         const double step = meanNoiseStep(dimensions);
-        // The largest of a square's changes is beyond the mean as 999 of 1000 errors are within noiseError.
+        // The largest change in a square relates to the mean as noiseError, which bounds 999 of 1000 errors,
+        // relates to the mean error.
         const double largestStep = noiseError(dimensions, {kNoiseProbeSizes[1], scene::NoiseTexels::shorts});
         return measured_->ofChangesAbove(kVisible * largestStep / periods) * periods / step;
     }
@@ -73,7 +74,7 @@ class NoiseChooser {
 
     void miss(const scene::NoiseSource& noise, const NoiseUse& use, double pixels, int size, bool isStated) {
         chosen_.misses.push_back({pixels, use.draw, fmt::format("Noise{}D", noise.dimensions),
-                                  fmt::format("{} texels a side", size), isStated});
+                                  fmt::format("{} texels per side", size), isStated});
     }
 
     [[nodiscard]] std::string_view sourceText() const {

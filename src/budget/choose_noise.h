@@ -1,5 +1,5 @@
 #pragma once
-// Which noise textures keep a bound: the part of choose() that is about them.
+// The part of choose() that chooses noise textures.
 
 #include <map>
 #include <string>
@@ -11,27 +11,27 @@ namespace glibra::budget {
 
 /// How a noise texture is seen.
 struct NoiseUse {
-    /// Pixels. Until pictures tell more, a period is taken to be one unit of the model that it is seen on;
-    /// without a bound for that, half the height of the picture.
+    /// The size of a period in pixels. Until it has been measured, a period is taken to be one unit of the
+    /// model on which the noise is seen, or half the height of the picture if there is no bound for that.
     double period = 0;
     const scene::Draw* draw = nullptr;
 };
 
-/// A texture that does not keep the bound.
+/// A texture that exceeds the bound.
 struct NoiseMiss {
     double pixels = 0;
     const scene::Draw* draw = nullptr;
-    std::string word, with;  ///< "Noise3D", "64 texels a side"
+    std::string word, with;  ///< "Noise3D", "64 texels per side"
     bool isStated = false;   ///< the scene states its size
 };
 
 struct ChosenNoise {
-    std::vector<NoiseChoice> choices;  ///< of textures that change
+    std::vector<NoiseChoice> choices;  ///< only for textures that change
     std::vector<Decision> decisions;
     std::vector<NoiseMiss> misses;
 };
 
-/// `uses`: by index into Scene::textures.
+/// `uses` is indexed like Scene::textures.
 ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<int, NoiseUse>& uses,
                         const Request& request);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSide = 16;
 constexpr float kSmooth = 64.F / 255;
 
-/// Components in 0..1; NaN is 0.
+/// The components of a picture in 0..1; NaN is 0.
 class Values {
   public:
     explicit Values(const image::Image& picture)
@@ -84,7 +84,7 @@ ContourShifts::ContourShifts(const image::Image& from, const image::Image& to, d
                     if (here > 0 && before.isSmooth(x, y, kSmooth) && after.isSmooth(x, y, kSmooth))
                         smoothChanges_.push_back({here, slope});
                 }
-            constexpr double kMost = kSide;  // further than the square nothing is followed
+            constexpr double kMost = kSide;  // larger shifts are not measured
             const double shift = changes < kMost * gradients ? changes / gradients : kMost;
             if (largest > 0) squares_.push_back({pixel * shift, largest});
         }

@@ -1,6 +1,6 @@
 #pragma once
-// How far what one picture shows lies beside its place in another, to parts of a pixel, and how much of it
-// has other colours.
+// Compares two pictures: how far contours have moved, to parts of a pixel, and how much of the picture has
+// changed its colour.
 
 #include <vector>
 
@@ -9,24 +9,25 @@
 namespace glibra::budget {
 
 /// In squares of 16 x 16 pixels the sum of the changes from one picture to the other is divided by the sum of
-/// the gradients: what moves along its gradient g by s changes by s |g|, and of the pixels along a sharp edge
-/// that moves by s, a share of s changes.
+/// the gradients: where the picture moves by s along its gradient g, values change by s |g|; along a sharp
+/// edge that moves by s, the share s of the pixels changes.
 class ContourShifts {
   public:
-    /// Both pictures RGB or RGBA bytes or floats of one size; values are limited to 0..1 first, NaN is 0.
-    /// Shifts count in units of which a pixel of these pictures has `pixel`.
+    /// Both pictures have the same size and are RGB or RGBA, bytes or floats. Values are limited to 0..1; NaN
+    /// is 0. Shifts are given in units in which a pixel of these pictures has the size `pixel`.
     ContourShifts(const image::Image& from, const image::Image& to, double pixel = 1);
 
-    /// What 98 of 100 squares stay below, of those in which some value changes by more than `change`, 0..1; 0
-    /// if there are none.
+    /// The shift that 98 of 100 squares do not exceed, among the squares in which some value changes by more
+    /// than `change`, 0..1; 0 if there are none.
     [[nodiscard]] double ofChangesAbove(double change) const;
 
-    /// Share of all pixels that change by more than `change`, 0..1, and what a shift by `shift` would change
-    /// there, where both pictures are smooth: in the 3 x 3 pixels around no component differs by more than
-    /// 64/255. That is light of another colour, and no edge that has moved.
+    /// The share of all pixels that change by more than `change`, 0..1, plus the change that a shift by
+    /// `shift` would cause there. Only pixels around which both pictures are smooth count: no component
+    /// differs by more than 64/255 in the 3 x 3 pixels. So this measures light of another colour, not edges
+    /// that have moved.
     [[nodiscard]] double shareOfSmoothChangesAbove(double change, double shift) const;
 
-    /// `pixel` of the constructor.
+    /// The constructor's `pixel`.
     [[nodiscard]] double pixel() const { return pixel_; }
 
   private:
@@ -38,8 +39,8 @@ class ContourShifts {
     struct SmoothChange {
         float change = 0, gradient = 0;
     };
-    std::vector<SmoothChange> smoothChanges_;  ///< those above 0
-    double pixels_ = 0;                        ///< all
+    std::vector<SmoothChange> smoothChanges_;  ///< only changes above 0
+    double pixels_ = 0;                        ///< number of pixels of the picture
 };
 
 }  // namespace glibra::budget

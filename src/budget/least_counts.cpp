@@ -4,13 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "glib/limits.h"
 #include "scene/primitives.h"
 
 namespace glibra::budget {
 namespace {
 
-constexpr int kMostCount = static_cast<int>(glib::kMostSubdivisions);
+constexpr int kMostCount = geometry::kMostSubdivisions;
 
 class Search {
   public:
@@ -25,7 +24,7 @@ class Search {
         if (free_.empty()) return result(request_.numbers, request_.allowed);
         if (const auto found = within(request_.allowed)) return result(*found, request_.allowed);
         if (free_.size() == request_.model->countsUsed) return nearest();
-        // A stated count is too small. The others get what they would have beside one that is not.
+        // A stated count is too small. The others are chosen as if it were free.
         CountsRequest all = request_;
         all.isFree.fill(true);
         const LeastCounts wanted = Search(all).find();
@@ -53,8 +52,8 @@ class Search {
         return {std::move(numbers), all, all <= allowed};
     }
 
-    /// Sets one count to the smallest that keeps the bound, the others being what they are. False if none
-    /// does.
+    /// Sets one count to the smallest that keeps the bound together with the others. Returns false if there
+    /// is none.
     bool lower(std::vector<double>& numbers, const Free& count, double allowed) const {
         double& number = numbers[count.index];
         const auto keeps = [&](int n) {
@@ -63,7 +62,7 @@ class Search {
         };
         if (keeps(count.least)) return true;
         int tooFew = count.least, enough = kMostCount;
-        // Most counts are small: the search begins there.
+        // Most counts are small, so the search begins there.
         while (tooFew < kMostCount) {
             const int next = std::min(2 * tooFew, kMostCount);
             if (keeps(next)) {
@@ -88,7 +87,7 @@ class Search {
                 return std::nullopt;
             return numbers;
         }
-        // The first count cannot be smaller than with the second as large as can be.
+        // The first count is smallest if the second is as large as possible.
         numbers[free_[1].index] = kMostCount;
         if (!lower(numbers, free_[0], allowed)) return std::nullopt;
         std::optional<std::vector<double>> best;
@@ -106,13 +105,13 @@ class Search {
         return best;
     }
 
-    /// The smallest bound that can be kept, to a thousandth.
+    /// Finds the smallest bound that can be kept, to a thousandth.
     [[nodiscard]] LeastCounts nearest() const {
         double kept = deviation(request_.numbers), tooSmall = request_.allowed;
         std::optional<std::vector<double>> best = within(kept);
         if (!best) return result(request_.numbers, request_.allowed);
         while (kept > 1.001 * tooSmall && kept > 0) {
-            // Bounds differ by powers of ten: the middle is the geometric one.
+            // Bounds differ by powers of ten, so the geometric middle is used.
             const double middle = tooSmall > 0 ? std::sqrt(kept * tooSmall) : kept / 1000;
             if (auto found = within(middle)) {
                 kept = middle;

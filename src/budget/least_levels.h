@@ -1,5 +1,5 @@
 #pragma once
-// The lowest tessellation levels that keep a bound, by measuring.
+// Finds the lowest tessellation levels that keep a bound, by measuring.
 
 #include <functional>
 #include <optional>
@@ -13,9 +13,10 @@ namespace glibra::budget {
 
 struct LevelsRequest {
     std::vector<LevelUniform> uniforms;
-    bool isFree = false;  ///< they may be chosen; else only their error is asked for
+    bool isFree = false;  ///< they may be chosen; otherwise only their error is measured
     double maxError = 0;  ///< pixels
-    /// Largest patchError in pixels of all that the uniforms are for, from the first values to the second.
+    /// Returns the largest patchError in pixels of all patches that the uniforms affect, from the first
+    /// values to the second.
     std::function<std::optional<double>(std::span<const LevelValue> coarse, std::span<const LevelValue> fine)>
         error;
 };
@@ -26,10 +27,10 @@ struct LeastLevels {
     bool isKept = false;  ///< pixels <= maxError
 };
 
-/// The uniforms keep their proportions as far as their ranges allow. The reference are the highest values
-/// that those allow; by how much it is itself beside the surface is a third of what half as many are beside
-/// it, since the error falls with the square of the level, and is counted in. Nothing if it cannot be
-/// measured.
+/// The uniforms keep their proportions as far as their ranges allow. The reference is the surface with the
+/// highest values that the ranges allow. Its own error is included: the error falls with the square of the
+/// level, so it is a third of the difference that halving the levels makes. Returns nothing if the error
+/// cannot be measured.
 std::optional<LeastLevels> leastLevels(const LevelsRequest& request);
 
 }  // namespace glibra::budget

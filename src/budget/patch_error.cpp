@@ -11,10 +11,10 @@
 namespace glibra::budget {
 namespace {
 
-/// By which coordinates may miss a primitive: a few roundings of floats.
+/// How far coordinates may miss a primitive: a few roundings of floats.
 constexpr double kSlack = 1e-5;
 
-/// What a place may lie outside the picture and still count.
+/// How far outside the picture a place may lie and still count.
 constexpr double kMargin = 1.05;
 
 using Weights = std::array<double, 3>;
@@ -23,7 +23,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The weights that make `at` of the primitive's corners, if it is on the primitive.
+/// Returns the weights of the primitive's corners that give `at`; nothing if it is not on the primitive.
 std::optional<Weights> weightsOf(const glm::dvec2& at, std::span<const PatchVertex> corners) {
     const glm::dvec2 a(corners[0].coordinate), b(corners[1].coordinate);
     if (corners.size() == 2) {
@@ -42,7 +42,7 @@ std::optional<Weights> weightsOf(const glm::dvec2& at, std::span<const PatchVert
     return isInside ? std::optional(weights) : std::nullopt;
 }
 
-/// The primitives of a patch, found by coordinates.
+/// Finds primitives of a patch by coordinates.
 class Finder {
   public:
     explicit Finder(const Patch& patch) : patch_(patch) {
@@ -58,7 +58,7 @@ class Finder {
         }
     }
 
-    /// gl_Position where the patch shows these coordinates.
+    /// Returns gl_Position of the patch at these coordinates.
     [[nodiscard]] std::optional<glm::dvec4> at(const glm::dvec2& coordinate) const {
         for (const std::size_t first : cells_[cell(coordinate.y) * kCells + cell(coordinate.x)]) {
             const auto corners = primitive(first);

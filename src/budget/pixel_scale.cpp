@@ -12,7 +12,7 @@
 namespace glibra::budget {
 namespace {
 
-/// What a place may lie outside the picture and still count: a mesh reaches further in than its surface.
+/// How far outside the picture a place may lie and still count: a mesh reaches further in than its surface.
 constexpr double kMargin = 1.05;
 
 bool isFinite(const glm::dmat4& matrix) {
@@ -22,14 +22,14 @@ bool isFinite(const glm::dmat4& matrix) {
     return true;
 }
 
-/// Corners, in clip space, of what the near plane z = -w leaves of the box: those of the box in front of it,
-/// and where the box's edges cross it.
-std::vector<glm::dvec4> cornersInFront(const glm::dmat4& clipFromModel, const Bounds& bounds) {
+/// Returns the corners, in clip space, of the part of the box in front of the near plane z = -w: the box's
+/// own corners there, and the points where its edges cross the plane.
+std::vector<glm::dvec4> cornersInFront(const glm::dmat4& clipFromModel, const geometry::Extent& extent) {
     std::vector<glm::dvec4> all, front;
     for (unsigned i = 0; i < 8; ++i)
-        all.push_back(clipFromModel * glm::dvec4((i & 1U) != 0 ? bounds.high.x : bounds.low.x,
-                                                 (i & 2U) != 0 ? bounds.high.y : bounds.low.y,
-                                                 (i & 4U) != 0 ? bounds.high.z : bounds.low.z, 1));
+        all.push_back(clipFromModel * glm::dvec4((i & 1U) != 0 ? extent.high.x : extent.low.x,
+                                                 (i & 2U) != 0 ? extent.high.y : extent.low.y,
+                                                 (i & 4U) != 0 ? extent.high.z : extent.low.z, 1));
     const auto depth = [](const glm::dvec4& point) { return point.z + point.w; };
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (depth(all[i]) >= 0) front.push_back(all[i]);
@@ -42,8 +42,8 @@ std::vector<glm::dvec4> cornersInFront(const glm::dmat4& clipFromModel, const Bo
     return front;
 }
 
-/// Norm of the matrix with these two rows: the root of the larger eigenvalue of its product with its
-/// transpose.
+/// Returns the norm of the matrix with these two rows: the root of the larger eigenvalue of the product with
+/// its transpose.
 double norm(const glm::dvec3& x, const glm::dvec3& y) {
     const double xx = glm::dot(x, x), yy = glm::dot(y, y), xy = glm::dot(x, y);
     return std::sqrt((xx + yy) / 2 + std::hypot((xx - yy) / 2, xy));
@@ -51,18 +51,18 @@ double norm(const glm::dvec3& x, const glm::dvec3& y) {
 
 }  // namespace
 
-std::optional<double> pixelsPerUnit(const glm::dmat4& clipFromModel, const Bounds& bounds, double width,
-                                    double height) {
+std::optional<double> pixelsPerUnit(const glm::dmat4& clipFromModel, const geometry::Extent& extent,
+                                    double width, double height) {
     if (!isFinite(clipFromModel)) return std::nullopt;
-    const std::vector<glm::dvec4> corners = cornersInFront(clipFromModel, bounds);
+    const std::vector<glm::dvec4> corners = cornersInFront(clipFromModel, extent);
     if (corners.empty()) return 0;
     const glm::dmat4 rows = glm::transpose(clipFromModel);
     const glm::dvec3 alongX(rows[0]), alongY(rows[1]), alongW(rows[3]);
 
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec4& each : corners) nearest = std::min(nearest, each.w);
-    const double centreW = glm::dot(alongW, (bounds.low + bounds.high) * .5) + rows[3].w;
-    nearest = std::max(nearest, centreW - bounds.radius * glm::length(alongW));
+    const double centreW = glm::dot(alongW, (extent.low + extent.high) * .5) + rows[3].w;
+    nearest = std::max(nearest, centreW - extent.radius * glm::length(alongW));
     if (!(nearest > 0)) return std::nullopt;
 
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);

@@ -6,7 +6,7 @@
 
 namespace glibra::budget {
 
-/// "0.249 px", with as many digits as tell it from a bound.
+/// Returns "0.249 px", with enough digits to distinguish it from a bound.
 inline std::string pixelText(double pixels) {
     return fmt::format("{:.3g} px", pixels);
 }

@@ -1,50 +1,55 @@
 #pragma once
-// How far the mesh of a primitive lies from the surface it stands for, by its counts: one row a command.
+// How far the mesh of a primitive lies from its surface, as a function of its counts: the primitive's row as
+// --max-error reads it.
 
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "budget/pixel_scale.h"
+#include "geometry/shapes/primitive.h"
 #include "scene/scene.h"
 
 namespace glibra::budget {
 
-/// What of a surface is drawn in its place.
-enum class Fidelity {
-    shape,   ///< every point of the mesh lies near the surface
-    pattern  ///< ... near the point of the surface with its texture coordinates
-};
+using geometry::Fidelity;
+using geometry::kAsGiven;
 
 /// A count among the numbers of a shape.
 struct CountArgument {
     std::size_t index = 0;
-    int least = 1;   ///< the shape's own minimum
-    int smooth = 1;  ///< least with which light computed at the vertices looks smooth; kAsGiven: do not lower
-    int byDefault = 0;  ///< of a count that stands behind the command's arguments; 0: an argument
+    int least = 1;  ///< the shape's own minimum
+    int smooth =
+        1;  ///< least with which light computed at the vertices looks smooth; kAsGiven: never lowered
+    bool isFixed = false;  ///< no scene can state it
+    std::string_view name{};
 };
-/// Rows along straight lines: the shape does not need them, but what a program computes at vertices may.
-inline constexpr int kAsGiven = 0;
 
 struct SurfaceModel {
     glib::CommandId command{};
+    const geometry::PrimitiveSpec* spec = nullptr;
     std::array<CountArgument, 2> counts{};
     std::size_t countsUsed = 0;
-    /// Both for the numbers that `complete` gives.
-    Bounds (*bounds)(std::span<const double> numbers) = nullptr;
-    /// Upper bound of the distance in model units; does not rise with any count.
-    double (*deviation)(std::span<const double> numbers, Fidelity fidelity) = nullptr;
 
+    /// Where the surface lies. `numbers` are complete.
+    [[nodiscard]] geometry::Extent extent(geometry::Numbers numbers) const { return spec->extent(numbers); }
+    /// An upper bound of the distance between mesh and surface in model units. It does not rise with any
+    /// count. `numbers` are complete.
+    [[nodiscard]] double deviation(geometry::Numbers numbers, Fidelity fidelity) const {
+        return spec->deviation(numbers, fidelity);
+    }
     [[nodiscard]] std::span<const CountArgument> usedCounts() const {
         return std::span(counts).first(countsUsed);
     }
-    /// The shape's numbers with those counts behind them that the language fixes.
-    [[nodiscard]] std::vector<double> complete(const scene::Shape& shape) const;
+    /// All numbers of the shape, those that the language fixes included.
+    [[nodiscard]] std::vector<double> complete(const scene::Shape& shape) const {
+        return geometry::completeNumbers(*spec, shape.numbers);
+    }
 };
 
-/// Null for what has no counts (Box), whose counts are what it shows (wires, clouds, QuadBox), or whose
-/// vertices come from a file or the scene's text.
+/// Null if the command's row has no deviation: shapes without counts, shapes whose counts are what they show,
+/// and shapes whose vertices come from a file or from the scene's text.
 const SurfaceModel* surfaceModel(glib::CommandId command);
 
 }  // namespace glibra::budget

@@ -42,7 +42,7 @@ class Refinement {
     }
 
     std::optional<VertexValues> find() {
-        // Mostly all is well, and two pictures tell that of all programs.
+        // In most scenes all programs keep the bound, and two pictures show that for all of them.
         const std::optional<VertexError> all = measure(programs_, 1);
         if (!all) return std::nullopt;
         for (const int program : programs_) {
@@ -55,7 +55,7 @@ class Refinement {
     }
 
   private:
-    /// What is off where these programs' draws have their free counts times `factor`.
+    /// Measures the error when the draws of these programs have their free counts times `factor`.
     [[nodiscard]] std::optional<VertexError> measure(const std::set<int>& programs, double factor) const {
         std::vector<ShapeChoice> from, to;
         double shapes = 0;

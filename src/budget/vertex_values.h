@@ -22,29 +22,29 @@ struct VertexDraw {
     std::array<bool, 2> isFree{};
     int program = 0;  ///< index into FramePlan::programs
     Fidelity fidelity = Fidelity::shape;
-    double scale = 0;  ///< pixels a model unit
+    double scale = 0;  ///< pixels per model unit
 };
 
 struct VertexRequest {
     std::vector<VertexDraw> draws;
     double maxError = 0;  ///< pixels
-    /// What changes from the one numbers of shapes to the other.
+    /// Measures the change from one set of shapes to another.
     std::function<std::optional<ContourShifts>(std::span<const ShapeChoice> from,
                                                std::span<const ShapeChoice> to)>
         shift;
 };
 
-/// What pictures tell of what a program makes of its vertices.
+/// The measured error of the values that a program computes at its vertices.
 struct VertexError {
-    double pixels = 0;   ///< by which contours are off beyond what the shapes themselves are
-    double colored = 0;  ///< share of the picture whose light is off by more than 8/255
+    double pixels = 0;   ///< how far contours are off, beyond the error of the shapes themselves
+    double colored = 0;  ///< the share of the picture whose light is off by more than 8/255
     bool isKept = false;
 };
 
 /// "about 0.2 px off, and 3 of 1000 pixels have another colour"
 std::string vertexText(const VertexError& error);
 
-/// What became of the draws of one program.
+/// The result for the draws of one program.
 struct VertexResult {
     int program = 0;
     VertexError error;
@@ -56,11 +56,11 @@ struct VertexValues {
 };
 
 /// Raises the free counts of a program's draws by one factor until contours are within the bound and all but
-/// one of 1000 pixels have their colour. The error falls with the square of the counts, so beside half as
-/// many again it is five ninths of the whole. Less than a tenth of the pictures' pixels is not told. It ends
-/// before that where meshes would become larger than kMostBudgetVertices, or where finer ones do not help:
-/// then isKept is false. If no count of a program is free its error alone is told. Nothing if pictures cannot
-/// be drawn.
+/// one of 1000 pixels have their colour. The error falls with the square of the counts, so the difference to
+/// a picture with half as many again is five ninths of it. Errors below a tenth of a pixel of the small
+/// pictures are not detected. The search ends early, with isKept false, if meshes would become larger than
+/// kMostBudgetVertices or if finer ones do not help. If no count of a program is free, only its error is
+/// measured. Returns nothing if pictures cannot be drawn.
 std::optional<VertexValues> vertexValues(const VertexRequest& request);
 
 }  // namespace glibra::budget

@@ -11,8 +11,6 @@
 namespace glibra::cli {
 namespace {
 
-constexpr double kLeast = 1e-9, kMost = 1e6;  ///< pixels
-
 /// "0.25px" or "0.25".
 double pixels(const std::string& text) {
     std::string_view number = text;
@@ -21,7 +19,7 @@ double pixels(const std::string& text) {
     const auto [end, problem] = std::from_chars(number.data(), number.data() + number.size(), value);
     // Written so that NaN is refused, too.
     if (problem != std::errc() || end != number.data() + number.size() ||
-        !(value >= kLeast && value <= kMost))
+        !(value >= kLeastMaxError && value <= kLargestMaxError))
         throw CLI::ValidationError("--max-error",
                                    "'" + text + "' is not a number of pixels from 1e-9 to 1e6, as 0.25px");
     return value;

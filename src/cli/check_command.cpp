@@ -80,7 +80,7 @@ void addCheck(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand("check", "parse, resolve files, compile and link; draw nothing");
     command->add_option("SCENE", arguments->scenes, "scene files (.glib)")->required();
     command->add_option("--driver", arguments->driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->add_flag("--strict", arguments->options.strict, "warnings are errors");
     command->add_flag("--no-shim", arguments->noShim, "compile the shaders as they are");
     command->add_option("--translated", arguments->translated,

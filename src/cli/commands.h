@@ -38,10 +38,7 @@ void addViewOptions(CLI::App& command, ViewState& view);
 void addBudgetOptions(CLI::App& command, RenderOptions& options);
 
 /// Words of --driver.
-inline const std::map<std::string, Driver> kDriverWords{{"auto", Driver::automatic},
-                                                        {"egl", Driver::egl},
-                                                        {"egl-device", Driver::eglDevice},
-                                                        {"osmesa", Driver::osmesa}};
+inline const std::map<std::string, Driver> kDriversByWord(kDriverWords.begin(), kDriverWords.end());
 
 /// The lines to print, in colour if `color`.
 std::string printable(const Diagnostics& diagnostics, bool color);

@@ -23,8 +23,7 @@ struct InfoArguments {
 int measurePrecision(const InfoArguments& arguments) {
     std::vector<std::string> words{"precision"};
     if (arguments.json) words.emplace_back("--json");
-    for (const auto& [word, driver] : kDriverWords)
-        if (driver == arguments.driver) words.insert(words.end(), {"--driver", word});
+    words.insert(words.end(), {"--driver", std::string(word(arguments.driver))});
     return becomeProgram(kBenchProgram, words);
 }
 
@@ -48,7 +47,7 @@ void addInfo(CLI::App& app, int& status) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* command = app.add_subcommand("info", "the driver, its limits and capabilities");
     command->add_option("--driver", arguments->driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->add_flag("--precision", arguments->precision,
                       "measure the error of GLSL's functions against what the specification allows");
     command->add_flag("--json", arguments->json, "as JSON");

@@ -41,7 +41,7 @@ std::string reference(const glib::CommandRow& row) {
 int run(const LanguageArguments& arguments) {
     if (arguments.diagnostics) {
         for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
-            fmt::print("{:<9} {:<8} {}\n", each.id, name(each.severity), each.example);
+            fmt::print("{:<9} {:<8} {}\n", each.id, name(each.severity()), each.example);
         return kDone;
     }
     if (arguments.words) {

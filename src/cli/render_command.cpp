@@ -46,7 +46,7 @@ struct RenderArguments {
     bool explain = false;
 };
 
-/// "WxH", both 1..65536.
+/// "WxH", both 1..kLargestPictureSide.
 std::optional<std::pair<int, int>> parseSize(const std::string& text) {
     int width = 0;
     int height = 0;
@@ -54,7 +54,8 @@ std::optional<std::pair<int, int>> parseSize(const std::string& text) {
     // NOLINTNEXTLINE(cert-err34-c): the count of matched fields is checked, and the width of the numbers is
     // bounded
     if (std::sscanf(text.c_str(), "%6dx%6d%c", &width, &height, &rest) != 2) return std::nullopt;
-    if (width < 1 || height < 1 || width > 65536 || height > 65536) return std::nullopt;
+    if (width < 1 || height < 1 || width > kLargestPictureSide || height > kLargestPictureSide)
+        return std::nullopt;
     return std::pair(width, height);
 }
 
@@ -340,7 +341,7 @@ void addRender(CLI::App& app, int& status) {
     command->add_flag("--axes", to.options.axes, "draw the axes of eye space, two units long");
     command->add_flag("--alpha", to.options.alpha, "keep the window's alpha in the image");
     command->add_option("--driver", to.driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command->add_option("--jobs", to.jobs, "worker processes; without it one a processor")
         ->check(CLI::Range(1, 256));
     command->add_option("--timeout", to.timeout, "seconds that one picture may take, 0 for no limit")

@@ -196,7 +196,7 @@ void addTest(CLI::App& app, int& status) {
     command->add_option("--jobs", to.suites.jobs, "worker processes; without it one a processor")
         ->check(CLI::Range(1, 256));
     command->add_option("--driver", to.suites.driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriverWords));
+        ->transform(CLI::CheckedTransformer(kDriversByWord));
     command
         ->add_option("--timeout", to.suites.timeout,
                      "seconds that one shot may take, instead of what the suite says; 0 for no limit")

@@ -12,10 +12,10 @@ glm::dvec2 unitTurn(std::int64_t i, std::int64_t n) {
     i %= n;
     const std::int64_t octant = 8 * i / n;
     const std::int64_t rest = 8 * i - octant * n;
-    // Odd octants are measured back from their end, so that the angle stays within 0 .. pi/4.
+    // In odd octants the angle is measured back from their end, so it stays within 0 .. pi/4.
     const std::int64_t part = octant % 2 == 0 ? rest : n - rest;
     const double angle = std::numbers::pi / 4 * static_cast<double>(part) / static_cast<double>(n);
-    // At pi/4 itself the two differ in their last bit, which would show at the octants' borders.
+    // At pi/4 itself cos and sin differ in the last bit, which would show where octants meet.
     const double c = part == n ? std::sqrt(.5) : std::cos(angle), s = part == n ? c : std::sin(angle);
     glm::dvec2 point;
     switch (octant) {

@@ -29,9 +29,8 @@ bool getsNormals(ListTopology topology) {
     return meshTopology(topology) == Topology::triangles;
 }
 
-/// The sum of the area vectors of the triangles around each vertex. Separate primitives share no vertices, so
-/// that for triangles and quads this is the face's own: the two halves of a quad are added at all four of its
-/// corners.
+/// Adds up the area vectors of the triangles around each vertex. Separate primitives share no vertices, so a
+/// triangle or quad gets the normal of its own face: the two halves of a quad are added at all four corners.
 std::vector<glm::dvec3> computedNormals(ListTopology topology, std::span<const ListVertex> vertices,
                                         std::span<const std::uint32_t> indices) {
     std::vector<glm::dvec3> normals(vertices.size(), kTowardViewer);
@@ -51,7 +50,8 @@ std::vector<glm::dvec3> computedNormals(ListTopology topology, std::span<const L
     return normals;
 }
 
-/// An attribute of the first `components` numbers that `numbersOf` gives for each of `count` vertices.
+/// Makes an attribute from the first `components` numbers that `numbersOf` returns for each of `count`
+/// vertices.
 template <class NumbersOf>
 Attribute attributeOf(std::string_view name, int components, std::size_t count, NumbersOf numbersOf) {
     Attribute attribute{std::string(name), components, {}};
@@ -68,8 +68,8 @@ Numbers<3> numbersOf(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Components of a texture coordinate that differ from what a missing one reads: 0, 0, 0, 1. None or at least
-/// two.
+/// Returns how many components of the texture coordinates are needed: those that differ from (0, 0, 0, 1),
+/// which a missing one reads. The result is 0 or at least 2.
 int texCoordComponents(std::span<const ListVertex> vertices) {
     int components = 0;
     for (const ListVertex& vertex : vertices) {

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes from vertices that the scene's text gives: glBegin lists, Triangles, LinesAdjacency.
+// Meshes whose vertices stand in the scene's text: glBegin lists, Triangles, LinesAdjacency.
 
 #include <array>
 #include <cstddef>
@@ -30,13 +30,15 @@ enum class ListTopology {
     patches
 };
 
-/// The topology of that word, `triangle_strip` for example, with or without the prefix `gl_`, in any case.
+/// Returns the topology with that name, for example `triangle_strip`, with or without the prefix `gl_`, in
+/// any case; nothing for other words.
 std::optional<ListTopology> listTopology(std::string_view word);
 
-/// What the vertices of a list make: Topology::triangles for strips, fans, polygons and quads, and so on.
+/// Returns the topology of the resulting mesh: Topology::triangles for strips, fans, polygons and quads, and
+/// so on.
 Topology meshTopology(ListTopology topology);
 
-/// One vertex of a list, with the state that held at its glVertex.
+/// One vertex of a list, with the state at its glVertex.
 struct ListVertex {
     std::array<double, 4> position{0, 0, 0, 1};
     std::array<double, 3> normal{0, 0, 1};
@@ -46,30 +48,33 @@ struct ListVertex {
 
 struct ListMesh {
     Mesh mesh;                ///< no indices if the list has no complete primitive
-    std::size_t dropped = 0;  ///< vertices of an incomplete last primitive
-    /// The colour of all vertices, if they have one in common; the mesh then has no colour attribute.
+    std::size_t dropped = 0;  ///< number of vertices of an incomplete last primitive
+    /// The colour of all vertices if it is the same; the mesh then has no colour attribute.
     std::optional<std::array<double, 4>> color;
 };
 
-/// The mesh of a glBegin list. Strips, loops, fans, polygons and quads are split into separate primitives,
-/// triangles with the corner last that GL takes flat colours from; all vertices stay, in their order. Normals
-/// are passed on as given if `hasNormals`; otherwise separate triangles and quads get face normals, strips,
-/// fans and polygons the area-weighted mean at each vertex, all others (0, 0, 1), and so do faces without
-/// area. Normals of homogeneous points are those of the points divided by w. Tangents are T0(N). Attributes
-/// that are the same everywhere and read the same when left out (texture coordinate 0 0 0 1) are left out;
-/// positions have four components only if some w is not 1. patchVertices, 1 to 32, counts for patches only.
+/// Makes the mesh of a glBegin list. Strips, loops, fans, polygons and quads are split into separate
+/// primitives. The last corner of each triangle is the one from which GL takes flat colours. All vertices are
+/// kept, in their order.
+///
+/// Normals are used as given if `hasNormals` is set. Otherwise separate triangles and quads get face normals;
+/// strips, fans and polygons get the area-weighted mean at each vertex; everything else, and faces without
+/// area, get (0, 0, 1). For homogeneous points the normals are those of the points divided by w. Tangents are
+/// T0(N). Texture coordinates that are (0, 0, 0, 1) at all vertices are left out, since a missing attribute
+/// reads the same. Positions have four components only if some w is not 1. patchVertices, 1 to 32, is used
+/// for patches only.
 ListMesh meshFromList(ListTopology topology, std::span<const ListVertex> vertices, bool hasNormals,
                       int patchVertices);
-/// The same by the topology's word, which listTopology must know.
+/// The same, with the topology as a word that listTopology knows.
 ListMesh meshFromList(std::string_view topologyWord, std::span<const ListVertex> vertices, bool hasNormals,
                       int patchVertices);
 
-/// The command Triangles: every three points (x, y, z, w) a triangle, with the normal of its face and (s, t)
-/// = (0, 0), (1, 0), (0, 1). The number of points is a multiple of 3.
+/// Makes the mesh of the command Triangles: every three points (x, y, z, w) are a triangle with the normal of
+/// its face and (s, t) = (0, 0), (1, 0), (0, 1). The number of points must be a multiple of 3.
 Mesh trianglesList(std::span<const std::array<double, 4>> points);
 
-/// The command LinesAdjacency: every four points a line with adjacency, normal (0, 0, 1), no texture
-/// coordinate. The number of points is a multiple of 4.
+/// Makes the mesh of the command LinesAdjacency: every four points are a line with adjacency; normals are
+/// (0, 0, 1), and there are no texture coordinates. The number of points must be a multiple of 4.
 Mesh linesAdjacencyList(std::span<const std::array<double, 4>> points);
 
 }  // namespace glibra::geometry

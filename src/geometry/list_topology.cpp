@@ -42,9 +42,9 @@ void put(Indices& indices, std::initializer_list<std::uint32_t> more) {
     indices.insert(indices.end(), more);
 }
 
-/// The i-th triangle, from 0, of a strip with adjacency that has `count` of them: OpenGL 4.6 core,
-/// table 10.1. Even vertices are the strip, odd ones lie across its outer edges; across an inner edge lies
-/// the neighbour's far corner.
+/// Returns triangle i of a strip with adjacency that has `count` triangles (OpenGL 4.6 core, table 10.1).
+/// Even vertices form the strip; odd ones are the neighbours across its outer edges. Across an inner edge the
+/// neighbour is the far corner of the next triangle.
 void putStripAdjacency(Indices& indices, std::uint32_t i, std::uint32_t count) {
     const std::uint32_t at = 2 * i;
     const std::uint32_t before = i == 0 ? 1 : at - 2;
@@ -91,13 +91,13 @@ Topology meshTopology(ListTopology topology) {
 ListIndices listIndices(ListTopology topology, std::size_t count, int patchVertices) {
     Indices out;
     const auto n = static_cast<std::uint32_t>(count);
-    // Separate primitives of `size` vertices, in order.
+    // Separate primitives of `size` vertices each.
     const auto separate = [&](std::uint32_t size) {
         out.resize(n - n % size);
         std::iota(out.begin(), out.end(), 0U);
         return n % size;
     };
-    // Primitives that share vertices: `least` vertices make the first, each `step` more another.
+    // Primitives that share vertices: the first takes `least` vertices, each further one `step` more.
     const auto shared = [&](std::uint32_t least, std::uint32_t step, auto putPrimitive) {
         if (n < least) return n;
         const std::uint32_t primitives = (n - least) / step + 1;

@@ -1,6 +1,5 @@
 #pragma once
-// The one shape of all geometry: named per-vertex attributes, and indices that say how vertices form
-// primitives.
+// The mesh, which all geometry becomes: named attributes per vertex, and indices that form primitives.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,11 +9,11 @@
 
 namespace glibra::geometry {
 
-/// How consecutive indices form primitives. Quads, strips, fans and polygons are already split into these.
+/// How consecutive indices form primitives. Quads, strips, fans and polygons have been split into these.
 enum class Topology { points, lines, linesAdjacency, triangles, trianglesAdjacency, patches };
 
-/// Names of the attributes that meshes carry. A mesh holds only those that vary over it: what is left out
-/// reads the current colour, FaceIndex 0, or (0, 0, 0, 1).
+/// Names of the attributes. A mesh holds only those that vary over it. A missing colour reads as the current
+/// colour, a missing FaceIndex as 0, every other missing attribute as (0, 0, 0, 1).
 inline constexpr std::string_view kPosition = "position";  ///< 3 or 4 numbers, model space; 3: w = 1
 inline constexpr std::string_view kNormal = "normal";      ///< 3 numbers, unit length, model space
 inline constexpr std::string_view kTexCoord =
@@ -23,7 +22,7 @@ inline constexpr std::string_view kTangent = "tangent";      ///< 3 numbers, uni
 inline constexpr std::string_view kColor = "color";          ///< 4 numbers, red, green, blue, alpha
 inline constexpr std::string_view kFaceIndex = "faceIndex";  ///< 1 number, a small integer
 
-/// One attribute of all vertices: `components` floats a vertex, vertex after vertex.
+/// One attribute of all vertices: `components` floats per vertex, vertex after vertex.
 struct Attribute {
     std::string name;
     int components = 0;
@@ -32,16 +31,16 @@ struct Attribute {
 
 struct Mesh {
     Topology topology = Topology::triangles;
-    int patchVertices = 0;  ///< vertices a patch, for Topology::patches only
+    int patchVertices = 0;  ///< vertices per patch, for Topology::patches only
     std::vector<Attribute> attributes;
     std::vector<std::uint32_t> indices;
 
-    /// Number of vertices stored.
+    /// The number of vertices stored.
     [[nodiscard]] std::size_t vertexCount() const {
         const Attribute* position = attribute(kPosition);
         return position ? position->values.size() / static_cast<std::size_t>(position->components) : 0;
     }
-    /// The attribute of that name, or null.
+    /// The attribute with that name, or null.
     [[nodiscard]] const Attribute* attribute(std::string_view name) const {
         for (const Attribute& each : attributes)
             if (each.name == name) return &each;
@@ -49,7 +48,7 @@ struct Mesh {
     }
 };
 
-/// Indices that one primitive of the topology takes.
+/// The number of indices that one primitive takes.
 constexpr int verticesPerPrimitive(Topology topology, int patchVertices = 0) {
     switch (topology) {
         case Topology::points:

@@ -20,7 +20,7 @@ std::string grouped(double value) {
                                                                   : numberText(value);
 }
 
-/// A number read, on its way through the rule of its argument.
+/// A number that has been read and is being checked by the rule of its argument.
 struct Candidate {
     const Argument& argument;
     std::size_t index;
@@ -31,53 +31,52 @@ struct Candidate {
 };
 
 void refuseOutside(const Candidate& c, const char* id, MessageLog& log) {
-    log.error(id,
-              fmt::format("{}: {} {} is not between {} and {}", c.command, c.argument.name, c.text,
-                          numberText(c.argument.least), numberText(c.argument.most)),
-              c.position);
+    log.report(id,
+               fmt::format("{}: {} {} is not between {} and {}", c.command, c.argument.name, c.text,
+                           numberText(c.argument.least), numberText(c.argument.most)),
+               c.position);
 }
 
 void refuseLimit(const Candidate& c, MessageLog& log) {
-    log.error("glib-E15",
-              fmt::format("{}: {} {}; the limit is {}", c.command, grouped(c.value), c.argument.name,
-                          grouped(c.argument.most)),
-              c.position);
+    log.report("glib-E15",
+               fmt::format("{}: {} {}; the limit is {}", c.command, grouped(c.value), c.argument.name,
+                           grouped(c.argument.most)),
+               c.position);
 }
 
 double absolute(const Candidate& c, MessageLog& log) {
     if (c.value >= 0) return c.value;
-    log.warning("glib-W28",
-                fmt::format("{}: {} {} read as {}", c.command, c.argument.name, c.text, numberText(-c.value)),
-                c.position);
+    log.report("glib-W28",
+               fmt::format("{}: {} {} read as {}", c.command, c.argument.name, c.text, numberText(-c.value)),
+               c.position);
     return -c.value;
 }
 
 double applySize(const Candidate& c, MessageLog& log) {
     if (c.value == 0)
-        log.warning("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name),
-                    c.position);
+        log.report("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
     return absolute(c, log);
 }
 
 double applyCount(const Candidate& c, MessageLog& log) {
     if (c.value > c.argument.most) refuseLimit(c, log);
     if (c.value >= c.argument.least) return c.value;
-    log.warning("glib-W28",
-                fmt::format("{}: {} {} raised to {}", c.command, numberText(c.value), c.argument.name,
-                            numberText(c.argument.least)),
-                c.position);
+    log.report("glib-W28",
+               fmt::format("{}: {} {} raised to {}", c.command, numberText(c.value), c.argument.name,
+                           numberText(c.argument.least)),
+               c.position);
     return c.argument.least;
 }
 
 double applyPositive(const Candidate& c, MessageLog& log) {
     if (c.value <= 0)
-        log.error("glib-E05", fmt::format("{}: {} {} is not above 0", c.command, c.argument.name, c.text),
-                  c.position);
+        log.report("glib-E05", fmt::format("{}: {} {} is not above 0", c.command, c.argument.name, c.text),
+                   c.position);
     else if (c.value < c.argument.least || c.value > c.argument.most)
-        log.error("glib-E15",
-                  fmt::format("{}: {} {}; the limits are {} and {}", c.command, c.argument.name, c.text,
-                              numberText(c.argument.least), numberText(c.argument.most)),
-                  c.position);
+        log.report("glib-E15",
+                   fmt::format("{}: {} {}; the limits are {} and {}", c.command, c.argument.name, c.text,
+                               numberText(c.argument.least), numberText(c.argument.most)),
+                   c.position);
     return c.value;
 }
 
@@ -110,21 +109,20 @@ double applyRule(const Candidate& c, MessageLog& log) {
             break;
         case ArgumentRule::component:
             if (c.value < 0 || c.value > 1)
-                log.warning("glib-W26",
-                            fmt::format("{}: component {} outside 0..1, kept", c.command, c.index),
-                            c.position);
+                log.report("glib-W26", fmt::format("{}: component {} outside 0..1, kept", c.command, c.index),
+                           c.position);
             break;
         case ArgumentRule::unit:
             if (c.value < least || c.value > most)
-                log.error("glib-E12",
-                          fmt::format("texture unit {} is not between 0 and {}", c.text, numberText(most)),
-                          c.position);
+                log.report("glib-E12",
+                           fmt::format("texture unit {} is not between 0 and {}", c.text, numberText(most)),
+                           c.position);
             break;
     }
     return c.value;
 }
 
-/// Fills in what the file leaves out. False if something is missing without which the command cannot be.
+/// Fills in the numbers that the file leaves out. Returns false if one is missing that has no default.
 bool fillMissing(const CommandRow& row, Command& command) {
     for (std::size_t i = command.numbers.size(); i < row.arguments.size(); ++i) {
         const Argument& argument = row.arguments[i];
@@ -144,10 +142,10 @@ void reportFiller(const CommandRow& row, const Command& command, MessageLog& log
     if (given >= row.arguments.size()) return;
     const Argument& missing = row.arguments[given];
     if (!missing.filler || (given == 0 && missing.byDefault)) return;
-    log.warning("glib-W06",
-                fmt::format("{}: {}, missing ones are {}", row.name(), counted(given, "number"),
-                            numberText(*missing.filler)),
-                command.position);
+    log.report("glib-W06",
+               fmt::format("{}: {}, missing ones are {}", row.name(), counted(given, "number"),
+                           numberText(*missing.filler)),
+               command.position);
 }
 
 void reportMissing(const CommandRow& row, const Command& command, MessageLog& log) {
@@ -156,7 +154,7 @@ void reportMissing(const CommandRow& row, const Command& command, MessageLog& lo
         if (const Argument& argument = row.arguments[i];
             !argument.byDefault && !argument.filler && !argument.optional)
             needed = i + 1;
-    log.error(
+    log.report(
         "glib-E04",
         fmt::format("{} needs {}{}, found {}", row.name(), needed < row.arguments.size() ? "at least " : "",
                     counted(needed, "number"), command.givenNumbers),
@@ -169,19 +167,18 @@ ReadNumber readNumber(const Token& token, MessageLog& log) {
     const std::optional<NumberPrefix> number =
         token.kind == TokenKind::number ? numberPrefix(token.text) : std::optional<NumberPrefix>();
     if (!number) {
-        log.warning("glib-W05", fmt::format("{} is not a number, 0 used", quoted(token.text)),
-                    token.position);
+        log.report("glib-W05", fmt::format("{} is not a number, 0 used", quoted(token.text)), token.position);
         return {0, "0"};
     }
     const std::string_view text = token.text.substr(0, number->length);
     if (number->length < token.text.size())
-        log.warning("glib-W04",
-                    fmt::format("{} read as {}, {} ignored", quoted(token.text), text,
-                                quoted(token.text.substr(number->length))),
-                    token.position);
+        log.report("glib-W04",
+                   fmt::format("{} read as {}, {} ignored", quoted(token.text), text,
+                               quoted(token.text.substr(number->length))),
+                   token.position);
     if (!number->finite)
-        log.error("glib-E05", fmt::format("{} is too large for a 32-bit float", quoted(text)),
-                  token.position);
+        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", quoted(text)),
+                   token.position);
     return {number->value, text};
 }
 
@@ -197,23 +194,23 @@ std::vector<Token> plainArguments(const Statement& statement, MessageLog& log) {
             continue;
         }
         if (!reported)
-            log.warning("glib-W10",
-                        fmt::format("brackets around the arguments of {} ignored", statement.row->name()),
-                        token.position);
+            log.report("glib-W10",
+                       fmt::format("brackets around the arguments of {} ignored", statement.row->name()),
+                       token.position);
         reported = true;
         if (opens) {
             open.push_back(&token);
         } else if (!open.empty()) {
             if (!bracketsMatch(open.back()->text, token.text))
-                log.warning("glib-W08", fmt::format("'{}' closed by '{}'", open.back()->text, token.text),
-                            token.position);
+                log.report("glib-W08", fmt::format("'{}' closed by '{}'", open.back()->text, token.text),
+                           token.position);
             open.pop_back();
         }
     }
     for (const Token* token : open)
-        log.warning("glib-W09",
-                    fmt::format("'{}' not closed; closed at the end of the statement", token->text),
-                    token->position);
+        log.report("glib-W09",
+                   fmt::format("'{}' not closed; closed at the end of the statement", token->text),
+                   token->position);
     return plain;
 }
 
@@ -224,10 +221,10 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
     if (log.errorCount() > errors) return 0;
     double value = number.value;
     if (argument.type == ArgumentType::integer) {
-        value = std::trunc(number.value) + 0.0;  // + 0: -0 becomes 0
+        value = std::trunc(number.value) + 0.0;  // + 0.0 turns -0 into 0
         if (value != number.value)
-            log.warning("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)),
-                        token.position);
+            log.report("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)),
+                       token.position);
     }
     return applyRule({argument, index, command, value, number.text, token.position}, log);
 }
@@ -235,10 +232,10 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
 void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
                    MessageLog& log) {
     if (tokens.size() <= used) return;
-    log.warning("glib-W07",
-                fmt::format("{}: {} ignored", statement.row->name(),
-                            counted(tokens.size() - used, "surplus argument")),
-                tokens[used].position);
+    log.report("glib-W07",
+               fmt::format("{}: {} ignored", statement.row->name(),
+                           counted(tokens.size() - used, "surplus argument")),
+               tokens[used].position);
 }
 
 void readNumbers(const Statement& statement, Command& command, MessageLog& log) {
@@ -256,7 +253,7 @@ void readNumbers(const Statement& statement, Command& command, MessageLog& log) 
     if (given == 1 && row.loneNumber != LoneNumber::first) {
         command.numbers.resize(3, command.numbers.front());
         if (row.loneNumber == LoneNumber::grey)
-            log.warning("glib-W06", fmt::format("{}: 1 number, read as grey", row.name()), command.position);
+            log.report("glib-W06", fmt::format("{}: 1 number, read as grey", row.name()), command.position);
     } else {
         reportFiller(row, command, log);
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The arguments of a statement as its row in the command table wants them (language, 1.5 to 1.7 and 3).
+// Reads the arguments of a statement as its row in the command table describes them (language, 1.5 to 1.7 and
+// 3).
 
 #include <cstddef>
 #include <span>
@@ -13,20 +14,21 @@
 
 namespace glibra::glib {
 
-/// A number token: its value and its text without what was ignored.
+/// A number token: its value, and its text without the part that was ignored.
 struct ReadNumber {
     double value = 0;
     std::string_view text;
 };
 
-/// Any token as a number. Reports glib-W04, W05, E05.
+/// Reads any token as a number. Reports glib-W04, W05, E05.
 ReadNumber readNumber(const Token& token, MessageLog& log);
 
-/// The tokens without brackets, which mean nothing around plain arguments. Reports glib-W10, W08, W09.
+/// Returns the tokens without brackets, which have no meaning around plain arguments. Reports glib-W10, W08,
+/// W09.
 std::vector<Token> plainArguments(const Statement& statement, MessageLog& log);
 
-/// Reads one token as this argument, checked against the argument's rule; `where` names the command in
-/// messages. Reports what readNumber reports, glib-W26, W27, W28, E05, E12, E15.
+/// Reads one token as this argument and checks it against the argument's rule. `command` is the command's
+/// name for messages. Reports what readNumber reports, and glib-W26, W27, W28, E05, E12, E15.
 double readArgument(const Argument& argument, std::size_t index, const Token& token, std::string_view command,
                     MessageLog& log);
 
@@ -34,8 +36,8 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
 void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
                    MessageLog& log);
 
-/// Fills `command` from the statement. One function a family of forms; all report their own errors to the
-/// log.
+/// Each of these fills `command` from the statement, for one of the argument forms, and reports its errors to
+/// the log.
 void readNumbers(const Statement& statement, Command& command, MessageLog& log);      // ArgumentForm::numbers
 void readFile(const Statement& statement, Command& command, MessageLog& log);         // file
 void readCubeMap(const Statement& statement, Command& command, MessageLog& log);      // cubeMap
@@ -45,8 +47,8 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
 void readSwitch(const Statement& statement, Command& command, MessageLog& log);       // switchWord
 void readPointGroups(const Statement& statement, Command& command, MessageLog& log);  // pointGroups
 
-/// What one command demands beyond its single arguments: Perspective, Ortho, Rotate, Scale. `places` are
-/// those of the numbers that stand in the file. Reports glib-E05, W06 (Ortho), W28, W29.
+/// Checks the numbers of Perspective, Ortho, Rotate and Scale together. `places` are the places of the
+/// numbers that stand in the file. Reports glib-E05, W06 (Ortho), W28, W29.
 void applyCommandRules(Command& command, std::span<const Position> places, MessageLog& log);
 
 }  // namespace glibra::glib

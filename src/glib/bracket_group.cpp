@@ -7,7 +7,7 @@
 namespace glibra::glib {
 namespace {
 
-/// Words that can only be tags, and so end an unclosed group.
+/// True for words that can only be tags, and so end an unclosed group.
 bool endsGroup(const Token& token) {
     if (token.kind == TokenKind::open || token.kind == TokenKind::quoted) return true;
     if (token.kind != TokenKind::word || token.truth()) return false;
@@ -54,15 +54,14 @@ bool bracketsMatch(std::string_view open, std::string_view close) {
 void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group,
                     MessageLog& log) {
     if (group.end == GroupEnd::wrongBracket)
-        log.warning("glib-W08",
-                    fmt::format("'{}' closed by '{}'", tokens[open].text, tokens[group.last].text),
-                    tokens[group.last].position);
+        log.report("glib-W08", fmt::format("'{}' closed by '{}'", tokens[open].text, tokens[group.last].text),
+                   tokens[group.last].position);
     if (group.end == GroupEnd::notClosed)
-        log.warning("glib-W09",
-                    fmt::format("'{}' not closed; closed {}", tokens[open].text,
-                                group.next < tokens.size() ? "before " + quoted(tokens[group.next].text)
-                                                           : std::string("at the end of the statement")),
-                    tokens[open].position);
+        log.report("glib-W09",
+                   fmt::format("'{}' not closed; closed {}", tokens[open].text,
+                               group.next < tokens.size() ? "before " + quoted(tokens[group.next].text)
+                                                          : std::string("at the end of the statement")),
+                   tokens[open].position);
 }
 
 }  // namespace glibra::glib

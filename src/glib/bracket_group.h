@@ -1,5 +1,6 @@
 #pragma once
-// Where a bracket group ends (language, 1.6), and when a line can be read as tags and values (1.3).
+// Finds the end of a bracket group (language, 1.6), and decides whether a line can be read as tags and values
+// (1.3).
 
 #include <cstddef>
 #include <span>
@@ -14,7 +15,7 @@ enum class GroupEnd {
     notClosed,     ///< before a word, an opening bracket or the end of the statement (glib-W09)
 };
 
-/// tokens[first .. last) are the content, tokens[next] is the first one after the group.
+/// tokens[first .. last) are the content; tokens[next] is the first token after the group.
 struct BracketGroup {
     std::size_t first = 0;
     std::size_t last = 0;
@@ -22,11 +23,11 @@ struct BracketGroup {
     GroupEnd end = GroupEnd::closed;
 };
 
-/// The group that tokens[open], an opening bracket, begins. Words that begin with a letter or '_' end it,
-/// except `true` and `false`; all other tokens are values.
+/// Returns the group that begins with the opening bracket tokens[open]. Words that begin with a letter or '_'
+/// end it, except `true` and `false`; all other tokens are values.
 BracketGroup groupAt(std::span<const Token> tokens, std::size_t open);
 
-/// Index after the value that tokens[at], a number or an opening bracket, begins.
+/// Returns the index after the value that begins with tokens[at], a number or an opening bracket.
 std::size_t valueEnd(std::span<const Token> tokens, std::size_t at);
 
 /// True for `word value { word [value] }`.

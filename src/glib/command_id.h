@@ -2,7 +2,9 @@
 
 namespace glibra::glib {
 
-/// The commands of the language, aliases folded; each has one row in the command table.
+/// The commands of the language; aliases have the id of their command. Each command has one row in the
+/// command table. Primitives have no names here: their ids are firstPrimitive + index into
+/// geometry::primitives().
 // clang-format off
 enum class CommandId {
     // window, view, colour
@@ -10,8 +12,6 @@ enum class CommandId {
     // transforms
     translate, rotate, scale, pushMatrix, popMatrix,
     // geometry
-    box, sphere, cylinder, cone, torus, teapot, soccerball, diskXY, quadXY, quadXZ, quadYZ, quadBox, xarrow,
-    pointCloud, jitterCloud, wireSphere, wireTorus, wireCylinder, wireCone, wireCube, wireBox, wireTeapot,
     obj, wireObj, objAdj, objPatch, shp, linesAdjacency, triangles,
     glBegin, glVertex, glNormal, glColor, glTexCoord, glEnd,
     lineWidth, pointSize, pointSizeMode, numPatchVertices, flat, smooth,
@@ -22,6 +22,7 @@ enum class CommandId {
     geometryInput, geometryOutput, geometryVerticesOut, gstap,
     // noise, time, messages
     noise2D, noise3D, timer, messageBox, verbose,
+    firstPrimitive,
 };
 // clang-format on
 

@@ -1,10 +1,14 @@
 #include "glib/command_table.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
 #include "glib/suggest.h"
 #include "glib/text.h"
@@ -14,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// ---- Arguments: what they are called, which value stands for a missing one, which values they take.
+// ---- Arguments: their names, defaults and limits.
 
 using Default = std::optional<double>;
 
@@ -26,18 +30,6 @@ constexpr Argument filled(std::string_view name, double filler) {
 }
 constexpr Argument optional(std::string_view name) {
     return {.name = name, .optional = true};
-}
-constexpr Argument size(std::string_view name, double byDefault) {
-    return {.name = name, .byDefault = byDefault, .rule = ArgumentRule::size};
-}
-constexpr Argument count(std::string_view name, double byDefault, double least,
-                         double most = kMostSubdivisions) {
-    return {.name = name,
-            .type = ArgumentType::integer,
-            .byDefault = byDefault,
-            .rule = ArgumentRule::count,
-            .least = least,
-            .most = most};
 }
 constexpr Argument integer(std::string_view name, Default byDefault, double least, double most,
                            std::string_view unit = {}) {
@@ -76,10 +68,7 @@ constexpr Argument textual(std::string_view name, ArgumentType type, bool option
 
 constexpr Argument kUnit{
     .name = "unit", .type = ArgumentType::integer, .rule = ArgumentRule::unit, .most = kHighestUnit};
-constexpr Argument kRadius = size("radius", 1);
-constexpr Argument kHeight = size("height", 1);
 constexpr double kInt = std::numeric_limits<int>::max();
-constexpr double kUnsigned = std::numeric_limits<unsigned>::max();
 
 constexpr Argument kWindowSize[] = {integer("width", 600, 1, 16384, "pixels"),
                                     integer("height", 600, 1, 16384, "pixels")};
@@ -97,32 +86,15 @@ constexpr Argument kLookAt[] = {number("ex"), number("ey"), number("ez"), number
                                 number("lz"), number("ux"), number("uy"), number("uz")};
 constexpr Argument kColor[] = {component("r", {}), component("g", {}, 0), component("b", {}, 0),
                                component("a", 1)};
-/// Without any number the initial value of the language's section 2.1.
-constexpr Argument kBackground[] = {component("r", 18 / 255.), component("g", 27 / 255., 0),
-                                    component("b", 33 / 255., 0), component("a", 1)};
+/// The defaults are the initial background (language, 2.1).
+constexpr Argument kBackground[] = {component("r", kDefaultBackground[0]),
+                                    component("g", kDefaultBackground[1], 0),
+                                    component("b", kDefaultBackground[2], 0), component("a", 1)};
 constexpr Argument kTranslate[] = {filled("tx", 0), filled("ty", 0), filled("tz", 0)};
 constexpr Argument kRotate[] = {
     {.name = "angle", .unit = "degrees"}, filled("ax", 0), filled("ay", 0), filled("az", 0)};
 constexpr Argument kScale[] = {number("sx"), filled("sy", 1), filled("sz", 1)};
 
-constexpr Argument kBox[] = {size("dx", 2), size("dy", 2), size("dz", 2)};
-constexpr Argument kSphere[] = {kRadius, count("slices", 60, 3), count("stacks", 60, 2)};
-constexpr Argument kWireSphere[] = {kRadius, count("slices", 20, 3), count("stacks", 20, 2)};
-constexpr Argument kCylinder[] = {kRadius, kHeight, count("slices", 60, 3), count("stacks", 20, 1)};
-constexpr Argument kWireCylinder[] = {kRadius, kHeight, count("slices", 20, 3), count("stacks", 5, 1)};
-constexpr Argument kTorus[] = {size("radius", 1), size("radius", .5), count("sides", 20, 3),
-                               count("rings", 40, 3)};
-constexpr Argument kSoccerball[] = {kRadius};
-constexpr Argument kDisk[] = {number("z", 0), kRadius, count("slices", 60, 3), count("rings", 10, 1)};
-constexpr Argument kQuadXY[] = {number("z", 0), size("size", 1), count("nx", 4, 1), count("ny", 4, 1)};
-constexpr Argument kQuadXZ[] = {number("y", 0), size("size", 1), count("nx", 4, 1), count("nz", 4, 1)};
-constexpr Argument kQuadYZ[] = {number("x", 0), size("size", 1), count("ny", 4, 1), count("nz", 4, 1)};
-constexpr Argument kQuadBox[] = {count("quads", 10, 1, kMostVertices / 4)};
-constexpr Argument kXarrow[] = {count("slices", 100, 2)};
-constexpr Argument kPointCloud[] = {count("nx", 10, 1), count("ny", 10, 1), count("nz", 10, 1)};
-constexpr Argument kJitterCloud[] = {count("nx", 10, 1), count("ny", 10, 1), count("nz", 10, 1),
-                                     integer("seed", 0, -kInt - 1, kUnsigned)};
-constexpr Argument kWireCube[] = {size("side", 1)};
 constexpr Argument kGlVertex[] = {number("x"), number("y"), filled("z", 0), optional("w")};
 constexpr Argument kGlNormal[] = {number("x"), number("y"), number("z")};
 constexpr Argument kGlColor[] = {number("r"), number("g"), number("b"), number("a", 1)};
@@ -181,7 +153,8 @@ constexpr TextureFormat kFormats[] = {{"RGBA8", 4}, {"RGBA16F", 8}, {"RGBA32F", 
 using Id = CommandId;
 using Form = ArgumentForm;
 
-constexpr CommandRow kRows[] = {
+/// The primitives' rows come between these two.
+constexpr CommandRow kRowsBefore[] = {
     // Window, view, colour (3.1)
     {Id::windowSize, Form::numbers, {"WindowSize"}, kWindowSize, "size of the window or image"},
     {Id::perspective,
@@ -195,8 +168,13 @@ constexpr CommandRow kRows[] = {
      {"LookAt"},
      kLookAt,
      "replaces ModelView by the view from eye to centre with up"},
-    {Id::color, Form::numbers, {"Color", "Colour"}, kColor, "current colour", LoneNumber::grey},
-    {Id::background, Form::numbers, {"Background"}, kBackground, "clear colour", LoneNumber::firstThree},
+    {Id::color, Form::numbers, {"Color", "Colour"}, kColor, "sets the current colour", LoneNumber::grey},
+    {Id::background,
+     Form::numbers,
+     {"Background"},
+     kBackground,
+     "sets the clear colour",
+     LoneNumber::firstThree},
     {Id::clear, Form::numbers, {"Clear"}, {}, "clears colour and depth of the current target"},
     // Transforms (3.2)
     {Id::translate, Form::numbers, {"Translate"}, kTranslate, "moves what follows"},
@@ -205,33 +183,13 @@ constexpr CommandRow kRows[] = {
      Form::numbers,
      {"Scale"},
      kScale,
-     "scales what follows, by one factor or one an axis",
+     "scales what follows, by one factor or by one per axis",
      LoneNumber::firstThree},
     {Id::pushMatrix, Form::numbers, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"},
     {Id::popMatrix, Form::numbers, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"},
-    // Geometry (3.3)
-    {Id::box, Form::numbers, {"Box", "Cube"}, kBox, "box with these sides, centred", LoneNumber::firstThree},
-    {Id::sphere, Form::numbers, {"Sphere"}, kSphere, "sphere, poles on the y axis"},
-    {Id::cylinder, Form::numbers, {"Cylinder"}, kCylinder, "closed cylinder, base at y = 0"},
-    {Id::cone, Form::numbers, {"Cone"}, kCylinder, "closed cone, base at y = 0"},
-    {Id::torus, Form::numbers, {"Torus"}, kTorus, "torus about the z axis; the larger radius is the ring's"},
-    {Id::teapot, Form::numbers, {"Teapot"}, {}, "the classic teapot"},
-    {Id::soccerball, Form::numbers, {"Soccerball"}, kSoccerball, "sphere of 12 pentagons and 20 hexagons"},
-    {Id::diskXY, Form::numbers, {"DiskXY"}, kDisk, "disk parallel to XY"},
-    {Id::quadXY, Form::numbers, {"QuadXY"}, kQuadXY, "square -size..size parallel to XY"},
-    {Id::quadXZ, Form::numbers, {"QuadXZ"}, kQuadXZ, "square -size..size parallel to XZ"},
-    {Id::quadYZ, Form::numbers, {"QuadYZ"}, kQuadYZ, "square -size..size parallel to YZ"},
-    {Id::quadBox, Form::numbers, {"QuadBox"}, kQuadBox, "stack of squares filling -1..1"},
-    {Id::xarrow, Form::numbers, {"Xarrow"}, kXarrow, "arrow along x"},
-    {Id::pointCloud, Form::numbers, {"PointCloud"}, kPointCloud, "regular grid of points"},
-    {Id::jitterCloud, Form::numbers, {"JitterCloud"}, kJitterCloud, "grid of displaced points"},
-    {Id::wireSphere, Form::numbers, {"WireSphere"}, kWireSphere, "sphere as lines"},
-    {Id::wireTorus, Form::numbers, {"WireTorus"}, kTorus, "torus as lines"},
-    {Id::wireCylinder, Form::numbers, {"WireCylinder"}, kWireCylinder, "cylinder as lines"},
-    {Id::wireCone, Form::numbers, {"WireCone"}, kWireCylinder, "cone as lines"},
-    {Id::wireCube, Form::numbers, {"WireCube"}, kWireCube, "edges of a cube"},
-    {Id::wireBox, Form::numbers, {"WireBox"}, kBox, "edges of a box"},
-    {Id::wireTeapot, Form::numbers, {"WireTeapot"}, {}, "the teapot as lines"},
+};
+constexpr CommandRow kRowsAfter[] = {
+    // Geometry (3.3) that is not a primitive
     {Id::obj, Form::file, {"Obj"}, kFile, "OBJ model as triangles"},
     {Id::wireObj, Form::file, {"WireObj"}, kFile, "edges of an OBJ model"},
     {Id::objAdj, Form::file, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency"},
@@ -270,15 +228,19 @@ constexpr CommandRow kRows[] = {
      Form::numbers,
      {"PointSizeMode"},
      kPointSizeMode,
-     "not 0: the program sets the size of points"},
-    {Id::numPatchVertices, Form::numbers, {"NumPatchVertices"}, kPatchVertices, "vertices of a patch"},
+     "if not 0, the program sets the size of points"},
+    {Id::numPatchVertices,
+     Form::numbers,
+     {"NumPatchVertices"},
+     kPatchVertices,
+     "number of vertices per patch"},
     {Id::flat, Form::numbers, {"Flat"}, {}, "colours are not interpolated"},
     {Id::smooth, Form::numbers, {"Smooth"}, {}, "colours are interpolated"},
     // Textures and targets (3.4)
     {Id::texture1D, Form::texture, {"Texture1D"}, kTexture1D, "1D texture from a file, or an empty one"},
     {Id::texture2D, Form::texture, {"Texture2D"}, kTexture2D, "2D texture from a file, or an empty one"},
     {Id::texture3D, Form::texture, {"Texture3D"}, kTexture3D, "3D texture from a file, or an empty one"},
-    {Id::texture, Form::texture, {"Texture"}, kTexture3D, "texture whose file or sizes tell the dimension"},
+    {Id::texture, Form::texture, {"Texture"}, kTexture3D, "texture whose dimension its file or sizes decide"},
     {Id::cubeMap,
      Form::cubeMap,
      {"CubeMap"},
@@ -288,7 +250,7 @@ constexpr CommandRow kRows[] = {
      Form::units,
      {"RenderToTexture"},
      {&kUnit, 1},
-     "draws into textures; alone: into the window"},
+     "draws into textures; without units into the window"},
     {Id::clamp, Form::switchWord, {"Clamp"}, kSwitch, "textures are clamped to their edge, or repeat"},
     // Shaders and programs (3.5)
     {Id::vertex, Form::file, {"Vertex"}, kFile, "current vertex shader"},
@@ -317,20 +279,70 @@ constexpr CommandRow kRows[] = {
      Form::numbers,
      {"GeometryVerticesOut"},
      kVerticesOut,
-     "most vertices that a geometry shader without layout emits"},
-    {Id::gstap, Form::numbers, {"GSTAP", "gstap.h"}, {}, "no effect: its names are always there"},
+     "largest number of vertices that a geometry shader without layout emits"},
+    {Id::gstap, Form::numbers, {"GSTAP", "gstap.h"}, {}, "no effect: its names are always defined"},
     // Noise, time, messages (3.6)
     {Id::noise2D, Form::numbers, {"Noise2D"}, kNoise2D, "size of the 2D noise texture"},
     {Id::noise3D, Form::numbers, {"Noise3D"}, kNoise3D, "size of the 3D noise texture"},
     {Id::timer, Form::numbers, {"Timer"}, kTimer, "period of the uniform variable Timer"},
     {Id::messageBox, Form::message, {"MessageBox"}, kMessage, "shows a message once"},
-    {Id::verbose, Form::numbers, {"Verbose"}, {}, "prints what is done"},
+    {Id::verbose, Form::numbers, {"Verbose"}, {}, "prints each command as it is carried out"},
+};
+
+// ---- Primitives.
+
+Argument argumentOf(const geometry::ShapeArgument& shape) {
+    Argument argument{.name = shape.name, .byDefault = shape.byDefault};
+    switch (shape.kind) {
+        case geometry::ArgumentKind::number:
+            break;
+        case geometry::ArgumentKind::size:
+            argument.rule = ArgumentRule::size;
+            break;
+        case geometry::ArgumentKind::count:
+        case geometry::ArgumentKind::seed:
+            argument.type = ArgumentType::integer;
+            argument.rule =
+                shape.kind == geometry::ArgumentKind::count ? ArgumentRule::count : ArgumentRule::within;
+            argument.least = shape.least;
+            argument.most = shape.most;
+            break;
+    }
+    return argument;
+}
+
+/// All rows. Those of the primitives are made from geometry's.
+struct Table {
+    std::vector<Argument> arguments;  ///< of all primitives, one after the other
+    std::vector<CommandRow> rows;
+
+    Table() {
+        for (const geometry::PrimitiveSpec* each : geometry::primitives())
+            for (const geometry::ShapeArgument& argument : each->arguments)
+                if (!argument.isFixed) arguments.push_back(argumentOf(argument));
+        rows.assign(std::begin(kRowsBefore), std::end(kRowsBefore));
+        std::span<const Argument> rest = arguments;
+        int id = static_cast<int>(CommandId::firstPrimitive);
+        for (const geometry::PrimitiveSpec* each : geometry::primitives()) {
+            const auto stated = static_cast<std::size_t>(
+                std::count_if(each->arguments.begin(), each->arguments.end(),
+                              [](const geometry::ShapeArgument& argument) { return !argument.isFixed; }));
+            rows.push_back({.id = static_cast<CommandId>(id++),
+                            .names = each->names,
+                            .arguments = rest.first(stated),
+                            .summary = each->summary,
+                            .loneNumber = each->oneSizeForAll ? LoneNumber::firstThree : LoneNumber::first});
+            rest = rest.subspan(stated);
+        }
+        rows.insert(rows.end(), std::begin(kRowsAfter), std::end(kRowsAfter));
+    }
 };
 
 }  // namespace
 
 std::span<const CommandRow> commandTable() {
-    return kRows;
+    static const Table kTable;
+    return kTable.rows;
 }
 
 const CommandRow* findCommand(std::string_view word) {
@@ -340,7 +352,7 @@ const CommandRow* findCommand(std::string_view word) {
     };
     static const auto kByFirstLetter = [] {
         std::array<std::vector<Named>, 26> lists;
-        for (const CommandRow& row : kRows)
+        for (const CommandRow& row : commandTable())
             for (const std::string_view name : row.names)
                 if (!name.empty())
                     lists.at(static_cast<std::size_t>(lower(name[0]) - 'a')).push_back({name, &row});
@@ -353,14 +365,28 @@ const CommandRow* findCommand(std::string_view word) {
 }
 
 std::string_view nameOf(CommandId id) {
-    for (const CommandRow& row : kRows)
+    for (const CommandRow& row : commandTable())
         if (row.id == id) return row.name();
     return {};
 }
 
+CommandId commandOf(std::string_view word) {
+    const CommandRow* row = findCommand(word);
+    assert(row != nullptr);
+    return row->id;
+}
+
+const geometry::PrimitiveSpec* primitiveOf(CommandId id) {
+    if (id < CommandId::firstPrimitive) return nullptr;
+    const std::span<const geometry::PrimitiveSpec* const> all = geometry::primitives();
+    const std::size_t index =
+        static_cast<std::size_t>(id) - static_cast<std::size_t>(CommandId::firstPrimitive);
+    return index < all.size() ? all[index] : nullptr;
+}
+
 std::string_view nearestCommand(std::string_view word) {
     std::vector<std::string_view> names;
-    for (const CommandRow& row : kRows)
+    for (const CommandRow& row : commandTable())
         for (const std::string_view name : row.names)
             if (!name.empty()) names.push_back(name);
     const std::string nearest = nearestName(word, names);

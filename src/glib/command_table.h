@@ -1,6 +1,5 @@
 #pragma once
-// The words of the language: one row a command, which feeds the parser, --help, the reference and the editor
-// grammar.
+// The words of the language: one row per command. The parser, the reference and the editor grammar read it.
 
 #include <array>
 #include <optional>
@@ -9,25 +8,33 @@
 
 #include "glib/command_id.h"
 
+namespace glibra::geometry {
+struct PrimitiveSpec;
+}
+
 namespace glibra::glib {
+
+/// The clear colour until a scene sets one, and that of a Background without numbers.
+inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
 
 enum class ArgumentType { number, integer, file, word, text, name, pointGroups, uniforms };
 
-/// What happens to a number that an argument cannot take as it is (language, 1.7).
+/// Which numbers an argument accepts, and what happens to others (language, 1.7).
 enum class ArgumentRule {
-    any,        ///< nothing: every finite number is taken
-    size,       ///< negative: its absolute value; 0 draws nothing (glib-W28)
+    any,        ///< every finite number
+    size,       ///< negative: the absolute value is used (glib-W28); 0: the shape draws nothing (glib-W28)
     count,      ///< below `least`: raised to it (glib-W28); above `most`: glib-E15
     within,     ///< outside least..most: glib-E05
     between,    ///< not strictly between least and most: glib-E05
     positive,   ///< not above 0: glib-E05; outside least..most: glib-E15
-    texels,     ///< as `size`, but 0 is glib-E05; above `most`: glib-E15
-    component,  ///< of a colour; outside 0..1: kept (glib-W26)
-    unit,       ///< of a texture; outside 0..127: glib-E12
+    texels,     ///< negative: the absolute value is used (glib-W28); 0: glib-E05; above `most`: glib-E15
+    component,  ///< a colour component; outside 0..1: kept (glib-W26)
+    unit,       ///< a texture unit; outside 0..127: glib-E12
 };
 
-/// One argument. Numbers that are left out become `byDefault` in silence, or `filler` with glib-W06; without
-/// either they are glib-E04, unless `optional` says that Command::numbers simply ends before them.
+/// One argument. A missing number is replaced by `byDefault` without a message, or by `filler` with glib-W06.
+/// If the argument has neither, a missing number is glib-E04, unless `optional` is set: then
+/// Command::numbers ends before it.
 struct Argument {
     std::string_view name{};
     ArgumentType type = ArgumentType::number;
@@ -42,35 +49,34 @@ struct Argument {
 
 /// How the text after the command word is read, and which members of Command it fills.
 enum class ArgumentForm {
-    numbers,   ///< `numbers`
-    file,      ///< one file name or none: `text`
-    cubeMap,   ///< unit and six files: `numbers`, `files`
-    units,     ///< up to eight texture units: `numbers`
-    texture,   ///< unit and file or sizes and format: `numbers` (unit, sizes), `text` (file; format if there
-               ///< are sizes)
-    topology,  ///< one of `words`, with or without gl_: `text`, without gl_, in lower case
+    numbers,      ///< fills `numbers`
+    file,         ///< one file name or none: `text`
+    cubeMap,      ///< a unit and six files: `numbers`, `files`
+    units,        ///< up to eight texture units: `numbers`
+    texture,      ///< a unit and a file: `numbers`, `text`; or a unit, sizes and a format: `numbers`, `text`
+    topology,     ///< one of `words`, with or without gl_: `text`, without gl_, in lower case
     switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `text`
-    message,      ///< raw text to the end of the line: `text`
+    message,      ///< the raw text to the end of the line: `text`
     pointGroups,  ///< `points`, a multiple of `groupMultiple`
-    program,      ///< name and pairs: `text`, `uniforms`
+    program,      ///< a name and pairs: `text`, `uniforms`
 };
 
-/// What a single number stands for where the row has more than one.
+/// What a single number means where the row has several arguments.
 enum class LoneNumber {
-    first,       ///< itself
+    first,       ///< the first argument
     firstThree,  ///< the first three arguments
-    grey,        ///< the first three arguments, by a tolerance (glib-W06)
+    grey,        ///< the first three arguments, with glib-W06
 };
 
 struct CommandRow {
     CommandId id{};
     ArgumentForm form = ArgumentForm::numbers;
-    std::array<std::string_view, 2> names{};  ///< as the reference spells it, and an alias or nothing
+    std::array<std::string_view, 2> names{};  ///< the word as the reference spells it; an alias or nothing
     std::span<const Argument> arguments{};
     std::string_view summary{};  ///< one line
     LoneNumber loneNumber = LoneNumber::first;
-    int groupMultiple = 0;                      ///< of ArgumentForm::pointGroups
-    std::span<const std::string_view> words{};  ///< of ArgumentForm::topology
+    int groupMultiple = 0;                      ///< for ArgumentForm::pointGroups
+    std::span<const std::string_view> words{};  ///< for ArgumentForm::topology
 
     [[nodiscard]] std::string_view name() const { return names[0]; }
 };
@@ -81,13 +87,19 @@ std::span<const CommandRow> commandTable();
 /// The row of a command word or alias, in any case; null if there is none.
 const CommandRow* findCommand(std::string_view word);
 
-/// The command's word, as the reference spells it.
+/// The command's word as the reference spells it.
 std::string_view nameOf(CommandId id);
 
-/// The command or alias that lies nearest to an unknown word, spelled as in the table; empty if none is near.
+/// The id of a command that exists, by its word or alias.
+CommandId commandOf(std::string_view word);
+
+/// The row of the primitive; null if the command is not one.
+const geometry::PrimitiveSpec* primitiveOf(CommandId id);
+
+/// The command or alias nearest to an unknown word, spelled as in the table; empty if none is near.
 std::string_view nearestCommand(std::string_view word);
 
-/// Formats of empty textures: the word and the bytes of one texel.
+/// A format of empty textures: its word and the bytes of one texel.
 struct TextureFormat {
     std::string_view name;
     int bytes = 4;

@@ -1,7 +1,8 @@
 #pragma once
-// Every message glibra knows, one row an id, of all families (language, section 10): glib scene text and
-// statements, draw drawing, glsl shaders, file assets, gpu the graphics driver, suite suites of shots,
-// result what became of them, bench run time against error, view the window. Ids never change meaning.
+// All messages of glibra, one row per id (language, 10). The families are: glib scene text and statements,
+// draw drawing, glsl shaders, file assets, gpu the graphics driver, suite suites of shots, result their
+// results, bench run time against error, view the window. The letter is the severity: E error, W warning, N
+// note. An id never changes its meaning.
 
 #include <glibra/diagnostic.h>
 
@@ -11,15 +12,16 @@
 namespace glibra::glib {
 
 struct CatalogueRow {
-    std::string_view id;  ///< for example "glib-W04"
-    Severity severity = Severity::error;
-    std::string_view example;  ///< a text as it may be printed, without place and severity
+    std::string_view id;       ///< for example "glib-W04"
+    std::string_view example;  ///< a possible text of the message, without place and severity
+
+    [[nodiscard]] constexpr Severity severity() const { return severityOf(id); }
 };
 
-/// In the order of families, errors before warnings before notes, rising numbers.
+/// All rows, by family; in a family errors, then warnings, then notes, each with rising numbers.
 std::span<const CatalogueRow> diagnosticCatalogue();
 
-/// The row of an id; null if there is none.
+/// Returns the row of an id; null if there is none.
 const CatalogueRow* findDiagnostic(std::string_view id);
 
 }  // namespace glibra::glib

@@ -25,7 +25,7 @@ constexpr bool isControl(char c) {
     return (byte < 0x20 && !isBlank(c)) || byte == 0x7f;
 }
 
-/// Bytes at which a word may end. Most bytes are none of these and need no closer look.
+/// The bytes at which a word may end. Most bytes are not among them and need no closer look.
 constexpr auto kMayEndWord = [] {
     std::array<bool, 256> may{};
     for (std::size_t byte = 0; byte < may.size(); ++byte) {
@@ -40,7 +40,7 @@ bool mayEndWord(char c) {
     return kMayEndWord[static_cast<unsigned char>(c)];
 }
 
-/// Reads the tokens of one line. Offsets are those of the file.
+/// Reads the tokens of one line. Offsets count from the start of the file.
 class LineReader {
   public:
     LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log)
@@ -51,11 +51,11 @@ class LineReader {
 
     Line read() {
         if (line_.range.end - line_.range.begin > kLongestLine) {
-            log_.error("glib-E15",
-                       fmt::format("line of {} bytes; the limit is {}",
-                                   groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
-                                   groupedText(static_cast<long long>(kLongestLine))),
-                       position(at_));
+            log_.report("glib-E15",
+                        fmt::format("line of {} bytes; the limit is {}",
+                                    groupedText(static_cast<long long>(line_.range.end - line_.range.begin)),
+                                    groupedText(static_cast<long long>(kLongestLine))),
+                        position(at_));
             line_.faulty = line_.tooLong = true;
             return std::move(line_);
         }
@@ -73,17 +73,17 @@ class LineReader {
     void reportControlByte() {
         for (std::size_t i = line_.range.begin; i < line_.range.end; ++i) {
             if (!isControl(text_[i])) continue;
-            log_.error("glib-E03",
-                       fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
-                                   static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
-                       position(i));
+            log_.report("glib-E03",
+                        fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
+                                    static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
+                        position(i));
             line_.faulty = true;
             return;
         }
     }
 
-    /// Bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 where it cannot be
-    /// the rest of a UTF-8 character.
+    /// The length in bytes of a no-break space at `offset`: U+00A0 in UTF-8, or the byte A0 of Latin-1 if it
+    /// cannot be part of a UTF-8 character. 0 if there is none.
     std::size_t noBreakSpaceAt(std::size_t offset) const {
         if (text_[offset] == '\xc2') return text_.substr(offset, 2) == "\xc2\xa0" ? 2 : 0;
         if (text_[offset] != '\xa0') return 0;
@@ -96,14 +96,14 @@ class LineReader {
         return text_[offset] == '#' || (text_[offset] == '/' && text_.substr(offset, 2) == "//");
     }
 
-    /// Goes to the next token; false at the end of the line's code.
+    /// Goes to the next token. Returns false at the end of the line's code.
     bool skipBlanks() {
         for (; at_ < text_.size(); ++at_) {
             if (isBlank(text_[at_]) || isControl(text_[at_])) continue;
             const std::size_t noBreakSpace = noBreakSpaceAt(at_);
             if (noBreakSpace == 0) break;
             if (afterNoBreakSpace_ == 0)
-                log_.warning("glib-W35", "no-break space read as a blank", position(at_));
+                log_.report("glib-W35", "no-break space read as a blank", position(at_));
             at_ += noBreakSpace - 1;
             afterNoBreakSpace_ = at_ + 1;
         }
@@ -111,9 +111,9 @@ class LineReader {
         const bool comment = atComment(at_);
         if (comment || text_[at_] == '/') {
             if (!comment)
-                log_.warning("glib-W01",
-                             "a single '/' starts a comment here; use '//' or '#', or quote the path",
-                             position(at_));
+                log_.report("glib-W01",
+                            "a single '/' starts a comment here; use '//' or '#', or quote the path",
+                            position(at_));
             line_.isComment = true;
             return false;
         }
@@ -136,7 +136,7 @@ class LineReader {
         const std::size_t close = text_.find('"', at_ + 1);
         if (close != std::string_view::npos)
             return add(TokenKind::quoted, at_, close + 1, text_.substr(at_ + 1, close - at_ - 1));
-        log_.error("glib-E02", "quoted name is not closed on this line", position(at_));
+        log_.report("glib-E02", "quoted name is not closed on this line", position(at_));
         line_.faulty = true;
         add(TokenKind::quoted, at_, text_.size(), text_.substr(at_ + 1));
     }
@@ -151,7 +151,7 @@ class LineReader {
         const std::size_t begin = at_;
         std::size_t end = begin;
         while (end < text_.size() && !(mayEndWord(text_[end]) && endsWord(end))) ++end;
-        const std::size_t wordEnd = end;  // before anything is taken off
+        const std::size_t wordEnd = end;  // before anything is removed
         if (text_[end - 1] == '\\' && isLastOnLine(end)) {
             line_.continues = true;
             line_.backslash = position(--end);
@@ -160,10 +160,10 @@ class LineReader {
         std::string_view word = written;
         while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
         if (word.size() < written.size()) {
-            log_.warning("glib-W03",
-                         fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
-                                     quoted(written)),
-                         position(begin));
+            log_.report("glib-W03",
+                        fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
+                                    quoted(written)),
+                        position(begin));
         }
         if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {
             line_.continues = false;
@@ -176,7 +176,7 @@ class LineReader {
         at_ = wordEnd;
     }
 
-    /// True if nothing but blanks and a comment follows; reports them after a backslash.
+    /// True if only blanks and a comment follow; after a backslash they are reported.
     bool isLastOnLine(std::size_t end) {
         std::size_t next = end;
         while (next < text_.size() && (isBlank(text_[next]) || noBreakSpaceAt(next) > 0))
@@ -184,7 +184,7 @@ class LineReader {
         const bool comment = next < text_.size() && (atComment(next) || (text_[next] == '/' && next > end));
         if (next < text_.size() && !comment) return false;
         if (next > end)
-            log_.warning("glib-W02", "text after the continuation backslash ignored", position(end - 1));
+            log_.report("glib-W02", "text after the continuation backslash ignored", position(end - 1));
         return true;
     }
 

@@ -1,6 +1,6 @@
 #pragma once
-// From bytes to lines of tokens (language, 1.1, 1.2, 1.4). Tokens point into the text, which must outlive
-// them.
+// Splits a text into lines and tokens (language, 1.1, 1.2, 1.4). Tokens point into the text, which must
+// outlive them.
 
 #include <cstddef>
 #include <optional>
@@ -15,7 +15,7 @@ namespace glibra::glib {
 enum class TokenKind {
     word,
     quoted,  ///< a word in quotes: never a command, a number or `true`
-    number,  ///< begins with a number; `text` may go on after it
+    number,  ///< begins with a number; more text may follow it
     open,    ///< one of < [ { (
     close,   ///< one of > ] } )
 };
@@ -23,14 +23,14 @@ enum class TokenKind {
 struct Token {
     TokenKind kind = TokenKind::word;
     std::string_view text;  ///< without quotes, commas at the end and the continuation backslash
-    std::size_t begin = 0;  ///< byte offsets in the file, with quotes
+    std::size_t begin = 0;  ///< byte offsets in the file; quotes are included
     std::size_t end = 0;
     Position position;
 
     [[nodiscard]] bool isWord() const { return kind == TokenKind::word || kind == TokenKind::quoted; }
-    /// A number or the beginning of a bracket group.
+    /// True for a number and for the beginning of a bracket group.
     [[nodiscard]] bool beginsValue() const { return kind == TokenKind::number || kind == TokenKind::open; }
-    /// The unquoted words `true` and `false`, in any case.
+    /// The value of the unquoted words `true` and `false`, in any case; nothing for other tokens.
     [[nodiscard]] std::optional<bool> truth() const;
 };
 
@@ -41,21 +41,21 @@ struct LineRange {
     std::size_t end = 0;
 };
 
-/// One line, read.
+/// One line that has been read.
 struct Line {
     LineRange range;
     std::vector<Token> tokens;
     bool continues = false;  ///< ends with a backslash, at `backslash`
     Position backslash;
-    bool isComment = false;    ///< there is a comment on it
-    bool faulty = false;       ///< an error was reported: its statement must not be run
-    bool tooLong = false;      ///< refused (glib-E15): it has no tokens
-    bool isMessage = false;    ///< a MessageBox: one token, the rest of the line is `message`
-    std::string_view message;  ///< without blanks at its ends
+    bool isComment = false;    ///< the line has a comment
+    bool faulty = false;       ///< an error was reported; the statement must not be run
+    bool tooLong = false;      ///< refused (glib-E15); the line has no tokens
+    bool isMessage = false;    ///< a MessageBox: there is one token, and the rest of the line is `message`
+    std::string_view message;  ///< without blanks at either end
     std::size_t messageEnd = 0;
 };
 
-/// Splits a text at LF, CR LF and lone CR; a byte-order mark is skipped.
+/// Splits a text at LF, CR LF and lone CR. Skips a byte-order mark.
 class LineSplitter {
   public:
     explicit LineSplitter(std::string_view text);
@@ -67,7 +67,7 @@ class LineSplitter {
     int number_ = 0;
 };
 
-/// What a line that begins with MessageBox is read as.
+/// How a line that begins with MessageBox is read.
 enum class MessageLines { rawText, tokens };
 
 /// Reads one line. Reports glib-E02, E03, E15 (length), W01, W02, W03, W35.

@@ -9,13 +9,13 @@
 
 namespace glibra::glib {
 
-void MessageLog::add(Severity severity, const char* id, std::string text, Position position) {
-    const bool isError = severity == Severity::error;
+void MessageLog::report(const char* id, std::string text, Position position) {
+    const bool isError = severityOf(id) == Severity::error;
     ++count_;
     if (isError) ++errors_;
     const bool kept = kept_.size() < kMostMessages;
     if (!kept && (!isError || firstCutError_)) return;
-    Diagnostic message{severity, id, std::move(text), {path_, position.line, position.column}};
+    Diagnostic message = diagnose(id, std::move(text), {path_, position.line, position.column});
     if (kept) {
         if (isError) ++keptErrors_;
         kept_.push_back(std::move(message));
@@ -38,7 +38,7 @@ Diagnostics MessageLog::take() {
         const std::size_t cutErrors = errors_ - keptErrors_;
         if (cutErrors > 0) text += fmt::format(", {} of them", counted(cutErrors, "error"));
         const Place last = kept_.back().place;
-        kept_.push_back(note("", std::move(text), last));
+        kept_.push_back({Severity::note, "", std::move(text), last});
     }
     return std::move(kept_);
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Where the parser's stages put their messages: in memory bounded by the catalogue's rule of 100 messages a
-// file.
+// Collects the messages of the parser's stages. At most 100 messages per file are kept, so memory is bounded.
 
 #include <glibra/diagnostic.h>
 
@@ -12,34 +11,27 @@
 
 namespace glibra::glib {
 
-/// At most so many messages of one file are kept (language, 10).
+/// The largest number of messages that are kept for one file (language, 10).
 inline constexpr std::size_t kMostMessages = 100;
 
 class MessageLog {
   public:
     explicit MessageLog(std::string path) : path_(std::move(path)) {}
 
-    void error(const char* id, std::string text, Position position) {
-        add(Severity::error, id, std::move(text), position);
-    }
-    void warning(const char* id, std::string text, Position position) {
-        add(Severity::warning, id, std::move(text), position);
-    }
+    void report(const char* id, std::string text, Position position);
 
-    /// True if a further error would only be counted, so that its text need not be made.
+    /// True if a further error would only be counted, so its text is not needed.
     [[nodiscard]] bool isFull() const { return kept_.size() >= kMostMessages && firstCutError_; }
 
     /// Errors reported so far, kept or not.
     [[nodiscard]] std::size_t errorCount() const { return errors_; }
 
-    /// The messages in the order of their places. If some were not kept, the first error among them takes the
-    /// place of the last warning where no other error is left, and a note without id tells how many are
-    /// missing.
+    /// Returns the messages in the order of their places. If some were not kept, a note without id gives
+    /// their number; and if no kept message is an error but one of the others is, the first such error
+    /// replaces the last kept warning.
     Diagnostics take();
 
   private:
-    void add(Severity severity, const char* id, std::string text, Position position);
-
     std::string path_;
     Diagnostics kept_;
     std::optional<Diagnostic> firstCutError_;

@@ -15,18 +15,17 @@ bool isHexDigit(char c) {
     return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// Bytes of `text` from `at` on that are digits.
+/// Returns the number of digits in `text` from `at` on.
 std::size_t digitsAt(std::string_view text, std::size_t at) {
     std::size_t end = at;
     while (end < text.size() && isDigit(text[end])) ++end;
     return end - at;
 }
 
-/// The first double above which a round to 32 bits gives infinity: the largest float and half of its last
-/// place.
+/// Doubles from here on round to infinity in 32 bits: the largest float plus half of its last place.
 constexpr double kFloatOverflow = 0x1.ffffffp127;
 
-/// For a decimal text that no double can hold: true if it is too large, false if it is too small.
+/// For a decimal text that no double can hold, returns true if it is too large, false if it is too small.
 bool isHuge(std::string_view digits) {
     long long magnitude = 0;  // decimal places between the first digit that is not 0 and the point
     bool pointSeen = false;
@@ -81,7 +80,7 @@ std::optional<NumberPrefix> numberPrefix(std::string_view token) {
     const std::size_t first = token[0] == '+' || token[0] == '-' ? 1 : 0;
     NumberPrefix number;
     number.length = end;
-    const std::string_view unsignedText = token.substr(first, end - first);  // from_chars knows no '+'
+    const std::string_view unsignedText = token.substr(first, end - first);  // from_chars rejects '+'
     const auto [rest, problem] =
         std::from_chars(unsignedText.data(), unsignedText.data() + unsignedText.size(), number.value);
     if (problem == std::errc::result_out_of_range) {

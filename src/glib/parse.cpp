@@ -1,4 +1,4 @@
-// The whole way from text to commands.
+// From the text of a scene to its commands.
 
 #include <fmt/format.h>
 
@@ -33,10 +33,10 @@ class Parser {
         std::size_t statements = 0;
         while (const std::optional<Statement> statement = reader_.next()) {
             if (++statements > kMostStatements) {
-                log_.error("glib-E15",
-                           fmt::format("more than {} statements",
-                                       groupedText(static_cast<long long>(kMostStatements))),
-                           statement->word.position);
+                log_.report("glib-E15",
+                            fmt::format("more than {} statements",
+                                        groupedText(static_cast<long long>(kMostStatements))),
+                            statement->word.position);
                 break;
             }
             if (!statement->row) {
@@ -54,7 +54,7 @@ class Parser {
         const std::string_view nearest = suggests ? nearestCommand(word.text) : std::string_view();
         std::string text = "unknown command " + quoted(word.text);
         if (!nearest.empty()) text += fmt::format("; did you mean '{}'?", nearest);
-        log_.error("glib-E01", std::move(text), word.position);
+        log_.report("glib-E01", std::move(text), word.position);
     }
 
     void keep(const Statement& statement) {
@@ -72,8 +72,8 @@ class Parser {
         commands_.push_back(std::move(command));
     }
 
-    /// True for the rest of a vertex list whose glBegin is faulty: its vertices would only be reported once
-    /// more.
+    /// True inside a vertex list whose glBegin is faulty. Its vertices are skipped, since they would only
+    /// repeat the error.
     bool leavesOut(CommandId id, bool faulty) {
         if (id == CommandId::glBegin) inFaultyList_ = faulty;
         const bool result = inFaultyList_ && belongsToList(id);
@@ -107,13 +107,13 @@ class Parser {
                 break;
         }
         if (++programs_ <= kMostPrograms) return readProgram(statement, fragmentFile_, command, log_);
-        log_.error("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
+        log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
 
     StatementReader reader_;
     MessageLog& log_;
     std::vector<Command> commands_;
-    std::string fragmentFile_;  ///< as the last Fragment statement names it
+    std::string fragmentFile_;  ///< the name in the last Fragment statement
     std::size_t programs_ = 0;
     bool inFaultyList_ = false;
 };
@@ -126,16 +126,16 @@ Script parse(std::string_view text, std::string path) {
     script.path = std::move(path);
     try {
         if (text.size() > kLargestFile)
-            log.error("glib-E15",
-                      fmt::format("scene of {} bytes; the limit is {}",
-                                  groupedText(static_cast<long long>(text.size())),
-                                  groupedText(static_cast<long long>(kLargestFile))),
-                      {});
+            log.report("glib-E15",
+                       fmt::format("scene of {} bytes; the limit is {}",
+                                   groupedText(static_cast<long long>(text.size())),
+                                   groupedText(static_cast<long long>(kLargestFile))),
+                       {});
         else
             script.commands = Parser(text, log).parse();
     } catch (const std::exception& problem) {
         script.commands.clear();
-        log.error("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
+        log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
     }
     script.diagnostics = log.take();
     return script;

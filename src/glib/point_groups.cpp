@@ -11,7 +11,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr std::size_t kLeast = 3;  // numbers of a group
+constexpr std::size_t kLeast = 3;  // numbers per group
 constexpr std::size_t kMost = 4;
 
 class GroupReader {
@@ -29,9 +29,9 @@ class GroupReader {
             }
             ++at;
             if (token.kind == TokenKind::close)
-                log_.warning("glib-W10",
-                             fmt::format("bracket around the arguments of {} ignored", command_.word),
-                             token.position);
+                log_.report("glib-W10",
+                            fmt::format("bracket around the arguments of {} ignored", command_.word),
+                            token.position);
             else
                 addBare(token);
         }
@@ -44,14 +44,14 @@ class GroupReader {
         const BracketGroup group = groupAt(tokens_, open);
         const Token& bracket = tokens_[open];
         if (bracket.text != "[")
-            log_.warning("glib-W10", fmt::format("'{}' read as '['", bracket.text), bracket.position);
+            log_.report("glib-W10", fmt::format("'{}' read as '['", bracket.text), bracket.position);
         reportGroupEnd(tokens_, open, group, log_);
         PointGroup points{{}, bracket.position};
         for (std::size_t i = group.first; i < group.last && points.values.size() < kMost; ++i)
             points.values.push_back(readNumber(tokens_[i], log_).value);
         const std::size_t count = group.last - group.first;
         if (count > kMost)
-            log_.warning(
+            log_.report(
                 "glib-W07",
                 fmt::format("{}: {} ignored", command_.word, counted(count - kMost, "surplus argument")),
                 tokens_[group.first + kMost].position);
@@ -71,7 +71,7 @@ class GroupReader {
 
     void add(PointGroup points) {
         if (points.values.size() < kLeast)
-            log_.error(
+            log_.report(
                 "glib-E04",
                 fmt::format("{}: a point needs 3 numbers, found {}", command_.word, points.values.size()),
                 points.position);
@@ -91,7 +91,7 @@ void readPointGroups(const Statement& statement, Command& command, MessageLog& l
     const auto multiple = static_cast<std::size_t>(statement.row->groupMultiple);
     const std::size_t count = command.points.size();
     if (count == 0 || count % multiple != 0)
-        log.error(
+        log.report(
             "glib-E04",
             fmt::format("{} needs a multiple of {} points, found {}", statement.row->name(), multiple, count),
             command.position);

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's text as a list of commands: what the parser makes, what the interpreter reads. No GL, no files.
+// A scene's text as a list of commands. The parser makes it, the interpreter reads it.
 
 #include <glibra/diagnostic.h>
 
@@ -18,17 +18,17 @@ struct Position {
     int column = 1;
 };
 
-/// One bracketed group of points as written: LinesAdjacency [x y z] [x y z] ...
+/// One bracketed group of LinesAdjacency [x y z] [x y z] ..., as written.
 struct PointGroup {
     std::vector<double> values;
     Position position;
 };
 
-/// How a uniform's value was written on a Program line (language, 5.2).
+/// How the value of a uniform is written on a Program line (language, 5.2).
 enum class UniformForm { number, list, range, truth, color };
 
-/// One `tag value` pair of a Program statement. `values` are the numbers as written (for truth: 1 or 0);
-/// what they mean depends on the linked program's type and is decided by plan.
+/// One `tag value` pair of a Program statement. `values` are the numbers as written (for truth: 1 or 0).
+/// Their meaning depends on the type in the linked program; src/plan decides it.
 struct UniformSpec {
     std::string tag;
     UniformForm form = UniformForm::number;
@@ -37,10 +37,10 @@ struct UniformSpec {
     Position valuePosition;
 };
 
-/// One statement. Which of the members are filled is said by the command's row in the table:
-/// - numbers: all numbers of the command, defaults filled in, in the table's order, in their ranges;
-/// - text: file name (empty: none given), program name, topology or switch word, format of an empty texture,
-///   MessageBox text;
+/// One statement. The form in the command's row decides which members are filled:
+/// - numbers: all numbers of the command in the order of the row, defaults filled in, inside their limits;
+/// - text: file name (empty if none is given), program name, topology or switch word, format of an empty
+///   texture, MessageBox text;
 /// - files: the six files of CubeMap;
 /// - points: groups of LinesAdjacency and Triangles, each of 3 or 4 numbers;
 /// - uniforms: the pairs of Program.
@@ -49,7 +49,7 @@ struct Command {
     std::string word;  ///< as written
     Position position;
     std::vector<double> numbers;
-    std::size_t givenNumbers = 0;  ///< how many of them stand in the file
+    std::size_t givenNumbers = 0;  ///< how many of the numbers stand in the file
     std::string text;
     Position textPosition;
     std::vector<std::string> files;
@@ -60,15 +60,15 @@ struct Command {
 };
 
 struct Script {
-    std::string path;  ///< as given to the parser, used in every message
+    std::string path;  ///< as given to the parser; used in every message
     std::vector<Command> commands;
     Diagnostics diagnostics;
 
     [[nodiscard]] Place place(Position position) const { return {path, position.line, position.column}; }
 };
 
-/// Reads a whole scene (language, sections 1, 3 and 5.1). Never throws on any bytes; goes on to the end of
-/// the text, so that all messages come at once. Faulty statements are left out of `commands`.
+/// Reads a whole scene (language, 1, 3 and 5.1). The text may hold any bytes. Parsing goes on to the end of
+/// the text, so that all messages come at once; faulty statements are not in `commands`.
 Script parse(std::string_view text, std::string path);
 
 }  // namespace glibra::glib

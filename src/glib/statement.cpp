@@ -11,7 +11,7 @@
 namespace glibra::glib {
 namespace {
 
-constexpr std::size_t kCubeMapArguments = 7;  // unit and six files
+constexpr std::size_t kCubeMapArguments = 7;  // a unit and six files
 
 const CommandRow* commandOf(const Token& token) {
     return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
@@ -21,7 +21,7 @@ bool isCommand(const Statement& statement, CommandId id) {
     return statement.row && statement.row->id == id;
 }
 
-/// How a message names the statement: "Program 'Magic'", "CubeMap".
+/// Returns the statement's name for messages: "Program 'Magic'", "CubeMap".
 std::string described(const Statement& statement) {
     std::string text(statement.row->name());
     if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
@@ -29,14 +29,14 @@ std::string described(const Statement& statement) {
     return text;
 }
 
-/// How many are no brackets.
+/// Returns how many of the tokens are not brackets.
 std::size_t countPlain(std::span<const Token> tokens) {
     return static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), [](const Token& t) {
         return t.kind != TokenKind::open && t.kind != TokenKind::close;
     }));
 }
 
-/// True if what follows the command word that begins the line can be its value as a tag.
+/// True if the command word that begins the line may be a tag: a value can follow it.
 bool fitsAsTag(const Line& line) {
     const std::vector<Token>& tokens = line.tokens;
     if (tokens.size() < 2 || !tokens[1].beginsValue()) return false;
@@ -103,9 +103,9 @@ std::optional<Statement> StatementReader::next() {
                                : line->isComment ? "the next line is a comment"
                                                  : "the next line is blank";
             if (!line || !line->tooLong)
-                log_.warning("glib-W12",
-                             fmt::format("backslash, but {}: statement ends unless tags follow", what),
-                             backslash);
+                log_.report("glib-W12",
+                            fmt::format("backslash, but {}: statement ends unless tags follow", what),
+                            backslash);
             pending = false;
             continue;
         }
@@ -118,13 +118,13 @@ std::optional<Statement> StatementReader::next() {
 }
 
 bool StatementReader::continuesAfterBackslash(const Statement& statement) {
-    if (ahead_->tokens.empty()) return true;  // nothing but another backslash
+    if (ahead_->tokens.empty()) return true;  // only another backslash
     const Token first = ahead_->tokens.front();
     if (!commandOf(first)) return true;
     if (isCommand(statement, CommandId::program)) {
         if (statement.arguments.empty()) return true;  // the word after Program is always its name
         if (fitsAsTag(*ahead_)) return true;
-        if (ahead_->isMessage) {  // MessageBox may be a tag, too
+        if (ahead_->isMessage) {  // MessageBox may also be a tag
             MessageLog unused{""};
             Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused);
             if (fitsAsTag(line)) {
@@ -133,8 +133,8 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
             }
         }
     }
-    log_.warning("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
-                 first.position);
+    log_.report("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
+                first.position);
     return false;
 }
 
@@ -147,12 +147,12 @@ bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
     } else {
         return false;
     }
-    log_.warning("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
-                 ahead_->tokens.front().position);
+    log_.report("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
+                ahead_->tokens.front().position);
     return true;
 }
 
-/// glib-E10. True if the block was passed over.
+/// Reports glib-E10. Returns true if the block was skipped.
 bool StatementReader::refuseBraceBlock(Statement& statement) {
     const std::vector<Token>& tokens = statement.arguments;
     if (!isCommand(statement, CommandId::program) || tokens.empty() || tokens.size() > 2) return false;
@@ -160,15 +160,15 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
     if (tokens.size() == 2 && !tokens.front().isWord() && tokens.front().kind != TokenKind::number)
         return false;
     const std::string name = tokens.size() == 2 ? std::string(tokens.front().text) + " " : std::string();
-    log_.error("glib-E10",
-               fmt::format("{}: brace blocks belong to another program's scene language",
-                           quoted("Program " + name + "{")),
-               statement.word.position);
+    log_.report("glib-E10",
+                fmt::format("{}: brace blocks belong to another program's scene language",
+                            quoted("Program " + name + "{")),
+                statement.word.position);
     statement.refused = true;
     return skipBraceBlock();
 }
 
-/// Passes over the lines of a brace block, so that they are not all reported; does nothing if it is never
+/// Skips the lines of a brace block, so that they are not all reported. Does nothing if the block is never
 /// closed.
 bool StatementReader::skipBraceBlock() {
     if (braceNeverCloses_) return false;

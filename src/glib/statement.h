@@ -1,5 +1,5 @@
 #pragma once
-// From lines to statements: what belongs together (language, 1.3).
+// Joins lines to statements (language, 1.3).
 
 #include <cstddef>
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace glibra::glib {
 
-/// A command word with its arguments, from however many lines.
+/// A command word with its arguments, from one or more lines.
 struct Statement {
-    const CommandRow* row = nullptr;  ///< null: the word is no command
+    const CommandRow* row = nullptr;  ///< null: the word is not a command
     Token word;
     std::vector<Token> arguments;
-    std::size_t plainArguments = 0;  ///< how many of them are no brackets
-    std::string_view message;        ///< of MessageBox
+    std::size_t plainArguments = 0;  ///< how many of the arguments are not brackets
+    std::string_view message;        ///< the text of MessageBox
     Position messagePosition;
     std::size_t end = 0;   ///< byte offset after the statement's last token
-    bool faulty = false;   ///< a line of it has an error: it must not be run
-    bool refused = false;  ///< not in this language (glib-E10): its arguments mean nothing
+    bool faulty = false;   ///< one of its lines has an error; it must not be run
+    bool refused = false;  ///< not in this language (glib-E10); its arguments have no meaning
 };
 
 /// Reads a text statement by statement. Reports what the lexer reports and glib-W11, W12, W13, E10.
@@ -30,7 +30,7 @@ class StatementReader {
   public:
     StatementReader(std::string_view text, MessageLog& log) : text_(text), lines_(text), log_(log) {}
 
-    /// The next statement; nothing at the end of the text.
+    /// Returns the next statement; nothing at the end of the text.
     std::optional<Statement> next();
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// "did you mean 'Sphere'?": the known name that lies nearest to an unknown one.
+// "did you mean 'Sphere'?": finds the known name nearest to an unknown one.
 
 #include <cstddef>
 #include <span>
@@ -8,19 +8,19 @@
 
 namespace glibra::glib {
 
-/// Smallest number of insertions, deletions, replacements and exchanges of neighbouring bytes that turn `a`
-/// into `b`, no byte edited twice (optimal string alignment distance); ASCII letters are compared without
-/// regard to case.
+/// Returns the smallest number of insertions, deletions, replacements and exchanges of neighbouring bytes
+/// that turn `a` into `b`, where no byte is edited twice (optimal string alignment distance). The case of
+/// ASCII letters is ignored.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The candidate with the smallest distance, the first of several; empty if none is near. Near means at most
-/// 0 edits for words of up to 2 bytes, 1 up to 5, 2 up to 9, else 3; the `prefix` first bytes, which say
-/// nothing about the name like the u of a uniform's, are not counted for that. Words of more than 128 bytes
-/// are near to nothing, and a name is not near to itself.
+/// Returns the first candidate with the smallest distance; empty if none is near. Near means at most 0 edits
+/// for words of up to 2 bytes, 1 for up to 5, 2 for up to 9, else 3. The first `prefix` bytes of a word, such
+/// as the u that all uniforms share, do not count for its length. Words of more than 128 bytes are near to
+/// nothing, and a name is not near to itself.
 std::string nearestName(std::string_view word, std::span<const std::string_view> candidates,
                         std::size_t prefix = 0);
 
-/// "; did you mean 'uShrink'?" with the nearest name, or nothing.
+/// Returns "; did you mean 'uShrink'?" with the nearest name; empty if none is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates,
                        std::size_t prefix = 0);
 

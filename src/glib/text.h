@@ -1,5 +1,5 @@
 #pragma once
-// Letters as the language sees them: ASCII only, whatever the locale says.
+// Letters and words of the language: ASCII only, in any locale.
 
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ constexpr bool isLetter(char c) {
     return lower(c) >= 'a' && lower(c) <= 'z';
 }
 
-/// Equal without regard to the case of ASCII letters.
+/// True if the words are equal, ignoring the case of ASCII letters.
 constexpr bool sameWord(std::string_view a, std::string_view b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -28,8 +28,7 @@ inline std::string lower(std::string_view word) {
     return text;
 }
 
-/// `text` between single quotes for a message; of a long one only the beginning, cut between characters of
-/// UTF-8.
+/// Returns the text in single quotes for a message. A long text is cut, between characters of UTF-8.
 inline std::string quoted(std::string_view text) {
     constexpr std::size_t kShown = 60;
     std::size_t end = text.size();
@@ -42,7 +41,7 @@ inline std::string quoted(std::string_view text) {
     return result;
 }
 
-/// "1 number", "2 numbers".
+/// Returns "1 number", "2 numbers".
 inline std::string counted(std::size_t count, std::string_view noun) {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

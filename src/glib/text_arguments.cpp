@@ -38,24 +38,24 @@ void checkTextureBytes(const Command& command, const TextureFormat& format, Mess
     double bytes = format.bytes;
     for (std::size_t i = 1; i < command.numbers.size(); ++i) bytes *= command.numbers[i];
     if (bytes > kLargestTexture)
-        log.error("glib-E15",
-                  fmt::format("{} needs {} bytes; the limit is {}", command.word,
-                              groupedText(static_cast<long long>(bytes)),
-                              groupedText(static_cast<long long>(kLargestTexture))),
-                  command.position);
+        log.report("glib-E15",
+                   fmt::format("{} needs {} bytes; the limit is {}", command.word,
+                               groupedText(static_cast<long long>(bytes)),
+                               groupedText(static_cast<long long>(kLargestTexture))),
+                   command.position);
 }
 
-/// The empty form: sizes and perhaps a format.
+/// Reads an empty texture: sizes and perhaps a format.
 void readSizes(const Statement& statement, std::span<const Token> tokens, std::size_t sizes,
                const TextureFormat* format, Command& command, MessageLog& log) {
     const CommandRow& row = *statement.row;
     const std::size_t most = row.arguments.size() - 1;
     const std::size_t least = row.id == CommandId::texture ? 1 : most;
     if (sizes < least) {
-        log.error("glib-E04",
-                  fmt::format("{} needs a file name or {} after the unit, found {}", row.name(),
-                              counted(least, "size"), sizes),
-                  command.position);
+        log.report("glib-E04",
+                   fmt::format("{} needs a file name or {} after the unit, found {}", row.name(),
+                               counted(least, "size"), sizes),
+                   command.position);
         return;
     }
     const std::size_t used = std::min(sizes, most);
@@ -69,9 +69,9 @@ void readSizes(const Statement& statement, std::span<const Token> tokens, std::s
     command.textPosition = format ? tokens[sizes + 1].position : command.position;
     const std::size_t surplus = sizes - used;
     if (surplus > 0)
-        log.warning("glib-W07",
-                    fmt::format("{}: {} ignored", row.name(), counted(surplus, "surplus argument")),
-                    tokens[used + 1].position);
+        log.report("glib-W07",
+                   fmt::format("{}: {} ignored", row.name(), counted(surplus, "surplus argument")),
+                   tokens[used + 1].position);
     if (log.errorCount() == errors)
         checkTextureBytes(command, format ? *format : textureFormats().front(), log);
 }
@@ -89,7 +89,7 @@ void readCubeMap(const Statement& statement, Command& command, MessageLog& log) 
     const std::vector<Token> tokens = plainArguments(statement, log);
     const std::size_t files = tokens.empty() ? 0 : tokens.size() - 1;
     if (files < kCubeFaces) {
-        log.error(
+        log.report(
             "glib-E04",
             fmt::format("CubeMap needs a unit and {} files, found {}", kCubeFaces, counted(files, "file")),
             command.position);
@@ -106,9 +106,9 @@ void readUnits(const Statement& statement, Command& command, MessageLog& log) {
     const CommandRow& row = *statement.row;
     const std::vector<Token> tokens = plainArguments(statement, log);
     if (tokens.size() > kMostTargets) {
-        log.error("glib-E15",
-                  fmt::format("{}: {} targets; the limit is {}", row.name(), tokens.size(), kMostTargets),
-                  tokens[kMostTargets].position);
+        log.report("glib-E15",
+                   fmt::format("{}: {} targets; the limit is {}", row.name(), tokens.size(), kMostTargets),
+                   tokens[kMostTargets].position);
         return;
     }
     for (std::size_t i = 0; i < tokens.size(); ++i)
@@ -120,8 +120,8 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
     const CommandRow& row = *statement.row;
     const std::vector<Token> tokens = plainArguments(statement, log);
     if (tokens.empty()) {
-        log.error("glib-E04", fmt::format("{} needs a unit and a file name or sizes", row.name()),
-                  command.position);
+        log.report("glib-E04", fmt::format("{} needs a unit and a file name or sizes", row.name()),
+                   command.position);
         return;
     }
     command.numbers.push_back(readArgument(row.arguments.front(), 0, tokens.front(), row.name(), log));
@@ -133,11 +133,11 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
     if (rest == 0 || format) {
         readSizes(statement, tokens, sizes, format, command, log);
     } else if (rest == 1 && sizes >= 2 && tokens.back().kind == TokenKind::word) {
-        // As a file name the first size would make no sense: the word was meant as a format.
-        log.error("glib-E05",
-                  fmt::format("{}: {} is none of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
-                              quoted(tokens.back().text)),
-                  tokens.back().position);
+        // A size stands before the word, so the word is not a file name: it was meant as a format.
+        log.report("glib-E05",
+                   fmt::format("{}: {} is not one of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
+                               quoted(tokens.back().text)),
+                   tokens.back().position);
     } else {
         setText(command, tokens[1]);
         reportSurplus(statement, tokens, 2, log);
@@ -149,7 +149,7 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
     const CommandRow& row = *statement.row;
     const std::vector<Token> tokens = plainArguments(statement, log);
     if (tokens.empty()) {
-        log.error("glib-E04", fmt::format("{} needs a topology word", row.name()), command.position);
+        log.report("glib-E04", fmt::format("{} needs a topology word", row.name()), command.position);
         return;
     }
     constexpr std::string_view kPrefix = "gl_";
@@ -160,10 +160,10 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
                                     [&](std::string_view each) { return sameWord(each, word); });
     if (found == row.words.end()) {
         const std::string nearest = nearestName(word, row.words);
-        log.error("glib-E08",
-                  fmt::format("unknown topology {}{}", quoted(tokens.front().text),
-                              nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?"),
-                  tokens.front().position);
+        log.report("glib-E08",
+                   fmt::format("unknown topology {}{}", quoted(tokens.front().text),
+                               nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?"),
+                   tokens.front().position);
     } else {
         command.text = *found;
         command.textPosition = tokens.front().position;
@@ -190,10 +190,10 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log) {
         command.numbers = {sameWord(token.text, "on") ? 1. : 0.};
         return;
     }
-    log.error("glib-E05",
-              fmt::format("{}: {} is none of on, off, 1, 0, true, false", statement.row->name(),
-                          quoted(token.text)),
-              token.position);
+    log.report("glib-E05",
+               fmt::format("{}: {} is not one of on, off, 1, 0, true, false", statement.row->name(),
+                           quoted(token.text)),
+               token.position);
 }
 
 }  // namespace glibra::glib

@@ -21,7 +21,7 @@ UniformForm formOf(std::string_view bracket) {
     return bracket == "{" ? UniformForm::color : UniformForm::list;
 }
 
-/// The last part of a path without its suffix.
+/// Returns the last part of a path without its suffix.
 std::string_view stem(std::string_view path) {
     const std::size_t folder = path.find_last_of("/\\");
     if (folder != std::string_view::npos) path.remove_prefix(folder + 1);
@@ -49,7 +49,7 @@ class ProgramReader {
     }
 
   private:
-    /// A word, or a number with letters after it (`3DNoise`).
+    /// True for a word, and for a number with letters after it (`3DNoise`).
     static bool canBeName(const Token& token) {
         return token.isWord() || (token.kind == TokenKind::number && !isCompleteNumber(token.text));
     }
@@ -62,8 +62,8 @@ class ProgramReader {
             const std::string_view name = stem(fragmentFile);
             command_.text = name.empty() ? "unnamed" : name;
             command_.textPosition = command_.position;
-            log_.warning("glib-W14", fmt::format("program name missing; {} used", quoted(command_.text)),
-                         command_.position);
+            log_.report("glib-W14", fmt::format("program name missing; {} used", quoted(command_.text)),
+                        command_.position);
             return;
         }
         command_.text = tokens_[0].text;
@@ -74,15 +74,15 @@ class ProgramReader {
             command_.text += tokens_[at_].text;
         }
         if (at_ > 1)
-            log_.warning("glib-W16", fmt::format("program name {} has several words", quoted(command_.text)),
-                         command_.textPosition);
+            log_.report("glib-W16", fmt::format("program name {} has several words", quoted(command_.text)),
+                        command_.textPosition);
     }
 
     bool tooManyTags() {
         if (command_.uniforms.size() < kMostTags || !tokens_[at_].isWord()) return false;
-        log_.error("glib-E15",
-                   fmt::format("Program {} has more than {} tags", quoted(command_.text), kMostTags),
-                   tokens_[at_].position);
+        log_.report("glib-E15",
+                    fmt::format("Program {} has more than {} tags", quoted(command_.text), kMostTags),
+                    tokens_[at_].position);
         return true;
     }
 
@@ -94,7 +94,7 @@ class ProgramReader {
             if (i > at_) text += ' ';
             text += tokens_[i].text;
         }
-        log_.warning(
+        log_.report(
             "glib-W18",
             fmt::format("value {} has no tag, skipped", text.size() < kLongestShown ? text : quoted(text)),
             token.position);
@@ -102,7 +102,7 @@ class ProgramReader {
     }
 
     void reportNoValue(const Token& tag) {
-        log_.warning("glib-W17", fmt::format("tag {} has no value, skipped", quoted(tag.text)), tag.position);
+        log_.report("glib-W17", fmt::format("tag {} has no value, skipped", quoted(tag.text)), tag.position);
     }
 
     void readPair() {
@@ -119,21 +119,21 @@ class ProgramReader {
         add(std::move(spec));
     }
 
-    /// False if the group is refused.
+    /// Returns false if the group is refused.
     bool readGroup(UniformSpec& spec, std::size_t open) {
         const BracketGroup group = groupAt(tokens_, open);
         const Token& bracket = tokens_[open];
         at_ = group.next;
-        if (bracket.text == "(") log_.warning("glib-W10", "'(' read as '['", bracket.position);
+        if (bracket.text == "(") log_.report("glib-W10", "'(' read as '['", bracket.position);
         reportGroupEnd(tokens_, open, group, log_);
         const std::size_t count = group.last - group.first;
         spec.form = formOf(bracket.text);
         if (count > kMostBracketValues) {
-            log_.error("glib-E15",
-                       fmt::format("{}: {} values in brackets; the limit is {}", spec.tag,
-                                   groupedText(static_cast<long long>(count)),
-                                   groupedText(static_cast<long long>(kMostBracketValues))),
-                       bracket.position);
+            log_.report("glib-E15",
+                        fmt::format("{}: {} values in brackets; the limit is {}", spec.tag,
+                                    groupedText(static_cast<long long>(count)),
+                                    groupedText(static_cast<long long>(kMostBracketValues))),
+                        bracket.position);
             return false;
         }
         if (spec.form == UniformForm::range && count == 1 && tokens_[group.first].truth()) {
@@ -151,22 +151,21 @@ class ProgramReader {
         return true;
     }
 
-    /// A number of a group; `true` among numbers is 1.
+    /// Reads a number of a group; `true` among numbers is 1.
     ReadNumber readValue(const Token& token) {
         if (token.truth() != true) return readNumber(token, log_);
-        log_.warning("glib-W05", fmt::format("{} is not a number, 1 used", quoted(token.text)),
-                     token.position);
+        log_.report("glib-W05", fmt::format("{} is not a number, 1 used", quoted(token.text)),
+                    token.position);
         return {1, "1"};
     }
 
-    /// glib-W15, as far as it does not depend on the declared type.
+    /// Reports glib-W15 where it does not depend on the declared type.
     void reportCount(const UniformSpec& spec, std::span<const std::string> written) {
         const std::size_t count = spec.values.size();
         const auto report = [&](std::string_view brackets, const std::string& reading) {
-            log_.warning(
-                "glib-W15",
-                fmt::format("{}: {} in {}, {}", spec.tag, counted(count, "value"), brackets, reading),
-                spec.valuePosition);
+            log_.report("glib-W15",
+                        fmt::format("{}: {} in {}, {}", spec.tag, counted(count, "value"), brackets, reading),
+                        spec.valuePosition);
         };
         if (spec.form == UniformForm::range) {
             if (count == 1)
@@ -190,8 +189,8 @@ class ProgramReader {
             command_.uniforms.push_back(std::move(spec));
             return;
         }
-        log_.warning("glib-W19", fmt::format("tag {} given twice, the last one counts", quoted(spec.tag)),
-                     spec.tagPosition);
+        log_.report("glib-W19", fmt::format("tag {} given twice, the last one counts", quoted(spec.tag)),
+                    spec.tagPosition);
         command_.uniforms[entry->second] = std::move(spec);
     }
 

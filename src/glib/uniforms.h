@@ -9,9 +9,10 @@
 
 namespace glibra::glib {
 
-/// Fills `text` and `uniforms`. `fragmentFile` is the current one as written: a program without a name gets
-/// its name from it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E05, E15; of glib-W15 what needs no
-/// type: colours of one or two values, ranges of one or two, ranges and colours of too many.
+/// Fills `text` and `uniforms`. `fragmentFile` is the current fragment shader as written; a program without a
+/// name is named after it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E05, E15. glib-W15 is reported
+/// here only where the type of the uniform does not matter: for colours and ranges of one or two values, and
+/// for those with too many.
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
                  MessageLog& log);
 

@@ -8,8 +8,8 @@
 namespace glibra::gpu {
 namespace {
 
-// Uploads go through a binding point that no other state depends on; GL_ARRAY_BUFFER and
-// GL_ELEMENT_ARRAY_BUFFER belong to vertex arrays.
+// Uploads use a binding point that no other state depends on; GL_ELEMENT_ARRAY_BUFFER, for one, belongs to
+// the bound vertex array.
 constexpr GLenum kUploadTarget = GL_COPY_WRITE_BUFFER;
 
 }  // namespace

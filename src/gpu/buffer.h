@@ -14,17 +14,17 @@ inline void deleteBuffer(GLuint name) {
     glDeleteBuffers(1, &name);
 }
 
-/// Memory of the device: vertices, indices, uniform blocks. The size never changes.
+/// Device memory for vertices, indices and uniform blocks. Its size never changes.
 class Buffer {
   public:
-    /// `usage` is GL_STATIC_DRAW, GL_DYNAMIC_DRAW ... draw-E05 if the device has no memory for it.
+    /// `usage` is GL_STATIC_DRAW, GL_DYNAMIC_DRAW ... Reports draw-E05 if the device has no memory for it.
     static Result<Buffer> create(std::span<const std::byte> content, GLenum usage = GL_STATIC_DRAW);
-    /// Content not defined.
+    /// The content is undefined.
     static Result<Buffer> create(std::size_t bytes, GLenum usage = GL_DYNAMIC_DRAW);
 
-    /// Overwrites a part. What would lie outside is left out.
+    /// Overwrites a part. Bytes that would lie outside are ignored.
     void update(std::size_t offset, std::span<const std::byte> content);
-    /// Binds the whole of it to an indexed binding point: GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER.
+    /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER.
     void bindBase(GLenum target, GLuint index) const { glBindBufferBase(target, index, id()); }
     void bind(GLenum target) const { glBindBuffer(target, id()); }
 

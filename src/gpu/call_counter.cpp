@@ -8,7 +8,8 @@
 namespace glibra::gpu {
 namespace {
 
-/// Like the table of GL functions that it watches, one for the process: glad's callbacks carry no context.
+/// There is one for the process, like the table of GL functions that it watches: glad's callbacks carry no
+/// context.
 CallCounts* active = nullptr;
 
 std::uint64_t componentsOf(GLenum format) {
@@ -37,7 +38,7 @@ std::uint64_t bytesOf(GLenum type) {
     }
 }
 
-/// Arguments of glTexSubImageND from `offsets` on: offsets, sizes, format, type.
+/// The arguments of glTexSubImageND from `offsets` on: offsets, sizes, format, type.
 std::uint64_t texelBytes(va_list arguments, int dimensions) {
     static_cast<void>(va_arg(arguments, GLenum));
     static_cast<void>(va_arg(arguments, GLint));
@@ -96,7 +97,7 @@ void count(const char* /*name*/, GLADapiproc called, int argumentCount, ...) {
     va_end(arguments);
 }
 
-/// glad's own one asks the driver for its error after each call.
+/// Replaces glad's own callback, which queries the driver's error after each call.
 void ignoreResult(void* /*result*/, const char* /*name*/, GLADapiproc /*called*/, int /*argumentCount*/,
                   ...) {}
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a driver is asked to do, counted where every call passes: at the table of GL functions. By it the
-// rules are proved that leave something out.
+// Counts what a driver is asked to do, at the table of GL functions that every call passes through. Tests use
+// it to verify the skip rules.
 
 #include <cstdint>
 
@@ -12,12 +12,12 @@ struct CallCounts {
     std::uint64_t programsLinked = 0;  ///< glLinkProgram
     std::uint64_t texturesFilled = 0;  ///< glTexSubImage*; a cube map counts six
     std::uint64_t buffersFilled = 0;   ///< glBufferData with content, glBufferSubData
-    std::uint64_t bytesUploaded = 0;   ///< of both, as the caller's memory holds them
+    std::uint64_t bytesUploaded = 0;   ///< of both, as they lie in the caller's memory
     std::uint64_t pixelsRead = 0;      ///< glReadPixels
 };
 
-/// Counts every GL call of the process while it lives; without one counting costs nothing. One at a time:
-/// while an outer one waits for an inner one to end it counts nothing.
+/// Counts every GL call of the process while it lives. Without a counter, calls cost nothing extra. Only the
+/// newest counter counts; an outer one continues when the inner one has ended.
 class CallCounter {
   public:
     CallCounter();
@@ -32,7 +32,7 @@ class CallCounter {
     CallCounts* outer_ = nullptr;
 };
 
-/// True while a CallCounter lives.
+/// True while a CallCounter exists.
 bool isCounting();
 
 }  // namespace glibra::gpu

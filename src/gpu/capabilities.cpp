@@ -141,6 +141,7 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.minor = integer(GL_MINOR_VERSION);
     driver.glslVersion = glslNumber(driver.shadingLanguage);
     driver.family = familyOf(driver, throughOsmesa);
+    driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
     readExtensions(driver);
     readSizes(driver);
     readUnits(driver);

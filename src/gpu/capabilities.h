@@ -1,6 +1,6 @@
 #pragma once
-// What the driver can do, as numbers read once when a context is opened. No GL call is needed to look at
-// them.
+// What the driver can do, as numbers that are read once when a context is opened. Reading them needs no GL
+// call.
 
 #include <string>
 #include <string_view>
@@ -10,10 +10,10 @@ namespace glibra::gpu {
 
 struct Capabilities {
     std::string vendor, renderer, version, shadingLanguage;  ///< the driver's own words
-    /// One word for the family of drivers, so that tolerances and work-arounds can be chosen by it:
-    /// "llvmpipe", "softpipe", "osmesa-llvmpipe", "osmesa-softpipe", "nvidia", "amd", "intel", "apple",
-    /// "zink", "d3d12", "other".
+    /// One word for the family of drivers, for choosing tolerances and work-arounds: "llvmpipe", "softpipe",
+    /// "osmesa-llvmpipe", "osmesa-softpipe", "nvidia", "amd", "intel", "apple", "zink", "d3d12", "other".
     std::string family;
+    bool isSoftware = false;   ///< Mesa draws on the processor: llvmpipe or softpipe, through EGL or OSMesa
     int major = 0, minor = 0;  ///< of GL
     int glslVersion = 0;       ///< the number for #version, 410..460
 
@@ -60,7 +60,7 @@ struct Capabilities {
     }
 };
 
-/// Asks the current context for everything above. `throughOsmesa` only decides about the family's name.
+/// Queries the current context for everything above. `throughOsmesa` affects the family's name only.
 Capabilities readCapabilities(bool throughOsmesa);
 
 }  // namespace glibra::gpu

@@ -2,10 +2,8 @@
 
 #include <glad/gl.h>
 
-#include <array>
 #include <cstdlib>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,14 +20,14 @@ struct Context::State {
     std::vector<std::string> failedWays;
 
     ~State() {
-        // An adopted context lives on.
+        // An adopted context continues to exist.
         if (backend && backend->driver() == Driver::automatic) log.detach();
     }
 };
 
 namespace {
 
-/// A context that somebody else made and keeps.
+/// A context that another library made and owns.
 class AdoptedBackend final : public Backend {
   public:
     explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
@@ -59,14 +57,14 @@ std::vector<Opener> openers(Driver driver) {
     return {openEglSurfaceless, openEglDevice, openOsmesa};
 }
 
-/// Fills glad's table of functions from the current context; false if they are not there or the context is
-/// too old.
+/// Fills glad's table of functions from the current context. False if functions are missing or the context is
+/// older than 4.1.
 bool loadFunctions(Backend& backend) {
     const auto address = [](void* from, const char* function) {
         return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
     };
     const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
-    if (!isCounting()) gladUninstallGLDebug();  // glad's wrappers are there from the start
+    if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
     return isLoaded;
 }
 
@@ -87,7 +85,7 @@ std::string joined(const std::vector<std::string>& phrases) {
 }  // namespace
 
 void prepareEnvironment(const ContextOptions& options) {
-    // A value of the user's own is left alone.
+    // A value that the user has set is kept.
     if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
 }
 
@@ -153,58 +151,6 @@ Result<Context> adopt(const std::function<void*(const char*)>& loader) {
     state->log.attach(state->capabilities.debugOutput);
     setInitialState();
     return Context(std::move(state));
-}
-
-ContextOpening::ContextOpening(const ContextOptions& options) : options_(options) {
-    // Before the thread exists: changing the environment beside another thread is not safe.
-    prepareEnvironment(options_);
-    const auto openAndRelease = [wanted = options_] {
-        Result<Context> opened = openContext(wanted);
-        if (opened) opened->state_->backend->release();
-        return opened;
-    };
-    try {
-        pending_ = std::async(std::launch::async, openAndRelease);
-    } catch (const std::system_error&) {
-        pending_ = {};  // No thread to be had: finish() opens it.
-    }
-}
-
-Result<Context> ContextOpening::finish() {
-    if (!pending_.valid()) return openContext(options_);
-    Result<Context> opened = pending_.get();
-    if (opened && !opened->state_->backend->makeCurrent())
-        return error("gpu-E01",
-                     "no usable OpenGL driver: " + opened->howOpened() + " does not change threads");
-    return opened;
-}
-
-namespace {
-struct DriverWord {
-    Driver driver;
-    std::string_view word;
-};
-constexpr std::array<DriverWord, 4> kDriverWords{{{Driver::automatic, "auto"},
-                                                  {Driver::egl, "egl"},
-                                                  {Driver::eglDevice, "egl-device"},
-                                                  {Driver::osmesa, "osmesa"}}};
-}  // namespace
-
-std::string_view word(Driver driver) {
-    for (const DriverWord& each : kDriverWords)
-        if (each.driver == driver) return each.word;
-    return "auto";
-}
-
-Result<Driver> driverOfWord(std::string_view word) {
-    std::vector<std::string> words;
-    for (const DriverWord& each : kDriverWords) {
-        if (each.word == word) return each.driver;
-        words.emplace_back(each.word);
-    }
-    std::string list;
-    for (const std::string& each : words) list += (list.empty() ? "" : ", ") + each;
-    return error("gpu-E01", "no driver is called '" + std::string(word) + "'; there are " + list);
 }
 
 }  // namespace glibra::gpu

@@ -12,8 +12,8 @@ Severity severityOf(GLenum type, GLenum level) {
     return level == GL_DEBUG_SEVERITY_MEDIUM ? Severity::warning : Severity::note;
 }
 
-// The driver calls this on our own thread, inside the faulty call, because output is synchronous. Nothing may
-// be thrown through the driver's frames.
+// Debug output is synchronous, so the driver calls this on our own thread, inside the faulty call. No
+// exception may pass through the driver's frames.
 void GLAD_API_PTR receive(GLenum source, GLenum type, GLuint id, GLenum level, GLsizei length,
                           const GLchar* text, const void* log) noexcept {
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
@@ -39,7 +39,7 @@ void DebugLog::attach(bool hasDebugOutput) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(receive, this);
-    // Notifications come with every buffer on some drivers, and say nothing that a scene could be told.
+    // Some drivers send a notification for every buffer; none of them concerns a scene's author.
     glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the driver says about our own calls, collected instead of printed. With GL 4.3 or KHR_debug the driver
-// calls back at the faulty call; below that, glGetError is asked at check points.
+// Collects the driver's messages about glibra's own calls. With GL 4.3 or KHR_debug the driver calls back
+// inside the faulty call; below that, check points call glGetError.
 
 #include <glad/gl.h>
 #include <glibra/diagnostic.h>
@@ -14,44 +14,43 @@
 namespace glibra::gpu {
 
 struct DebugMessage {
-    Severity severity = Severity::note;  ///< GL errors and what the driver calls severe are errors
+    Severity severity = Severity::note;  ///< GL errors and messages of high severity are errors
     GLenum source = 0;
     GLenum type = 0;
     GLuint id = 0;
     std::string text{};
     bool outOfMemory = false;
-    Place place{};  ///< where in the scene we were
+    Place place{};  ///< in the scene, where the call was made
 };
 
 class DebugLog {
   public:
-    /// Most messages kept; later ones are only counted.
+    /// The number of messages kept; later ones are only counted.
     static constexpr std::size_t kMost = 256;
 
-    /// The scene's place that following messages belong to.
+    /// Sets the place in the scene that later messages belong to.
     void setPlace(const Place& place) { place_ = place; }
 
-    /// Below GL 4.3 asks for errors that are pending; `what` names the call ("glTexImage2D"). Nothing to do
-    /// otherwise.
+    /// Below GL 4.3, collects pending errors; `what` names the call ("glTexImage2D"). Otherwise it does
+    /// nothing.
     void check(std::string_view what);
 
-    /// Messages so far, oldest first; forgets them.
+    /// Returns the messages so far, oldest first, and empties the log.
     std::vector<DebugMessage> take();
-    /// The errors among them as diagnostics, each at its place: draw-E05 for lack of memory, gpu-E02 for
-    /// every other error of ours or the driver's. Forgets all messages. What a compiler says is left out:
-    /// logs of stages and programs have it. A create() that failed for lack of memory has left its message
-    /// here too.
+    /// Returns the errors as diagnostics, each at its place, and empties the log: draw-E05 for lack of
+    /// memory, gpu-E02 for every other error. Compiler messages are omitted, because the logs of stages and
+    /// programs contain them. A create() that failed for lack of memory has left its message here as well.
     Diagnostics takeDiagnostics();
     [[nodiscard]] bool hasError() const;
     [[nodiscard]] std::size_t dropped() const { return dropped_; }
-    /// True if the driver calls back by itself.
+    /// True if the driver calls back.
     [[nodiscard]] bool callsBack() const { return callsBack_; }
 
-    /// Adds one message; what the driver's callback does.
+    /// Adds one message. The driver's callback calls this.
     void add(DebugMessage message);
-    /// Switches the callback on for the current context, if it has one. The log must stay where it is.
+    /// Enables the callback for the current context, if it supports one. The log must keep its address.
     void attach(bool hasDebugOutput);
-    /// Switches it off again for a context that lives on.
+    /// Disables the callback, for a context that outlives the log.
     void detach();
 
   private:

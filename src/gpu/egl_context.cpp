@@ -1,5 +1,5 @@
-// Contexts of EGL that need no surface: on the display that stands for none (EGL_MESA_platform_surfaceless)
-// or on a device (EGL_EXT_platform_device).
+// EGL contexts without a surface: on the surfaceless platform (EGL_MESA_platform_surfaceless) or on a device
+// (EGL_EXT_platform_device).
 
 #include <array>
 #include <cstddef>
@@ -26,8 +26,7 @@ class EglBackend final : public Backend {
     ~EglBackend() override {
         EglBackend::release();
         egl_.destroyContext(display_, context_);
-        // The display stays initialised: there is one for the whole process, which somebody else may be using
-        // too.
+        // The display stays initialised: the process has one, and other code may use it.
     }
 
     bool makeCurrent() override {
@@ -48,7 +47,7 @@ class EglBackend final : public Backend {
     std::string description_;
 };
 
-/// A display to try, and how messages call it.
+/// A display to try, and its name in messages.
 struct Candidate {
     EGLenum platform = 0;
     void* nativeDisplay = nullptr;
@@ -56,7 +55,7 @@ struct Candidate {
     std::string name;
 };
 
-/// Any config with GL, for libraries that cannot make a context without one.
+/// Any config that supports OpenGL, for libraries that cannot create a context without one.
 EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display) {
     static constexpr std::array<EGLint, 5> kWanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
                                                    EGL_NONE};
@@ -66,10 +65,10 @@ EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display) {
     return config;
 }
 
-/// The best context of an initialised display.
+/// The best context that an initialised display offers.
 EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug) {
     for (const int minor : kMinorVersions) {
-        // Not forward-compatible: that would take wide lines away.
+        // Not forward-compatible: such a context has no wide lines.
         const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                                4,
                                                EGL_CONTEXT_MINOR_VERSION,
@@ -85,7 +84,7 @@ EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig co
     return EGL_NO_CONTEXT;
 }
 
-/// Tries one display. The text is why not, without the candidate's name.
+/// Tries one display. A text says why it failed, without the candidate's name.
 std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary& egl,
                                                                const Candidate& candidate, bool debug) {
     EGLDisplay display = egl.getPlatformDisplay(candidate.platform, candidate.nativeDisplay, nullptr);
@@ -116,7 +115,7 @@ std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary&
                                             "." + std::to_string(minor) + ")");
 }
 
-/// The first display that gives a context.
+/// The first display that yields a context.
 Attempt tryAll(const EglLibrary& egl, const std::vector<Candidate>& candidates, bool debug) {
     std::vector<std::string> failures;
     for (const Candidate& candidate : candidates) {
@@ -136,7 +135,7 @@ std::string deviceName(const EglLibrary& egl, EGLDeviceEXT device, int index) {
     return name;
 }
 
-/// All devices, those that compute on the CPU last.
+/// All devices, software devices last.
 std::vector<Candidate> devices(const EglLibrary& egl) {
     constexpr EGLint kMost = 64;
     std::array<EGLDeviceEXT, kMost> found{};
@@ -178,7 +177,7 @@ Attempt openEglDevice(const ContextOptions& options) {
     if (!egl.getPlatformDisplay || !egl.queryDevices || !egl.hasClientExtension("EGL_EXT_platform_device"))
         return std::vector<std::string>{"EGL device: " + egl.name + " has no EGL_EXT_platform_device"};
     const std::vector<Candidate> candidates = devices(egl);
-    if (candidates.empty()) return std::vector<std::string>{"EGL device: " + egl.name + " knows no device"};
+    if (candidates.empty()) return std::vector<std::string>{"EGL device: " + egl.name + " lists no device"};
     return tryAll(egl, candidates, options.debugContext);
 }
 

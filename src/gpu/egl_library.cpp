@@ -61,9 +61,9 @@ std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name) {
     egl.makeCurrent = library.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
     if (!egl.getProcAddress || !egl.getError || !egl.queryString || !egl.initialize || !egl.bindApi ||
         !egl.chooseConfig || !egl.createContext || !egl.destroyContext || !egl.makeCurrent)
-        return name + " is no EGL library";
+        return name + " is not an EGL library";
 
-    // Null on EGL libraries from before client extensions.
+    // Null for EGL libraries without client extensions.
     if (const char* extensions = egl.queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS))
         egl.clientExtensions = extensions;
     const auto extensionFunction = [&](const char* function) { return egl.getProcAddress(function); };

@@ -1,5 +1,5 @@
 #pragma once
-// The few EGL functions that opening a context takes, found at run time. Internal to this room.
+// The EGL functions that opening a context needs, resolved at run time. Internal to this room.
 
 #include <glad/egl.h>
 
@@ -25,16 +25,16 @@ struct EglLibrary {
     PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;  ///< null without EGL_EXT_device_query
     std::string clientExtensions;
 
-    /// Whether the list that belongs to no display names it.
+    /// True if the client extension list names it.
     [[nodiscard]] bool hasClientExtension(std::string_view extension) const;
-    /// The last error in words: "EGL_BAD_MATCH".
+    /// The name of the last error: "EGL_BAD_MATCH".
     [[nodiscard]] std::string lastError() const;
 };
 
 /// True if the blank-separated list holds exactly that word.
 bool listHas(std::string_view list, std::string_view word);
 
-/// The library of that name, or why it cannot be used.
+/// Opens the library of that name; a text says why it cannot be used.
 std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name);
 
 }  // namespace glibra::gpu

@@ -1,5 +1,5 @@
 #pragma once
-// Errors of GL as values, for the calls that a user's scene can make fail.
+// GL errors as values, for calls that a user's scene can make fail.
 
 #include <glad/gl.h>
 #include <glibra/diagnostic.h>
@@ -10,13 +10,13 @@
 
 namespace glibra::gpu {
 
-/// "GL_OUT_OF_MEMORY" and so on; a number for what is unknown.
+/// "GL_OUT_OF_MEMORY" and so on; an unknown code as a number.
 std::string errorName(GLenum code);
 
-/// Forgets errors that earlier calls left behind.
+/// Discards the pending errors of earlier calls.
 void clearErrors();
 
-/// What has gone wrong since clearErrors, GL_NO_ERROR if nothing.
+/// The first error since clearErrors, or GL_NO_ERROR.
 GLenum takeError();
 
 /// draw-E05 for lack of memory, gpu-E02 for every other error. `what` is a noun phrase: "a 16384 x 16384

@@ -16,9 +16,9 @@ constexpr GLenum kDepthFormat = GL_DEPTH_COMPONENT24;
 const char* incompleteness(GLenum status) {
     switch (status) {
         case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-            return "one of them cannot be drawn to";
+            return "one of them cannot be drawn into";
         case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
-            return "there is neither colour nor depth";
+            return "it has neither colour nor depth";
         case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
             return "their numbers of samples differ";
         case GL_FRAMEBUFFER_UNSUPPORTED:
@@ -61,7 +61,7 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
     made.height_ = height;
     clearErrors();
     glBindRenderbuffer(GL_RENDERBUFFER, name);
-    // 0 samples: not multisampled. 1 would be a multisampled buffer to some drivers.
+    // 0 samples means not multisampled; some drivers make a multisampled buffer for 1.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, used > 1 ? used : 0, format, width, height);
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
     GLint given = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Storage that is drawn into but never sampled, and framebuffers made of it and of textures.
+// Renderbuffers, which are drawn into but never sampled, and framebuffers made of renderbuffers and textures.
 
 #include <glad/gl.h>
 #include <glibra/result.h>
@@ -21,14 +21,14 @@ inline void deleteFramebuffer(GLuint name) {
     glDeleteFramebuffers(1, &name);
 }
 
-/// Colour or depth of every pixel, with one or several samples.
+/// Colour or depth of every pixel, with one or more samples.
 class Renderbuffer {
   public:
-    /// Colours. More samples than the driver has are lowered to what it has. gpu-E04 beyond its sizes,
-    /// draw-E05 for memory.
+    /// Makes colour storage. `samples` is limited to what the driver supports. Reports gpu-E04 for a size
+    /// beyond the driver's limit and draw-E05 for lack of memory.
     static Result<Renderbuffer> color(const Capabilities& capabilities, int width, int height,
                                       TexelFormat format, int samples = 1);
-    /// Depth of 24 bits or more.
+    /// Makes depth storage of 24 bits or more.
     static Result<Renderbuffer> depth(const Capabilities& capabilities, int width, int height,
                                       int samples = 1);
 
@@ -45,13 +45,13 @@ class Renderbuffer {
     int width_ = 0, height_ = 0, samples_ = 1;
 };
 
-/// One colour of a framebuffer: a 2D texture or a renderbuffer, which must outlive it.
+/// One colour of a framebuffer: a 2D texture or a renderbuffer, which must outlive the framebuffer.
 using ColorAttachment = std::variant<const Texture*, const Renderbuffer*>;
 
 class Framebuffer {
   public:
-    /// Colour output i goes to colors[i]. `depth` may be null. gpu-E05 if the driver cannot draw into that
-    /// combination.
+    /// Colour output i goes to colors[i]. `depth` may be null. Reports gpu-E05 if the driver cannot draw into
+    /// that combination.
     static Result<Framebuffer> create(std::span<const ColorAttachment> colors, const Renderbuffer* depth);
 
     void bindForDrawing() const { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name_.get()); }

@@ -19,8 +19,8 @@ bool canOpen(const fs::path& file) {
     return ::access(file.c_str(), R_OK | W_OK) == 0;
 }
 
-/// What Mesa reads as yes, in any case of letters.
-bool mesaIsToldToUseSoftware() {
+/// True if the variable holds what Mesa reads as yes, in upper or lower case.
+bool mesaMustUseSoftware() {
     const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
     std::string word = value ? value : "";
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -33,8 +33,8 @@ bool mesaIsToldToUseSoftware() {
 bool mayUseHardware(Driver driver, const fs::path& devices) {
     if (driver == Driver::osmesa) return false;
     if (canOpen(devices / "nvidiactl")) return true;
-    if (mesaIsToldToUseSoftware()) return false;
-    if (canOpen(devices / "dxg")) return true;  // of Windows, seen from Linux on it
+    if (mesaMustUseSoftware()) return false;
+    if (canOpen(devices / "dxg")) return true;  // the Windows GPU, as WSL shows it
     std::error_code failure;
     for (fs::directory_iterator each(devices / "dri", failure); !failure && each != fs::directory_iterator();
          each.increment(failure))

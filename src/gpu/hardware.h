@@ -1,5 +1,5 @@
 #pragma once
-// Whether a graphics card may draw: asked where a context would be too dear for the answer.
+// Whether a graphics card may draw, found without the cost of opening a context.
 
 #include <filesystem>
 
@@ -7,9 +7,9 @@
 
 namespace glibra::gpu {
 
-/// False if openContext(driver) will draw on the processor. It looks for the device files that drivers of
-/// graphics cards open (`devices` is their folder) and at LIBGL_ALWAYS_SOFTWARE, and loads no library. True
-/// is no promise: a device may have no driver.
+/// False if openContext(driver) will draw on the processor. It looks at LIBGL_ALWAYS_SOFTWARE and for the
+/// device files that drivers of graphics cards open, in the folder `devices`, and loads no library. True is
+/// not a guarantee: a device may lack a driver.
 bool mayUseHardware(Driver driver, const std::filesystem::path& devices = "/dev");
 
 }  // namespace glibra::gpu

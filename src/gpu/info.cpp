@@ -35,11 +35,11 @@ std::vector<InfoEntry> describe(const Context& context) {
         entries.push_back({key, label, value});
     };
 
-    words("driver", "driver word", std::string(word(context.driver())));
+    words("driver", "driver option", std::string(word(context.driver())));
     words("context", "opened as", context.howOpened());
     std::string failed;
     for (const std::string& each : context.failedWays()) failed += (failed.empty() ? "" : "; ") + each;
-    if (!failed.empty()) words("failed", "failed before", failed);
+    if (!failed.empty()) words("failed", "tried before", failed);
     words("vendor", "vendor", driver.vendor);
     words("renderer", "renderer", driver.renderer);
     words("family", "family", driver.family);
@@ -53,7 +53,7 @@ std::vector<InfoEntry> describe(const Context& context) {
     count("maxRenderbufferSide", "largest target side", driver.maxRenderbufferSide);
     count("maxViewportWidth", "largest viewport width", driver.maxViewportWidth);
     count("maxViewportHeight", "largest viewport height", driver.maxViewportHeight);
-    count("maxSamples", "samples a pixel", driver.maxSamples);
+    count("maxSamples", "samples per pixel", driver.maxSamples);
     count("maxDrawBuffers", "colour targets at once", driver.maxDrawBuffers);
     count("vertexTextureUnits", "texture units, vertex stage", driver.vertexTextureUnits);
     count("tessControlTextureUnits", "texture units, tessellation control stage",
@@ -70,7 +70,7 @@ std::vector<InfoEntry> describe(const Context& context) {
     count("maxGeometryTotalOutputComponents", "geometry stage, components out",
           driver.maxGeometryTotalOutputComponents);
     count("maxTessellationLevel", "tessellation level", driver.maxTessellationLevel);
-    count("maxPatchVertices", "vertices a patch", driver.maxPatchVertices);
+    count("maxPatchVertices", "vertices per patch", driver.maxPatchVertices);
     count("maxClipDistances", "clip distances", driver.maxClipDistances);
     count("maxVertexUniformComponents", "uniform components, vertex stage",
           driver.maxVertexUniformComponents);
@@ -80,8 +80,8 @@ std::vector<InfoEntry> describe(const Context& context) {
     truth("wideLines", "lines wider than 1 pixel", driver.wideLines);
     number("maxLineWidth", "widest line, pixels", driver.maxLineWidth);
     number("maxPointSize", "largest point, pixels", driver.maxPointSize);
-    truth("debugOutput", "tells errors by itself", driver.debugOutput);
-    truth("parallelCompile", "compiles in threads of its own", driver.parallelCompile);
+    truth("debugOutput", "reports errors by callback", driver.debugOutput);
+    truth("parallelCompile", "compiles in its own threads", driver.parallelCompile);
     count("extensions", "extensions", static_cast<int>(driver.extensions.size()));
     return entries;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Everything about the driver that `glibra info` tells.
+// Everything about the driver that `glibra info` prints.
 
 #include <cstdint>
 #include <string>
@@ -17,11 +17,11 @@ struct InfoEntry {
     std::variant<std::string, std::int64_t, double, bool> value;
 };
 
-/// In the order in which they are shown: how the context was opened, driver, versions, limits, number of
+/// Entries in the order of display: how the context was opened, driver, versions, limits, number of
 /// extensions.
 std::vector<InfoEntry> describe(const Context& context);
 
-/// "label: value" lines, values in one column.
+/// One "label: value" line per entry, with the values aligned.
 std::string toText(const std::vector<InfoEntry>& entries);
 
 }  // namespace glibra::gpu

@@ -6,11 +6,11 @@
 
 namespace glibra::gpu {
 
-/// Stays loaded until the process ends: drivers start threads and register handlers at exit, so that
+/// A library stays loaded until the process ends: drivers start threads and register exit handlers, so
 /// unloading them is neither safe nor quick.
 class Library {
   public:
-    /// The library, or the loader's own words why not.
+    /// Opens the library; a text is the loader's reason for a failure.
     static std::variant<Library, std::string> open(const std::string& name);
 
     /// The function of that name, or null.

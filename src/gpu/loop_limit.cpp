@@ -17,7 +17,7 @@ constexpr const char* kVertex =
     "#version 410 core\nvoid main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4. - 1., "
     "0., 1.); "
     "}\n";
-// The step is a uniform, so that no compiler knows the sum.
+// The step is a uniform, so that no compiler can compute the sum.
 constexpr const char* kFragment =
     "#version 410 core\nuniform int uRounds, uStep;\nout vec4 fColor;\nvoid main() {\n"
     "    int count = 0;\n    for (int i = 0; i < uRounds; i += uStep) count += uStep;\n"

@@ -4,9 +4,9 @@
 
 namespace glibra::gpu {
 
-/// Rounds after which the driver ends the loops of a shader, all together, without a word; 0 if it lets a
-/// million pass. Found by drawing a pixel, which takes some milliseconds; leaves another target, program and
-/// vertex array bound. llvmpipe: 65,535.
+/// The number of loop rounds, over all loops of a shader, after which the driver ends them without an error
+/// (llvmpipe: 65,535); 0 if a million rounds pass. The function draws one pixel, which takes some
+/// milliseconds, and leaves another target, program and vertex array bound.
 int measureLoopLimit(const Context& context);
 
 }  // namespace glibra::gpu

@@ -6,8 +6,8 @@
 
 namespace glibra::gpu {
 
-/// One GL name and who deletes it. `Remove` is called once, with the name, when its owner goes; 0 is no name.
-/// The context that made it must be current then.
+/// Owns one GL name. The destructor calls `Remove` with it, unless it is 0; the context that made the name
+/// must be current then.
 template <auto Remove>
 class Name {
   public:
@@ -24,7 +24,7 @@ class Name {
     ~Name() { reset(); }
 
     [[nodiscard]] GLuint get() const { return name_; }
-    /// Gives the name away; somebody else deletes it.
+    /// Releases the name; the caller deletes it.
     GLuint release() { return std::exchange(name_, 0); }
     explicit operator bool() const { return name_ != 0; }
 

@@ -5,7 +5,7 @@
 
 namespace glibra::gpu {
 
-/// Cut towards zero, limited to the type's range; NaN is 0.
+/// Truncates and limits to the type's range; NaN becomes 0.
 constexpr std::int32_t toInt(double value) {
     using Limits = std::numeric_limits<std::int32_t>;
     if (value != value) return 0;
@@ -20,8 +20,8 @@ constexpr std::uint32_t toUnsigned(double value) {
     return static_cast<std::uint32_t>(value);
 }
 
-/// Rounded to nearest; beyond the largest float infinite, as GL does it (a plain conversion would be
-/// undefined).
+/// Rounds to nearest. Numbers beyond the largest float become infinite, as in GL; a plain conversion would be
+/// undefined.
 constexpr float toFloat(double value) {
     using Limits = std::numeric_limits<float>;
     // Half a unit in the last place above the largest float still rounds down to it.

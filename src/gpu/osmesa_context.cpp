@@ -1,5 +1,5 @@
-// Contexts of OSMesa, Mesa's off-screen interface. Mesa dropped it in 25.1, so it is looked for at run time.
-// Its functions and numbers are declared here from its published interface (GL/osmesa.h, version 11.2).
+// OSMesa contexts. OSMesa is Mesa's off-screen interface; Mesa dropped it in 25.1, so it is loaded at run
+// time. Its functions and constants are declared here as in GL/osmesa.h, version 11.2.
 
 #include <array>
 #include <cstddef>
@@ -57,7 +57,7 @@ class OsmesaBackend final : public Backend {
     OsmesaLibrary library_;
     OsmesaContext context_;
     std::array<std::byte, 4>
-        pixel_{};  ///< the default framebuffer that OSMesa insists on; nothing is drawn there
+        pixel_{};  ///< the default framebuffer that OSMesa requires; nothing is drawn there
 };
 
 std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
@@ -73,11 +73,11 @@ std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
     osmesa.getProcAddress = library.function<decltype(osmesa.getProcAddress)>("OSMesaGetProcAddress");
     if (!osmesa.createContextAttribs || !osmesa.destroyContext || !osmesa.makeCurrent ||
         !osmesa.getProcAddress)
-        return name + " is too old or no OSMesa library";
+        return name + " is not an OSMesa library, or too old";
     return osmesa;
 }
 
-/// The best context of the library, current.
+/// Makes the best context that the library offers, and makes it current.
 std::variant<std::unique_ptr<Backend>, std::string> tryLibrary(const OsmesaLibrary& library) {
     for (const int minor : kMinorVersions) {
         const std::array<int, 11> attributes{kFormat,
@@ -113,7 +113,7 @@ Attempt openOsmesa(const ContextOptions& options) {
         const auto& library = std::get<OsmesaLibrary>(opened);
         auto outcome = tryLibrary(library);
         if (auto* backend = std::get_if<std::unique_ptr<Backend>>(&outcome)) return std::move(*backend);
-        // The other names are links to this one, or older.
+        // The other names are links to this library, or older versions.
         failures.push_back("OSMesa (" + name + "): " + std::get<std::string>(outcome));
         break;
     }

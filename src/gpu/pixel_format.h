@@ -1,5 +1,5 @@
 #pragma once
-// How pixels are kept on the device, and how they look in memory.
+// Pixel formats on the device and in memory.
 
 #include <glad/gl.h>
 
@@ -7,10 +7,10 @@
 
 namespace glibra::gpu {
 
-/// On the device.
+/// A format on the device.
 enum class TexelFormat { rgba8, rgba16, rgba16f, rgba32f, r32f };
 
-/// In memory: one component.
+/// One component in memory.
 enum class TexelType { u8, u16, f32 };
 
 constexpr std::size_t bytesOf(TexelType type) {
@@ -29,7 +29,7 @@ constexpr std::size_t bytesPerTexel(TexelFormat format) {
     }
     return 16;
 }
-/// True if values outside 0..1 are kept.
+/// True if the format keeps values outside 0..1.
 constexpr bool isFloat(TexelFormat format) {
     return format != TexelFormat::rgba8 && format != TexelFormat::rgba16;
 }

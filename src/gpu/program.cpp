@@ -31,11 +31,11 @@ std::string programLog(GLuint program) {
 
 ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource& source)
     : program_(glCreateProgram()), canAsk_(capabilities.parallelCompile) {
-    // Everything is requested before anything is asked for: asking would wait. A stage that does not compile
-    // only makes the link fail.
+    // Request everything before querying anything: a query waits. A stage that does not compile only makes
+    // the link fail.
     for (const StageSource& each : source.stages) {
         Name<deleteShader> shader(glCreateShader(each.stage));
-        // An empty view may point nowhere, which GL refuses even with length 0.
+        // An empty view may hold a null pointer, which GL refuses even with length 0.
         const std::array<const GLchar*, 1> texts{each.text.empty() ? "" : each.text.data()};
         const std::array<GLint, 1> lengths{static_cast<GLint>(each.text.size())};
         glShaderSource(shader.get(), 1, texts.data(), lengths.data());
@@ -77,7 +77,7 @@ BuildOutcome ProgramBuild::finish() {
     GLint linked = GL_FALSE;
     glGetProgramiv(program_.get(), GL_LINK_STATUS, &linked);
     outcome.linkLog = programLog(program_.get());
-    // The linked program needs its shaders no longer.
+    // The linked program no longer needs its shaders.
     for (const StageBuild& each : stages_) glDetachShader(program_.get(), each.shader.get());
     stages_.clear();
     if (linked != GL_FALSE) outcome.program.emplace(program_.release());

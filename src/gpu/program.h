@@ -1,6 +1,6 @@
 #pragma once
-// Shader sources to a linked program, in two steps, so that a driver that compiles in threads of its own can
-// do several at once.
+// Builds a linked program from shader sources, in two steps, so that a driver with its own compiler threads
+// can build several at once.
 
 #include <glad/gl.h>
 
@@ -34,14 +34,13 @@ class Program {
     Name<deleteProgram> name_;
 };
 
-/// GL_VERTEX_SHADER ... and its complete text.
+/// One stage, GL_VERTEX_SHADER ..., and its complete text.
 struct StageSource {
     GLenum stage = GL_VERTEX_SHADER;
     std::string_view text;
 };
 
-/// A vertex input's or fragment output's name and the location it should get, unless the shader says it
-/// itself.
+/// The name of a vertex input or fragment output and its location, unless the shader states one.
 struct NamedLocation {
     std::string name;
     GLuint location = 0;
@@ -55,7 +54,7 @@ struct ProgramSource {
     bool separable = false;
 };
 
-/// What the driver said about one stage. Logs may be filled when all is well: then they are warnings.
+/// The driver's log of one stage. A log without an error contains warnings.
 struct StageLog {
     GLenum stage = GL_VERTEX_SHADER;
     bool compiled = false;
@@ -68,13 +67,13 @@ struct BuildOutcome {
     std::string linkLog;             ///< empty if a stage did not compile
 };
 
-/// A program under way: compiling and linking are requested, nothing has been waited for.
+/// A program being built: compiling and linking are requested, and nothing has waited for them.
 class ProgramBuild {
   public:
     ProgramBuild(const Capabilities& capabilities, const ProgramSource& source);
-    /// True if finish() will not wait. Without GL_KHR_parallel_shader_compile always true.
+    /// True if finish() will not wait. Always true without GL_KHR_parallel_shader_compile.
     [[nodiscard]] bool isReady() const;
-    /// Waits and gives what came of it. Call it once.
+    /// Waits for the build and returns its outcome. Call it once.
     BuildOutcome finish();
 
   private:
@@ -87,10 +86,10 @@ class ProgramBuild {
     bool canAsk_ = false;
 };
 
-/// Both steps in one.
+/// Does both steps.
 BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source);
 
-/// Whether the program can run with the state bound now (glValidateProgram); the log says why not.
+/// Whether the program can run with the current state (glValidateProgram); the log says why not.
 std::pair<bool, std::string> validate(const Program& program);
 
 }  // namespace glibra::gpu

@@ -13,7 +13,7 @@
 namespace glibra::gpu {
 namespace {
 
-/// Exchanges rows, first with last and so on.
+/// Reverses the order of the rows.
 void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
     if (rowBytes == 0) return;
     std::vector<std::byte> kept(rowBytes);
@@ -28,7 +28,7 @@ void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
     }
 }
 
-/// The first three of the four bytes of every pixel.
+/// Copies the first three of the four bytes of every pixel.
 void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
     const std::byte* from = rgba.data();
     const std::byte* const end = from + rgba.size();
@@ -45,9 +45,8 @@ void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
     for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
 }
 
-/// Reads RGB bytes as RGBA, which drivers hold their pixels in: Mesa converts to three components pixel by
-/// pixel, at five times the time that copying and packing them here takes. In parts of bounded memory, from
-/// the top.
+/// Reads RGB bytes as RGBA, the drivers' own format, and packs them here. Mesa converts to three components
+/// pixel by pixel, which takes five times as long. Reads parts of bounded size, from the top.
 void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte> pixels) {
     constexpr std::size_t kMostBytes = std::size_t{16} << 20;
     const auto width = static_cast<std::size_t>(rectangle.width);
@@ -84,7 +83,7 @@ Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& fram
                                      std::to_string(needed) + " bytes, not " +
                                      std::to_string(pixels.size()))};
     if (index < 0 || index >= framebuffer.colorCount())
-        return {error("gpu-E03", "there is no colour " + std::to_string(index) + " to read")};
+        return {error("gpu-E03", "the framebuffer has no colour " + std::to_string(index))};
 
     clearErrors();
     framebuffer.bindForReading();

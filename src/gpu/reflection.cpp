@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "gpu/value_type.h"
 
 namespace glibra::gpu {
 namespace {
@@ -13,7 +17,7 @@ GLint parameter(GLuint program, GLenum what) {
     return value;
 }
 
-/// Room for the longest name there is; drivers have been seen to count without the ending zero.
+/// Room for the longest name. Some drivers count it without the terminating zero.
 std::string nameBuffer(GLint longest) {
     return std::string(static_cast<std::size_t>(std::max(longest, 1)) + 1, '\0');
 }
@@ -35,7 +39,7 @@ std::vector<GLint> layout(GLuint program, const std::vector<GLuint>& indices, GL
     return values;
 }
 
-std::vector<ActiveUniform> uniformsOf(GLuint program) {
+std::vector<base::ActiveUniform> uniformsOf(GLuint program) {
     const GLint count = parameter(program, GL_ACTIVE_UNIFORMS);
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_UNIFORM_MAX_LENGTH));
     std::vector<GLuint> indices(static_cast<std::size_t>(std::max(count, 0)));
@@ -46,7 +50,7 @@ std::vector<ActiveUniform> uniformsOf(GLuint program) {
     const std::vector<GLint> matrixStrides = layout(program, indices, GL_UNIFORM_MATRIX_STRIDE);
     const std::vector<GLint> rowMajor = layout(program, indices, GL_UNIFORM_IS_ROW_MAJOR);
 
-    std::vector<ActiveUniform> uniforms;
+    std::vector<base::ActiveUniform> uniforms;
     for (const GLuint index : indices) {
         GLsizei length = 0;
         GLint size = 0;
@@ -54,10 +58,11 @@ std::vector<ActiveUniform> uniformsOf(GLuint program) {
         glGetActiveUniform(program, index, static_cast<GLsizei>(buffer.size()), &length, &size, &type,
                            buffer.data());
         const std::string name(buffer.data(), static_cast<std::size_t>(length));
-        ActiveUniform uniform;
+        base::ActiveUniform uniform;
         uniform.name = withoutSubscript(name);
+        uniform.emittedName = uniform.name;
         uniform.type = valueType(type);
-        // Some drivers leave the subscript out; an array of one element is told by its subscript only.
+        // Some drivers leave the subscript out. Only the subscript shows that one element is an array.
         uniform.isArray = size > 1 || endsInSubscript(name);
         uniform.arraySize = size;
         uniform.block = blocks[index];
@@ -74,28 +79,27 @@ std::vector<ActiveUniform> uniformsOf(GLuint program) {
     return uniforms;
 }
 
-std::vector<UniformBlock> blocksOf(GLuint program) {
+std::vector<base::UniformBlock> blocksOf(GLuint program) {
     const GLint count = parameter(program, GL_ACTIVE_UNIFORM_BLOCKS);
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH));
-    std::vector<UniformBlock> blocks;
+    std::vector<base::UniformBlock> blocks;
     for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
-        UniformBlock block;
+        base::UniformBlock block;
         GLsizei length = 0;
         glGetActiveUniformBlockName(program, index, static_cast<GLsizei>(buffer.size()), &length,
                                     buffer.data());
         block.name.assign(buffer.data(), static_cast<std::size_t>(length));
         block.index = index;
         glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_DATA_SIZE, &block.bytes);
-        glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_BINDING, &block.binding);
         blocks.push_back(std::move(block));
     }
     return blocks;
 }
 
-std::vector<ActiveInput> inputsOf(GLuint program) {
+std::vector<base::ActiveInput> inputsOf(GLuint program) {
     const GLint count = parameter(program, GL_ACTIVE_ATTRIBUTES);
     std::string buffer = nameBuffer(parameter(program, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH));
-    std::vector<ActiveInput> inputs;
+    std::vector<base::ActiveInput> inputs;
     for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
         GLsizei length = 0;
         GLint size = 0;
@@ -105,63 +109,21 @@ std::vector<ActiveInput> inputsOf(GLuint program) {
         const std::string name(buffer.data(), static_cast<std::size_t>(length));
         if (name.starts_with("gl_")) continue;
         inputs.push_back(
-            {withoutSubscript(name), valueType(type), size, glGetAttribLocation(program, name.c_str())});
+            {withoutSubscript(name), glGetAttribLocation(program, name.c_str()), valueType(type), size});
     }
     return inputs;
 }
 
-std::string subroutineName(GLuint program, GLenum stage, GLuint index, std::string& buffer) {
-    GLsizei length = 0;
-    glGetActiveSubroutineName(program, stage, index, static_cast<GLsizei>(buffer.size()), &length,
-                              buffer.data());
-    return {buffer.data(), static_cast<std::size_t>(length)};
-}
-
-void addSubroutines(GLuint program, GLenum stage, std::vector<SubroutineUniform>& all) {
-    GLint count = 0;
-    GLint longest = 0;
-    GLint longestFunction = 0;
-    glGetProgramStageiv(program, stage, GL_ACTIVE_SUBROUTINE_UNIFORMS, &count);
-    if (count <= 0) return;
-    glGetProgramStageiv(program, stage, GL_ACTIVE_SUBROUTINE_UNIFORM_MAX_LENGTH, &longest);
-    glGetProgramStageiv(program, stage, GL_ACTIVE_SUBROUTINE_MAX_LENGTH, &longestFunction);
-    std::string buffer = nameBuffer(longest);
-    std::string functionBuffer = nameBuffer(longestFunction);
-    for (GLuint index = 0; index < static_cast<GLuint>(count); ++index) {
-        GLsizei length = 0;
-        glGetActiveSubroutineUniformName(program, stage, index, static_cast<GLsizei>(buffer.size()), &length,
-                                         buffer.data());
-        const std::string name(buffer.data(), static_cast<std::size_t>(length));
-        SubroutineUniform uniform;
-        uniform.stage = stage;
-        uniform.name = withoutSubscript(name);
-        uniform.location = glGetSubroutineUniformLocation(program, stage, name.c_str());
-        glGetActiveSubroutineUniformiv(program, stage, index, GL_UNIFORM_SIZE, &uniform.arraySize);
-        GLint functions = 0;
-        glGetActiveSubroutineUniformiv(program, stage, index, GL_NUM_COMPATIBLE_SUBROUTINES, &functions);
-        std::vector<GLint> compatible(static_cast<std::size_t>(std::max(functions, 0)));
-        if (!compatible.empty())
-            glGetActiveSubroutineUniformiv(program, stage, index, GL_COMPATIBLE_SUBROUTINES,
-                                           compatible.data());
-        for (const GLint each : compatible)
-            uniform.functions.push_back(
-                {subroutineName(program, stage, static_cast<GLuint>(each), functionBuffer),
-                 static_cast<GLuint>(each)});
-        all.push_back(std::move(uniform));
-    }
-}
-
 }  // namespace
 
-ProgramInterface reflect(const Program& program) {
-    ProgramInterface interface;
-    interface.uniforms = uniformsOf(program.id());
-    interface.blocks = blocksOf(program.id());
-    interface.inputs = inputsOf(program.id());
-    for (const GLenum stage : {GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER,
-                               GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER})
-        addSubroutines(program.id(), stage, interface.subroutines);
-    return interface;
+base::ActiveResources reflect(const Program& program) {
+    base::ActiveResources resources;
+    resources.uniforms = uniformsOf(program.id());
+    resources.blocks = blocksOf(program.id());
+    for (base::ActiveUniform& each : resources.uniforms)
+        if (each.block >= 0) each.blockName = resources.blocks[static_cast<std::size_t>(each.block)].name;
+    resources.inputs = inputsOf(program.id());
+    return resources;
 }
 
 }  // namespace glibra::gpu

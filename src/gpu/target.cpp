@@ -45,7 +45,7 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
 
 Result<Target> Target::textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
                                 int samples, SharedDepth depth) {
-    if (textures.empty()) return error("gpu-E05", "a target without textures");
+    if (textures.empty()) return error("gpu-E05", "a render target needs at least one texture");
     if (textures.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
         return error("gpu-E04", std::to_string(textures.size()) + " colour targets; this driver's limit is " +
                                     std::to_string(capabilities.maxDrawBuffers));

@@ -1,6 +1,6 @@
 #pragma once
-// Something to draw a pass into: colours and depth of one size, with any number of samples, readable when
-// resolved.
+// What a pass is drawn into: colours and depth of one size, with any number of samples, readable after
+// resolve().
 
 #include <glibra/result.h>
 
@@ -19,23 +19,23 @@ using SharedDepth = std::shared_ptr<const Renderbuffer>;
 
 class Target {
   public:
-    /// A stand-in for a window: one colour of that format and a depth buffer of 24 bits.
+    /// Makes a substitute for a window: one colour of that format and a depth buffer of 24 bits.
     static Result<Target> window(const Capabilities& capabilities, int width, int height, TexelFormat format,
                                  int samples = 1);
-    /// Draws into 2D textures of one size, which must outlive the target: colour output i goes to
-    /// textures[i]. With several samples, the textures get their content at resolve(). Without `depth` it
-    /// makes its own; a given one must have that size and number of samples.
+    /// Makes a target of 2D textures of one size, which must outlive the target: colour output i goes to
+    /// textures[i]. With several samples, the textures get their content at resolve(). Without `depth` the
+    /// target makes a depth buffer; a given one must have the same size and number of samples.
     static Result<Target> textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
                                    int samples = 1, SharedDepth depth = {});
 
-    /// Draws go here from now on; the viewport becomes the whole of it.
+    /// Binds the target for drawing and sets the viewport to the whole of it.
     void bind() const;
-    /// Sets a colour of the bound target, all samples. Values outside 0..1 are kept by float formats only.
+    /// Clears a colour of the bound target, all samples. Only float formats keep values outside 0..1.
     void clearColor(int index, const std::array<float, 4>& rgba) const;
-    /// Sets depth of the bound target to the far plane.
+    /// Clears the depth of the bound target to the far plane.
     void clearDepth() const;
-    /// Averages samples into what readable() reads; nothing to do for one sample. Draws must be bound anew
-    /// after it.
+    /// Averages the samples into what readable() reads; does nothing for one sample. Call bind() again before
+    /// drawing more.
     void resolve() const;
 
     /// The framebuffer that pixels are read from, after resolve().
@@ -47,8 +47,8 @@ class Target {
     [[nodiscard]] const SharedDepth& depth() const { return depth_; }
 
   private:
-    // Storage is declared before the framebuffers that refer to it, so that it goes after them. Renderbuffers
-    // lie behind pointers because framebuffers know them by address.
+    // Storage is declared before the framebuffers that refer to it, so that it is destroyed after them.
+    // Framebuffers refer to renderbuffers by address, hence the pointers.
     std::vector<std::unique_ptr<const Renderbuffer>> storage_;
     SharedDepth depth_;
     Framebuffer drawn_;

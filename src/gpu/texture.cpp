@@ -8,7 +8,7 @@
 namespace glibra::gpu {
 namespace {
 
-// Uploads and queries go through this unit, whatever is bound there; draws bind their own textures anyhow.
+// Uploads and queries use this unit and replace its binding; every draw binds its own textures.
 constexpr GLenum kWorkUnit = GL_TEXTURE0;
 
 int largestSide(const Capabilities& capabilities, TextureShape shape) {
@@ -39,7 +39,7 @@ std::uint64_t texelCount(TextureShape shape, TextureSize size) {
     return shape == TextureShape::cube ? 6 * count : count;
 }
 
-/// Room for the texels, from GL 4.2 on in one piece that never changes.
+/// Allocates the texels; from GL 4.2 on as immutable storage.
 void allocate(bool immutable, TextureShape shape, TexelFormat format, TextureSize size) {
     const GLenum target = glTarget(shape);
     const GLenum inside = internalFormat(format);
@@ -141,7 +141,7 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureShape sha
         return error("gpu-E04", what + " is not square");
     if (size.width > largest || size.height > largest || size.depth > largest)
         return error("gpu-E04",
-                     what + " is too large; this driver's limit is " + std::to_string(largest) + " a side");
+                     what + " is too large; this driver's limit is " + std::to_string(largest) + " per side");
 
     Texture texture;
     GLuint name = 0;
@@ -154,7 +154,7 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureShape sha
     glActiveTexture(kWorkUnit);
     glBindTexture(glTarget(shape), name);
     allocate(capabilities.atLeast(4, 2), shape, format, size);
-    // Without mipmaps a texture is complete only if it says so; filtering itself is the sampler's.
+    // A texture without mipmaps is complete only with this setting; the sampler sets the filtering.
     glTexParameteri(glTarget(shape), GL_TEXTURE_MAX_LEVEL, 0);
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
     return texture;
@@ -185,7 +185,7 @@ Result<Texture> Texture::create(const Capabilities& capabilities, TextureShape s
 }
 
 void Texture::clear() {
-    // glClearTexImage is of GL 4.4; a framebuffer clears layer by layer everywhere, and reads nothing from
+    // glClearTexImage needs GL 4.4. A framebuffer clears layer by layer in every version, and reads no
     // memory.
     GLuint framebuffer = 0;
     GLint drawnBefore = 0;

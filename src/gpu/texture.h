@@ -1,5 +1,5 @@
 #pragma once
-// Textures and, apart from them, samplers: how a texture is read.
+// Textures, and samplers, which say how a texture is read.
 
 #include <glad/gl.h>
 #include <glibra/result.h>
@@ -27,35 +27,35 @@ enum class TextureShape { texture1D, texture2D, texture3D, cube };
 /// GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP.
 GLenum glTarget(TextureShape shape);
 
-/// Texels; what a shape has no use for is 1. A cube map has width = height.
+/// Size in texels; an unused dimension is 1. A cube map has width = height.
 struct TextureSize {
     int width = 1, height = 1, depth = 1;
     friend bool operator==(const TextureSize&, const TextureSize&) = default;
 };
 
-/// Texels in memory, tightly packed: components of a texel, then s, t, p; t = 0 first. A cube map's six faces
-/// follow one another in the order +x -x +y -y +z -z, each with GL's own first row first.
+/// Texels in memory, tightly packed: the components of a texel, then s, t, p; t = 0 first. A cube map has six
+/// faces in the order +x -x +y -y +z -z, each with GL's first row first.
 struct Texels {
     std::span<const std::byte> data;
-    int components = 4;  ///< 1..4; missing ones read 0 (green, blue) and 1 (alpha)
+    int components = 4;  ///< 1..4; missing ones read as 0 (green, blue) and 1 (alpha)
     TexelType type = TexelType::u8;
 };
 
 class Texture {
   public:
-    /// One level, no mipmaps. `texels` must hold exactly the size's bytes (gpu-E03 otherwise). Sizes beyond
-    /// the driver's limits: gpu-E04, which names the limit. No memory: draw-E05.
+    /// Makes one level without mipmaps. `texels` must hold exactly as many bytes as the size needs (gpu-E03).
+    /// Reports gpu-E04 with the driver's limit for a size beyond it, and draw-E05 for lack of memory.
     static Result<Texture> create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                   TextureSize size, const Texels& texels);
-    /// All texels (0, 0, 0, 0).
+    /// Makes a texture whose texels are all (0, 0, 0, 0).
     static Result<Texture> create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                   TextureSize size);
 
-    /// What the components read when sampled: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE.
+    /// Sets what each component reads when sampled: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE.
     void setSwizzle(const std::array<GLint, 4>& components);
 
-    /// Binds to a texture image unit of the context (not the unit of the scene language). create() and
-    /// setSwizzle() use unit 0 and leave their texture there.
+    /// Binds the texture to a texture image unit of the context (not a unit of the scene language). create()
+    /// and setSwizzle() use unit 0 and leave their texture bound there.
     void bind(int unit) const;
 
     [[nodiscard]] GLuint id() const { return name_.get(); }
@@ -75,7 +75,7 @@ class Texture {
 
 enum class Wrap { repeat, clampToEdge, mirroredRepeat };
 
-/// How texels become a value. The default is linear without mipmaps.
+/// How texels are filtered and wrapped. The default is linear without mipmaps.
 struct Sampling {
     Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat, wrapR = Wrap::repeat;
     GLenum minify = GL_LINEAR;

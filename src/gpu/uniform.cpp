@@ -9,15 +9,16 @@
 namespace glibra::gpu {
 namespace {
 
-/// Elements that the values fill, of those the array has from firstElement on.
-int elementsFilled(const ActiveUniform& uniform, std::size_t valueCount, int firstElement) {
-    if (uniform.type.word.empty() || firstElement < 0 || firstElement >= uniform.arraySize) return 0;
+/// The number of elements, from firstElement on, that the values fill.
+int elementsFilled(const base::ActiveUniform& uniform, std::size_t valueCount, int firstElement) {
+    if (uniform.type.base == base::BaseType::other || firstElement < 0 || firstElement >= uniform.arraySize)
+        return 0;
     const std::size_t given = valueCount / static_cast<std::size_t>(uniform.type.components());
     const auto room = static_cast<std::size_t>(uniform.arraySize - firstElement);
     return static_cast<int>(std::min(given, room));
 }
 
-/// Values in the driver's type. Those of most uniforms need no memory but this.
+/// Values in the driver's type. Most uniforms fit `few_` and need no allocation.
 template <class T>
 class Converted {
   public:
@@ -37,7 +38,7 @@ class Converted {
     std::vector<T> many_;
 };
 
-/// What glProgramUniformMatrix* is for the columns and rows; null for vectors.
+/// The glProgramUniformMatrix* function for a number of columns and rows; null for vectors.
 PFNGLPROGRAMUNIFORMMATRIX4FVPROC floatMatrixCall(int columns, int rows) {
     switch (columns * 10 + rows) {
         case 22:
@@ -88,13 +89,14 @@ PFNGLPROGRAMUNIFORMMATRIX4DVPROC doubleMatrixCall(int columns, int rows) {
     }
 }
 
-/// The call for vectors of 1 to 4 components out of four.
+/// Picks the function for vectors of 1 to 4 components.
 template <class Call>
 Call vectorCall(Call one, Call two, Call three, Call four, int rows) {
     return rows == 1 ? one : rows == 2 ? two : rows == 3 ? three : four;
 }
 
-void setFloats(GLuint program, const ValueType& type, GLint location, GLsizei count, const GLfloat* values) {
+void setFloats(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+               const GLfloat* values) {
     if (const auto matrix = floatMatrixCall(type.columns, type.rows)) {
         matrix(program, location, count, GL_FALSE, values);
         return;
@@ -103,7 +105,7 @@ void setFloats(GLuint program, const ValueType& type, GLint location, GLsizei co
         program, location, count, values);
 }
 
-void setDoubles(GLuint program, const ValueType& type, GLint location, GLsizei count,
+void setDoubles(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
                 const GLdouble* values) {
     if (const auto matrix = doubleMatrixCall(type.columns, type.rows)) {
         matrix(program, location, count, GL_FALSE, values);
@@ -113,12 +115,13 @@ void setDoubles(GLuint program, const ValueType& type, GLint location, GLsizei c
         program, location, count, values);
 }
 
-void setInts(GLuint program, const ValueType& type, GLint location, GLsizei count, const GLint* values) {
+void setInts(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+             const GLint* values) {
     vectorCall(glProgramUniform1iv, glProgramUniform2iv, glProgramUniform3iv, glProgramUniform4iv, type.rows)(
         program, location, count, values);
 }
 
-void setUnsigneds(GLuint program, const ValueType& type, GLint location, GLsizei count,
+void setUnsigneds(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
                   const GLuint* values) {
     vectorCall(glProgramUniform1uiv, glProgramUniform2uiv, glProgramUniform3uiv, glProgramUniform4uiv,
                type.rows)(program, location, count, values);
@@ -130,23 +133,23 @@ struct ComponentBytes {
     std::size_t count = 4;
 };
 
-ComponentBytes componentBytes(BaseType base, double value) {
+ComponentBytes componentBytes(base::BaseType base, double value) {
     ComponentBytes result;
     const auto store = [&](const auto& number) {
         result.count = sizeof number;
         std::memcpy(result.bytes.data(), &number, sizeof number);
     };
     switch (base) {
-        case BaseType::floating:
+        case base::BaseType::floating:
             store(toFloat(value));
             break;
-        case BaseType::doublePrecision:
+        case base::BaseType::doublePrecision:
             store(value);
             break;
-        case BaseType::unsignedInteger:
+        case base::BaseType::unsignedInteger:
             store(toUnsigned(value));
             break;
-        case BaseType::boolean:
+        case base::BaseType::boolean:
             store(static_cast<std::uint32_t>(value != 0 ? 1 : 0));
             break;
         default:
@@ -156,8 +159,8 @@ ComponentBytes componentBytes(BaseType base, double value) {
     return result;
 }
 
-/// Byte of a component from the start of its element.
-std::size_t componentOffset(const ActiveUniform& uniform, int column, int row, std::size_t size) {
+/// The offset in bytes of a component from the start of its element.
+std::size_t componentOffset(const base::ActiveUniform& uniform, int column, int row, std::size_t size) {
     if (uniform.type.columns == 1) return static_cast<std::size_t>(row) * size;
     const auto stride = static_cast<std::size_t>(std::max(uniform.matrixStride, 0));
     const auto major = static_cast<std::size_t>(uniform.rowMajor ? row : column);
@@ -167,7 +170,7 @@ std::size_t componentOffset(const ActiveUniform& uniform, int column, int row, s
 
 }  // namespace
 
-int setUniform(const Program& program, const ActiveUniform& uniform, std::span<const double> values,
+int setUniform(const Program& program, const base::ActiveUniform& uniform, std::span<const double> values,
                int firstElement) {
     const int count = elementsFilled(uniform, values.size(), firstElement);
     if (count == 0 || uniform.location < 0) return 0;
@@ -175,34 +178,34 @@ int setUniform(const Program& program, const ActiveUniform& uniform, std::span<c
         values.first(static_cast<std::size_t>(count) * static_cast<std::size_t>(uniform.type.components()));
     const GLint location = uniform.location + firstElement;
     switch (uniform.type.base) {
-        case BaseType::floating:
+        case base::BaseType::floating:
             setFloats(program.id(), uniform.type, location, count, Converted<GLfloat>(used, toFloat).data());
             return count;
-        case BaseType::doublePrecision:
+        case base::BaseType::doublePrecision:
             setDoubles(program.id(), uniform.type, location, count, used.data());
             return count;
-        case BaseType::unsignedInteger:
+        case base::BaseType::unsignedInteger:
             setUnsigneds(program.id(), uniform.type, location, count,
                          Converted<GLuint>(used, toUnsigned).data());
             return count;
-        case BaseType::boolean: {
+        case base::BaseType::boolean: {
             const auto truth = [](double value) { return value != 0 ? 1 : 0; };
             setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, truth).data());
             return count;
         }
-        case BaseType::atomicCounter:
+        case base::BaseType::other:
             return 0;
-        case BaseType::integer:
-        case BaseType::sampler:
-        case BaseType::image:
+        case base::BaseType::integer:
+        case base::BaseType::sampler:
+        case base::BaseType::image:
             break;
     }
     setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, toInt).data());
     return count;
 }
 
-int writeBlockMember(std::span<std::byte> block, const ActiveUniform& uniform, std::span<const double> values,
-                     int firstElement) {
+int writeBlockMember(std::span<std::byte> block, const base::ActiveUniform& uniform,
+                     std::span<const double> values, int firstElement) {
     const int count = elementsFilled(uniform, values.size(), firstElement);
     if (uniform.block < 0 || uniform.offset < 0) return 0;
     std::size_t next = 0;
@@ -221,25 +224,25 @@ int writeBlockMember(std::span<std::byte> block, const ActiveUniform& uniform, s
     return count;
 }
 
-std::vector<double> getUniform(const Program& program, const ActiveUniform& uniform, int element) {
+std::vector<double> getUniform(const Program& program, const base::ActiveUniform& uniform, int element) {
     if (uniform.location < 0 || element < 0 || element >= uniform.arraySize) return {};
     const GLint location = uniform.location + element;
     const auto components = static_cast<std::size_t>(uniform.type.components());
     std::vector<double> values(components);
     switch (uniform.type.base) {
-        case BaseType::floating: {
+        case base::BaseType::floating: {
             std::array<GLfloat, 16> read{};
             glGetUniformfv(program.id(), location, read.data());
             std::copy_n(read.begin(), components, values.begin());
             break;
         }
-        case BaseType::doublePrecision: {
+        case base::BaseType::doublePrecision: {
             std::array<GLdouble, 16> read{};
             glGetUniformdv(program.id(), location, read.data());
             std::copy_n(read.begin(), components, values.begin());
             break;
         }
-        case BaseType::unsignedInteger: {
+        case base::BaseType::unsignedInteger: {
             std::array<GLuint, 4> read{};
             glGetUniformuiv(program.id(), location, read.data());
             std::copy_n(read.begin(), components, values.begin());
@@ -253,23 +256,6 @@ std::vector<double> getUniform(const Program& program, const ActiveUniform& unif
         }
     }
     return values;
-}
-
-void useSubroutines(const ProgramInterface& interface, GLenum stage,
-                    std::span<const std::pair<int, GLuint>> choices) {
-    std::vector<GLuint> functions;
-    for (const SubroutineUniform& each : interface.subroutines) {
-        if (each.stage != stage || each.location < 0 || each.functions.empty()) continue;
-        const auto end = static_cast<std::size_t>(each.location) + static_cast<std::size_t>(each.arraySize);
-        if (functions.size() < end) functions.resize(end);
-        for (auto at = static_cast<std::size_t>(each.location); at < end; ++at)
-            functions[at] = each.functions[0].index;
-    }
-    for (const auto& [location, function] : choices)
-        if (location >= 0 && static_cast<std::size_t>(location) < functions.size())
-            functions[static_cast<std::size_t>(location)] = function;
-    if (!functions.empty())
-        glUniformSubroutinesuiv(stage, static_cast<GLsizei>(functions.size()), functions.data());
 }
 
 }  // namespace glibra::gpu

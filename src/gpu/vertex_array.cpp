@@ -1,13 +1,12 @@
 #include "gpu/vertex_array.h"
 
 #include "gpu/number.h"
-#include "gpu/value_type.h"
 
 namespace glibra::gpu {
 namespace {
 
 const void* byteOffset(std::size_t offset) {
-    // GL takes the offset in the place of a pointer.
+    // GL takes the offset as a pointer.
     return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
 }
 
@@ -45,19 +44,18 @@ VertexArray::VertexArray(std::span<const AttributeSource> sources, const Buffer*
     glBindVertexArray(0);
 }
 
-void setConstantAttribute(GLuint location, GLenum glslType, const std::array<double, 4>& value) {
-    const ValueType type = valueType(glslType);
+void setConstantAttribute(GLuint location, const base::ValueType& type, const std::array<double, 4>& value) {
     for (GLuint column = 0; column < static_cast<GLuint>(type.columns); ++column) {
         const GLuint at = location + column;
         switch (type.base) {
-            case BaseType::integer:
+            case base::BaseType::integer:
                 glVertexAttribI4i(at, toInt(value[0]), toInt(value[1]), toInt(value[2]), toInt(value[3]));
                 break;
-            case BaseType::unsignedInteger:
+            case base::BaseType::unsignedInteger:
                 glVertexAttribI4ui(at, toUnsigned(value[0]), toUnsigned(value[1]), toUnsigned(value[2]),
                                    toUnsigned(value[3]));
                 break;
-            case BaseType::doublePrecision:
+            case base::BaseType::doublePrecision:
                 glVertexAttribL4dv(at, value.data());
                 break;
             default:

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "base/program_resources.h"
 #include "gpu/buffer.h"
 
 namespace glibra::gpu {
@@ -20,16 +21,16 @@ struct AttributeSource {
     enum class Type { floating, integer, unsignedInteger };  ///< 32 bits each; how the shader declares it
     const Buffer* buffer = nullptr;
     GLuint location = 0;
-    int components = 4;  ///< 1..4; those missing read 0, 0, 1 (y, z, w)
+    int components = 4;  ///< 1..4; missing ones read as 0, 0, 1 (y, z, w)
     Type type = Type::floating;
     std::size_t offset = 0;  ///< bytes to the first vertex
     std::size_t stride = 0;  ///< bytes from vertex to vertex; 0: tightly packed
-    GLuint divisor = 0;      ///< 0: a value each vertex; n: a value each n instances
+    GLuint divisor = 0;      ///< 0: one value per vertex; n: one value per n instances
 };
 
 class VertexArray {
   public:
-    /// The buffers must live as long as this is drawn with. `indices`, if given, holds 32-bit indices.
+    /// The buffers must outlive every draw with the vertex array. `indices`, if given, holds 32-bit indices.
     explicit VertexArray(std::span<const AttributeSource> sources, const Buffer* indices = nullptr);
     void bind() const { glBindVertexArray(name_.get()); }
     [[nodiscard]] GLuint id() const { return name_.get(); }
@@ -38,9 +39,8 @@ class VertexArray {
     Name<deleteVertexArray> name_;
 };
 
-/// What an input reads that no buffer feeds. This is state of the context, not of a vertex array. `glslType`
-/// is the active input's GL type (GL_FLOAT_VEC4, GL_INT, GL_FLOAT_MAT4 ...): integer and double inputs take
-/// their own calls, a matrix gets the value in every column.
-void setConstantAttribute(GLuint location, GLenum glslType, const std::array<double, 4>& value);
+/// Sets what an input of that type reads when no buffer feeds it. A matrix gets the value in every column.
+/// This is state of the context, not of a vertex array.
+void setConstantAttribute(GLuint location, const base::ValueType& type, const std::array<double, 4>& value);
 
 }  // namespace glibra::gpu

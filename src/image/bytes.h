@@ -1,5 +1,5 @@
 #pragma once
-// Numbers in byte order other than the machine's, read and written one byte at a time.
+// Numbers in a byte order other than the machine's, read and written byte by byte.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace glibra::image {
 
-/// Little-endian; the bytes must be there.
+/// Little-endian. The bytes must exist.
 inline std::uint32_t little16(std::span<const std::byte> bytes, std::size_t at) {
     return std::to_integer<std::uint32_t>(bytes[at]) | std::to_integer<std::uint32_t>(bytes[at + 1]) << 8U;
 }
@@ -16,7 +16,7 @@ inline std::uint32_t little32(std::span<const std::byte> bytes, std::size_t at) 
     return little16(bytes, at) | little16(bytes, at + 2) << 16U;
 }
 
-/// Big-endian, as PNG has it.
+/// Big-endian, as in PNG.
 inline void putBig32(std::vector<std::byte>& to, std::uint32_t value) {
     for (unsigned shift = 32; shift > 0; shift -= 8)
         to.push_back(static_cast<std::byte>(value >> (shift - 8)));

@@ -17,7 +17,7 @@ constexpr Value one() {
         return 1;
 }
 
-/// The number at an index of an array of bytes, wherever it is aligned.
+/// The number at an index of an array of bytes, with any alignment.
 template <class Value>
 Value valueAt(const std::vector<std::byte>& data, std::size_t index) {
     Value value;

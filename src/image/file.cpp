@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The system's words for an error number, as they stand in a sentence.
+/// The system's text for an error number, as part of a sentence.
 std::string reason(int number) {
     std::string text = std::generic_category().message(number);
     if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
@@ -54,8 +54,8 @@ class Descriptor {
     int number_;
 };
 
-/// Asks for memory of `size` bytes, without touching it, in pages of 2 MiB where the system has them: a large
-/// file took half of its reading time for faults of small ones.
+/// Requests memory of `size` bytes without touching it, in pages of 2 MiB if the system has them: page faults
+/// of small pages took half of the reading time of a large file.
 void reserveLarge(std::vector<std::byte>& bytes, std::size_t size) {
     bytes.reserve(size);
 #ifdef MADV_HUGEPAGE
@@ -65,11 +65,11 @@ void reserveLarge(std::vector<std::byte>& bytes, std::size_t size) {
     void* begin = bytes.data();
     std::size_t space = size;
     if (std::align(page, page, begin, space) != nullptr)
-        ::madvise(begin, space / page * page, MADV_HUGEPAGE);  // no matter whether it is heard
+        ::madvise(begin, space / page * page, MADV_HUGEPAGE);  // only a hint, so the result does not matter
 #endif
 }
 
-/// The name that is to be replaced: where a link points, else the path itself.
+/// The path that will be replaced: the target of a link, otherwise the path itself.
 fs::path resolved(const fs::path& path) {
     std::error_code failed;
     if (!fs::is_symlink(path, failed)) return path;
@@ -83,7 +83,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
     const auto unreadable = [&](const std::string& why) {
         return error("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
     };
-    // Without O_NONBLOCK a pipe would be waited for until somebody writes to it.
+    // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
         return error("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
@@ -111,7 +111,7 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
         const ssize_t got = ::read(file.number(), bytes.data() + have, bytes.size() - have);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return unreadable(reason(errno));
-        if (got == 0) break;  // somebody made it shorter meanwhile; the reader of its format will tell
+        if (got == 0) break;  // the file has become shorter meanwhile; the reader of its format reports that
         have += static_cast<std::size_t>(got);
     }
     bytes.resize(have);
@@ -119,11 +119,11 @@ Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& l
 }
 
 TemporaryFile::TemporaryFile(const fs::path& target) : target_(resolved(target)) {
-    // mkstemp would ignore the user's file mode; so the names are tried in turn, with the process to tell
-    // runs apart.
+    // mkstemp ignores the user's file mode, so names are tried one by one; the process number keeps
+    // concurrent runs apart.
     constexpr int kAttempts = 1000;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        // Not the target's own name: together they might be longer than names may be.
+        // Not the full name of the target: with the suffix, it might exceed the longest file name.
         const std::string name =
             fmt::format(".glibra-{}-{}.tmp{}", ::getpid(), attempt, target_.extension().string());
         path_ = target_.parent_path() / name;

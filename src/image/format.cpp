@@ -12,10 +12,10 @@ struct Row {
     Format format;
     std::string_view description;
     std::string_view openImageIo;
-    std::string_view suffixes;  ///< each with its dot and a blank after it
+    std::string_view suffixes;  ///< each with its dot, and a blank after it
 };
 
-// One row a format; a new one is added here and, if it has a signature, below.
+// One row per format. Add a new one here and, if it has a signature, below.
 constexpr std::array kRows{
     Row{Format::unknown, "neither a picture nor a raw texture", "", ""},
     Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib "},
@@ -101,8 +101,8 @@ bool isPnm(std::span<const std::byte> bytes) {
                      separator == '#');
 }
 
-/// TGA has no signature: its header must make sense throughout, and either the footer of version 2 or the
-/// length of uncompressed pixels must agree.
+/// TGA has no signature: its whole header must be valid, and either the footer of version 2 exists or the
+/// length of uncompressed pixels agrees.
 bool isTarga(std::span<const std::byte> bytes) {
     if (bytes.size() < 18) return false;
     const unsigned mapType = byteAt(bytes, 1), kind = byteAt(bytes, 2), mapBits = byteAt(bytes, 7);
@@ -118,7 +118,7 @@ bool isTarga(std::span<const std::byte> bytes) {
     if (mapType == 0 ? mapLength != 0 : mapLength == 0) return false;
     if (hasAt(bytes, bytes.size() - 18, "TRUEVISION-XFILE.")) return true;
     const std::size_t pixels = 18 + byteAt(bytes, 0) + mapLength * ((mapBits + 7) / 8);
-    if (kind >= 9) return bytes.size() > pixels;  // run lengths: no length to check
+    if (kind >= 9) return bytes.size() > pixels;  // run lengths, whose length cannot be checked
     return bytes.size() >= pixels + width * height * ((bits + 7) / 8);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// Which kind of picture a file holds, told by its first bytes (language reference, 8.1), and which kind its
-// suffix promises.
+// The format of a picture file by its first bytes (language, 8.1), and by its suffix.
 
 #include <cstddef>
 #include <filesystem>
@@ -26,19 +25,19 @@ enum class Format {
     sgi,
     icon,
     heif,
-    rawTexture  ///< never told by content alone (8.3 decides by the length), but promised by the suffix .tex
+    rawTexture  ///< never recognised by content alone (language, 8.3 uses the length), but by the suffix .tex
 };
 
-/// By content: Format::unknown if the bytes begin like no picture we know.
+/// By content. Format::unknown if the bytes do not start like any known picture.
 Format formatOf(std::span<const std::byte> bytes);
 
-/// By the suffix, in any case: Format::unknown if it says nothing.
+/// By the suffix, in upper or lower case. Format::unknown if the suffix is not known.
 Format formatOfSuffix(const std::filesystem::path& path);
 
 /// With article, for messages: "a TIFF picture", "an EXR picture", "a raw texture".
 std::string_view describe(Format format);
 
-/// The name under which OpenImageIO knows the format, for every format but unknown and rawTexture ("").
+/// OpenImageIO's name of the format; "" for unknown and rawTexture.
 std::string_view openImageIoName(Format format);
 
 }  // namespace glibra::image

@@ -1,5 +1,6 @@
 #pragma once
-// Pixels in memory. Rows run from top to bottom; within a pixel: red, green, blue, alpha (or grey, alpha).
+// Pixels in memory. Rows run from top to bottom; the components of a pixel are red, green, blue, alpha (or
+// grey, alpha).
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +15,8 @@ constexpr std::size_t bytesOf(Component component) {
     return component == Component::u8 ? 1 : component == Component::u16 ? 2 : 4;
 }
 
-/// A picture of width x height pixels, 1 to 4 components a pixel, rows tightly packed, top row first.
-/// u8 and u16 stand for 0..1; values are taken as they are, no colour space is applied.
+/// A picture of width x height pixels with 1 to 4 components per pixel, rows tightly packed, top row first.
+/// u8 and u16 stand for 0..1. Values are not converted between colour spaces.
 struct Image {
     int width = 0;
     int height = 0;
@@ -31,9 +32,8 @@ struct Image {
     }
 };
 
-/// Texels of a texture, ready for upload: s fastest, then t, then p; t = 0 is the bottom row of a picture.
-/// A cube map holds its six faces one after the other (+x -x +y -y +z -z), each with GL's own first row
-/// first.
+/// Texels of a texture, ready for upload: s fastest, then t, then p; t = 0 is the bottom row of a picture. A
+/// cube map holds its six faces one after the other (+x -x +y -y +z -z), each starting with GL's first row.
 struct TexelBlock {
     int dimensions = 2;  ///< 1, 2 or 3; a cube map is 2 with faces = 6
     int faces = 1;

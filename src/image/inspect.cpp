@@ -9,7 +9,7 @@ namespace glibra::image {
 
 bool isOneColor(const Image& image) {
     const std::size_t pixel = static_cast<std::size_t>(image.components) * bytesOf(image.type);
-    // Each byte equals the byte one pixel on exactly if all pixels are equal.
+    // All pixels are equal if and only if each byte equals the byte one pixel later.
     return image.data.size() <= pixel ||
            std::memcmp(image.data.data(), image.data.data() + pixel, image.data.size() - pixel) == 0;
 }

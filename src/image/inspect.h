@@ -1,5 +1,5 @@
 #pragma once
-// What a rendered picture is looked at for before anybody trusts it.
+// Checks of rendered pictures.
 
 #include <cstdint>
 
@@ -10,7 +10,7 @@ namespace glibra::image {
 /// True if all pixels have the same bits (also for a picture of one pixel or none).
 bool isOneColor(const Image& image);
 
-/// Components that are no finite number; all 0 for u8 and u16.
+/// The number of components that are NaN or infinite; always 0 for u8 and u16.
 struct NonFinite {
     std::uint64_t nan = 0;
     std::uint64_t infinite = 0;

@@ -44,7 +44,7 @@ bool hasEndOfImage(std::span<const std::byte> jpeg) {
     const auto byteAt = [&](std::size_t at) { return std::to_integer<unsigned>(jpeg[at]); };
     std::size_t at = 2;
     while (at + 2 <= jpeg.size()) {
-        // Between segments and within a scan alike: what is no marker is pixel data or filling.
+        // Both between segments and within a scan, anything that is not a marker is pixel data or fill.
         const unsigned marker = byteAt(at + 1);
         const bool data = byteAt(at) != 0xff || marker == 0 || marker == 0xff ||
                           (marker >= kRestart0 && marker <= kRestart7);

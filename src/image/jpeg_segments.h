@@ -7,14 +7,13 @@
 
 namespace glibra::image {
 
-/// The same picture without EXIF, XMP, ICC profiles, thumbnails and comments, which change no pixel here
-/// (8.2): only APP0 (JFIF) and APP14 (Adobe's colour transform) stay. So no decoder can turn the picture or
-/// convert its colours, and hostile metadata meet no parser. From the first segment that makes no sense, all
-/// is kept as it is.
+/// The same picture without EXIF, XMP, ICC profiles, thumbnails and comments, which do not change pixels here
+/// (language, 8.2): only APP0 (JFIF) and APP14 (Adobe's colour transform) remain. So no decoder rotates the
+/// picture or converts its colours, and no parser sees damaged metadata. From the first invalid segment,
+/// everything is kept.
 std::vector<std::byte> withoutMetadata(std::span<const std::byte> jpeg);
 
-/// True if the file goes on to its end-of-image marker. Decoders fill a file that was cut off with grey and
-/// say nothing.
+/// True if the file has its end-of-image marker. Decoders fill a truncated file with grey and report nothing.
 bool hasEndOfImage(std::span<const std::byte> jpeg);
 
 }  // namespace glibra::image

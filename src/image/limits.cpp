@@ -6,7 +6,7 @@ namespace glibra::image {
 
 std::string readableBytes(std::uint64_t bytes) {
     const auto count = static_cast<double>(bytes);
-    // Rounded up: what is just above a limit must not read as the limit itself.
+    // Rounded up: a size just above a limit must not be displayed as the limit.
     const auto tenths = [](double value) {
         const auto scaled = static_cast<std::uint64_t>(value * 10);
         return static_cast<double>(static_cast<double>(scaled) < value * 10 ? scaled + 1 : scaled) / 10;
@@ -23,7 +23,7 @@ std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, s
     if (width > side || height > side)
         return error(
             "file-E09",
-            fmt::format("'{}' has {} x {} pixels, the limit is {} a side", label.name, width, height, side),
+            fmt::format("'{}' has {} x {} pixels, the limit is {} per side", label.name, width, height, side),
             label.place);
     const std::uint64_t bytes = width * height * bytesPerPixel;
     if (bytes > limits.texelBytes)

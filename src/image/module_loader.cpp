@@ -25,8 +25,8 @@ Function functionOf(void* library, const char* name) {
     return reinterpret_cast<Function>(::dlsym(library, name));
 }
 
-/// Opening a library that is open already costs microseconds, so nothing is kept here. It is never closed:
-/// OpenImageIO does not survive being unloaded.
+/// Loading a library that is already loaded takes microseconds, so nothing is cached here. The library is
+/// never unloaded: OpenImageIO does not survive that.
 std::optional<Module> loadModule(std::span<const fs::path> folders) {
     for (const fs::path& folder : folders) {
         const fs::path file = folder / "glibra_openimageio.so";
@@ -45,13 +45,13 @@ std::optional<Module> loadModule(std::span<const fs::path> folders) {
 }
 
 Diagnostic notInstalled(Format format, const FileLabel& label) {
-    return error(
-        "file-E03",
-        fmt::format("'{}' is {} and the image module is not installed", label.name, describe(format)),
-        label.place);
+    return error("file-E03",
+                 fmt::format("'{}' is {}, but the image module that reads it is not installed", label.name,
+                             describe(format)),
+                 label.place);
 }
 
-/// What the module's call back fills.
+/// The results of the module's callback.
 struct Reception {
     Image image;
     const Limits& limits;
@@ -59,7 +59,7 @@ struct Reception {
     std::optional<Diagnostic> refusal;
 };
 
-/// No exception may pass through the module, so a lack of memory is a refusal like any other.
+/// No exception may pass through the module, so a lack of memory rejects the picture like any other problem.
 void* receive(void* context, std::uint64_t width, std::uint64_t height, int type) {
     auto& reception = *static_cast<Reception*>(context);
     Image& image = reception.image;
@@ -87,7 +87,7 @@ std::vector<fs::path> defaultModuleFolders() {
         folders.push_back(program.parent_path());
         folders.push_back(program.parent_path().parent_path() / "lib" / "glibra");
     }
-#ifdef GLIBRA_MODULE_BUILD_DIR  // the build sets both where it builds the module at all
+#ifdef GLIBRA_MODULE_BUILD_DIR  // the build defines both if it builds the module
     folders.emplace_back(GLIBRA_MODULE_INSTALL_DIR);
     folders.emplace_back(GLIBRA_MODULE_BUILD_DIR);
 #endif

@@ -1,5 +1,5 @@
 #pragma once
-// The OpenImageIO module, loaded when the first picture needs it and never before: it stays loaded until the
+// The OpenImageIO module, which is loaded for the first picture that needs it and stays loaded until the
 // process ends.
 
 #include <glibra/result.h>
@@ -15,20 +15,20 @@
 
 namespace glibra::image {
 
-/// Where the module is looked for, in this order: beside the program (a build tree), in ../lib/glibra seen
-/// from there (an unpacked archive), where this program was installed to, where it was built.
+/// The places of the module, in this order: beside the program (a build tree), ../lib/glibra relative to it
+/// (an unpacked archive), where this program was installed, where it was built.
 std::vector<std::filesystem::path> defaultModuleFolders();
 
-/// Reads a picture by the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside
+/// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside
 /// another file. Errors: file-E03 the module is not installed, naming the format; file-E04 damaged; file-E09
-/// beyond the limits.
+/// exceeds the limits.
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
                            const FileLabel& label, const Limits& limits,
                            std::span<const std::filesystem::path> moduleFolders);
 
-/// Writes a picture by the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
-/// quality 95, alpha is dropped where the format has none, and so is `comment`. Errors: file-E03 no module,
-/// file-E10 not written; both name `label`.
+/// Writes a picture with the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
+/// quality 95; alpha and `comment` are dropped if the format has none. Errors: file-E03 the module is not
+/// installed; file-E10 not written. Both name `label`.
 Diagnostics writeByModule(const Image& image, Format format, const std::filesystem::path& path,
                           const FileLabel& label, const std::string& comment,
                           std::span<const std::filesystem::path> moduleFolders);

@@ -19,8 +19,7 @@ std::size_t headerBytes(int dimensions) {
     return 4 * static_cast<std::size_t>(dimensions);
 }
 
-/// The sizes at the front of the file as a texture of d dimensions; nothing if the file is too short for
-/// them.
+/// The sizes at the start of the file for a texture of d dimensions; empty if the file is too short.
 std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
     if (file.size() < headerBytes(dimensions)) return std::nullopt;
     RawShape shape{dimensions, {1, 1, 1}, type};
@@ -29,7 +28,7 @@ std::optional<RawShape> shapeFor(Bytes file, int dimensions, Component type) {
     return shape;
 }
 
-/// File length of a shape, or nothing if a size is 0 or the length is beyond 2^62.
+/// The file length of a shape; empty if a size is 0 or the length exceeds 2^62.
 std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
     std::uint64_t texels = 1;
     for (const std::uint32_t size : shape.sizes) {
@@ -55,7 +54,7 @@ bool withinSides(const RawShape& shape, const Limits& limits) {
     });
 }
 
-/// file-E05, with the lengths that the sizes at the front of the file would need.
+/// file-E05 with the lengths that the sizes at the start of the file require.
 Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const Limits& limits) {
     std::string would;
     for (int d = 1; d <= 3; ++d) {
@@ -70,9 +69,10 @@ Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const
         would += fmt::format("{} {} would need {} or {}", would.empty() ? ";" : ",", sizes,
                              headerBytes(d) + texels, headerBytes(d) + 4 * texels);
     }
-    if (would.empty()) would = "; it does not begin with sizes";
+    if (would.empty()) would = "; it does not start with sizes";
     const std::string kind = dimensions == 0 ? "raw texture" : fmt::format("raw {}D texture", dimensions);
-    return error("file-E05", fmt::format("'{}': {} bytes fit no {}{}", label.name, file.size(), kind, would),
+    return error("file-E05",
+                 fmt::format("'{}': {} bytes match no {}{}", label.name, file.size(), kind, would),
                  label.place);
 }
 
@@ -113,7 +113,7 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     const std::size_t offset = headerBytes(shape.dimensions);
     if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
         return error("file-E09",
-                     fmt::format("'{}' holds {}, the limits are {} a side and {}", label.name,
+                     fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
                                  describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
                                  readableBytes(limits.texelBytes)),
                      label.place);
@@ -131,9 +131,9 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     if (shapes.size() > 1) {
         std::string all = describe(shapes[0]);
         for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describe(shapes[i]);
-        result.diagnostics.push_back(
-            warning("file-W07", fmt::format("{} bytes fit {}; {}D taken", file.size(), all, shape.dimensions),
-                    label.place));
+        result.diagnostics.push_back(warning(
+            "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
+            label.place));
     }
     return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Raw textures (language reference, 8.3): d little-endian sizes, then RGBA texels, s fastest, t = 0 first.
+// Raw textures (language, 8.3): d little-endian sizes, then RGBA texels, s fastest, t = 0 first.
 
 #include <glibra/result.h>
 
@@ -13,23 +13,23 @@
 
 namespace glibra::image {
 
-/// One reading of a file as a raw texture.
+/// One interpretation of a file as a raw texture.
 struct RawShape {
     int dimensions = 1;
     std::array<std::uint32_t, 3> sizes{1, 1, 1};
     Component type = Component::u8;  ///< u8 or f32
 };
 
-/// Every reading whose length is exactly right, in the order of preference: fewer dimensions first, bytes
-/// before floats. `dimensions` is 1, 2, 3, or 0 for any.
+/// Every interpretation whose length is exactly right, in the order of preference: fewer dimensions first,
+/// bytes before floats. `dimensions` is 1, 2, 3, or 0 for any.
 std::vector<RawShape> rawShapes(std::span<const std::byte> file, int dimensions);
 
-/// True if the first bytes are sizes within the limits for one of the dimensions asked for, so that the file
-/// may well be meant as a raw texture even if its length is wrong.
+/// True if the first bytes are sizes within the limits for one of the requested dimensions, so that the file
+/// may be a raw texture even if its length is wrong.
 bool looksRaw(std::span<const std::byte> file, int dimensions, const Limits& limits = {});
 
-/// The texels. Float texels are kept as they are, NaN included. file-W07 if several readings fit (the first
-/// is taken). Errors: file-E05 none fits, with the lengths that would; file-E09 beyond the limits.
+/// The texels. Float texels are not changed, including NaN. file-W07 if several interpretations fit (the
+/// first is used). Errors: file-E05 if none fits, with the lengths that would; file-E09 exceeds the limits.
 Result<TexelBlock> decodeRawTexture(std::span<const std::byte> file, int dimensions, const FileLabel& label,
                                     const Limits& limits = {});
 

@@ -33,7 +33,8 @@ Result<Image> decode(std::span<const std::byte> file, Format format, const fs::p
                 const Format wrapped = formatOf(*inner);
                 if (wrapped == Format::png || wrapped == Format::jpeg)
                     return decode(*inner, wrapped, {}, label, options);
-                return damaged(label, "the BMP file says it wraps a JPEG or PNG picture, but does not");
+                return damaged(label,
+                               "the BMP header announces a JPEG or PNG picture, but the file contains none");
             }
             return decodeBmp(file, label, options.limits);
         case Format::unknown:

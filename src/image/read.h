@@ -1,5 +1,5 @@
 #pragma once
-// Any picture file as pixels. The content decides what it is, never the suffix (language reference, 8.1).
+// Reads any picture file as pixels. The content determines the format, never the suffix (language, 8.1).
 
 #include <glibra/result.h>
 
@@ -18,15 +18,15 @@ struct ReadOptions {
     std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
 };
 
-/// The picture as RGBA, top row first: u8, u16 (16-bit PNG and the like) or f32 (EXR, HDR and the like). BMP
-/// and PNG are read here, everything else by the OpenImageIO module. `place` is where the scene names the
-/// file. file-W03 if the suffix promises another format. Errors: file-E01, E02 no such file or unreadable,
-/// file-E03 no picture, or one that needs the module, which is not there; file-E04 damaged or short; file-E09
-/// beyond the limits.
+/// The picture as RGBA, top row first: u8, u16 (16-bit PNG and similar) or f32 (EXR, HDR and similar). BMP
+/// and PNG are read here, all other formats by the OpenImageIO module. `place` is the place in the scene that
+/// names the file. file-W03 if the suffix stands for another format. Errors: file-E01 and E02 missing or
+/// unreadable; file-E03 not a picture, or one that needs the module, which is not installed; file-E04 damaged
+/// or short; file-E09 exceeds the limits.
 Result<Image> readImage(const std::filesystem::path& path, const Place& place = {},
                         const ReadOptions& options = {});
 
-/// The same for a file that is in memory already. `path` gives the name for messages and the promised suffix.
+/// The same for a file that is already in memory. `path` gives the name for messages, and the suffix.
 Result<Image> decodeImage(std::span<const std::byte> file, const std::filesystem::path& path,
                           const Place& place = {}, const ReadOptions& options = {});
 

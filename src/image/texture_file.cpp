@@ -59,7 +59,7 @@ Result<TexelBlock> fromPicture(Result<Image> read, int dimensions, const FileLab
 Result<TexelBlock> fromRaw(std::span<const std::byte> file, int dimensions, const fs::path& path,
                            const FileLabel& label, const Limits& limits) {
     const Format promised = formatOfSuffix(path);
-    // A file that was not meant as a raw texture should not be told about the lengths of raw textures.
+    // If a file is not meant as a raw texture, the lengths of raw textures do not help its author.
     if (rawShapes(file, dimensions).empty() && promised != Format::rawTexture &&
         !looksRaw(file, dimensions, limits))
         return error("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
@@ -71,7 +71,7 @@ Result<TexelBlock> fromRaw(std::span<const std::byte> file, int dimensions, cons
     return result;
 }
 
-/// The texels in another type; a block is an image of height * depth rows.
+/// Converts the texels to another type; a block is an image of height * depth rows.
 TexelBlock withBlockType(TexelBlock block, Component type) {
     if (block.type == type) return block;
     Image image{block.width, block.height * block.depth, block.components, block.type, std::move(block.data)};
@@ -104,7 +104,7 @@ Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place
 Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place,
                                const ReadOptions& options) {
     if (six.size() != 6)
-        return error("file-E06", fmt::format("CubeMap: {} faces given, it has 6", six.size()), place);
+        return error("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
     std::vector<TexelBlock> faces;
     Diagnostics remarks;
     Component widest = Component::u8;
@@ -112,13 +112,14 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
     for (const fs::path& path : six) {
         auto face = readTexture(path, 2, place, options);
         append(remarks, std::move(face.diagnostics));
-        if (!face) continue;  // the messages of all six faces come at once
+        if (!face) continue;  // all six faces are read, so that the messages of all come together
         const TexelBlock& first = faces.empty() ? *face : faces.front();
         if (face->width != face->height || face->width != first.width) {
-            append(remarks, {error("file-E06",
-                                   fmt::format("CubeMap: '{}' is {} x {}, all faces must be square and equal",
-                                               path.filename().string(), face->width, face->height),
-                                   place)});
+            append(remarks,
+                   {error("file-E06",
+                          fmt::format("CubeMap: '{}' is {} x {}, all faces must be squares of equal size",
+                                      path.filename().string(), face->width, face->height),
+                          place)});
             return remarks;
         }
         widest = std::max(widest, face->type);

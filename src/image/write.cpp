@@ -44,8 +44,9 @@ Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOpti
     try {
         if (format == Format::png) return writePng(image, path, options.png);
         if (format == Format::unknown || format == Format::rawTexture)
-            return {cannotWrite(path, fmt::format("the suffix '{}' names no picture format; .png is one",
-                                                  path.extension().string()))};
+            return {
+                cannotWrite(path, fmt::format("the suffix '{}' is not that of a picture format; .png is one",
+                                              path.extension().string()))};
         return writeOther(image, format, path, options);
     } catch (const std::bad_alloc&) {
         return {cannotWrite(path, "there is not enough memory")};

@@ -1,5 +1,5 @@
 #pragma once
-// Pixels as a picture file, in the format that the suffix names.
+// Writes pixels as a picture file in the format of the suffix.
 
 #include <glibra/result.h>
 
@@ -16,14 +16,14 @@ namespace glibra::image {
 struct WriteOptions {
     PngOptions png;
     std::vector<std::filesystem::path> moduleFolders = defaultModuleFolders();
-    /// Kept by EXR ("comments"), TIFF (ImageDescription) and JPEG; PNG has texts of its own.
+    /// Stored by EXR ("comments"), TIFF (ImageDescription) and JPEG; PNG has its own texts.
     std::string comment = {};
 };
 
-/// Writes .png by our own writer (float pictures as 16 bits, limited to 0..1) and every other suffix by the
-/// OpenImageIO module: .jpg, .bmp, .tif, .exr, .hdr, .tga and others. The file appears when it is whole.
-/// Empty if that worked, else one of file-E03 (the module is not installed) and file-E10 (unknown suffix, or
-/// the file cannot be written).
+/// Writes .png with png_writer (float pictures as 16 bits, limited to 0..1) and every other suffix with the
+/// OpenImageIO module: .jpg, .bmp, .tif, .exr, .hdr, .tga and others. The file appears when it is complete.
+/// Empty on success, otherwise file-E03 (the module is not installed) or file-E10 (unknown suffix, or the
+/// file cannot be written).
 Diagnostics writeImage(const Image& image, const std::filesystem::path& path,
                        const WriteOptions& options = {});
 

@@ -18,14 +18,14 @@ const char* wordOf(const std::array<const char*, N>& words, Enumerator value) {
     return words.at(static_cast<std::size_t>(value));
 }
 
-/// " --height 3=0.5" for every point.
+/// " --height 3=0.5" for each point.
 std::string pointArguments(const char* name, const std::map<int, double>& points) {
     std::string text;
     for (const auto& [point, value] : points) text += fmt::format(" {} {}={}", name, point, value);
     return text;
 }
 
-/// The file's name as a shell takes it.
+/// The file's name, quoted for a shell where necessary.
 std::string quoted(const std::string& file) {
     const bool isPlain = !file.empty() && std::all_of(file.begin(), file.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||

@@ -1,5 +1,5 @@
 #pragma once
-// Noise graphs, pictures and textures as files, and the command that writes the same.
+// Writes noise graphs, pictures and textures to files, and gives the command that writes the same file.
 
 #include <glibra/diagnostic.h>
 
@@ -13,23 +13,24 @@ namespace glibra::noise {
 
 struct NoiseFile {
     GraphOptions options;
-    ColorScale colors = ColorScale::grey;  ///< of two dimensions
-    int width = 600, height = 300;                       ///< pixels or texels, 1 to 16384
+    ColorScale colors = ColorScale::grey;  ///< for two dimensions
+    int width = 600, height = 300;         ///< pixels or texels, 1 to 16384
 };
 
-/// By the ending: .svg a graph, .tex a raw float texture, every other a picture of the graph (one dimension)
-/// or of the coloured noise (two). Errors are those of writing images and files, and image-E.. for other
-/// endings.
+/// The extension selects the content: .svg a graph, .tex a raw float texture, any other a picture of the
+/// graph (one dimension) or of the coloured noise (two dimensions). Errors are those of writing files and
+/// images.
 Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file);
 
-/// ".png" in small letters.
+/// The file's extension in lower case: ".png".
 std::string endingOf(const std::filesystem::path& file);
 
-/// "glibra noise 1 --lattice both --height 3=0.5 --size 600x300 -o noise.png": what differs from the
-/// defaults.
+/// The command with the options that differ from their defaults: "glibra noise 1 --lattice both --height
+/// 3=0.5
+/// --size 600x300 -o noise.png".
 std::string noiseCommand(const NoiseFile& noise, const std::string& file);
 
-// The words of the command line, by the number of the enumerator.
+// The words of the command line, in the order of the enumerators.
 inline constexpr std::array<const char*, 3> kLatticeWords{"value", "gradient", "both"};
 inline constexpr std::array<const char*, 2> kSmoothnessWords{"cubic", "quintic"};
 inline constexpr std::array<const char*, 2> kSlopesWords{"zero", "catmull-rom"};

@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <system_error>
-#include <thread>
 #include <vector>
 
+#include "base/parallel.h"
 #include "noise/exact_texel.h"
 #include "noise/noise.h"
 #include "noise/tables.h"
@@ -112,30 +110,12 @@ void mergeAlongZ(const OctaveRows<tables::Octave3>& octave, const AxisPlace& pla
     }
 }
 
-/// Calls work(index) once for every index below `count`, on up to `threads` threads (0: as the machine has).
-template <class Work>
-void forEachIndex(int count, int threads, const Work& work) {
-    std::atomic<int> next{0};
-    const auto drain = [&] {
-        for (int index = next++; index < count; index = next++) work(index);
-    };
-    if (threads <= 0) threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<std::jthread> others;
-    try {
-        for (int i = 1; i < std::min(threads, count); ++i) others.emplace_back(drain);
-    } catch (const std::system_error&) {
-        // The machine gives no more threads; those that run do all the work.
-    }
-    drain();
-}
-
 /// Calls row(octaves, rows, j, k) for every row of texels of a 3D texture.
 template <class Row>
 void forEachRow3(int n, int threads, const Row& row) {
     const auto size = static_cast<std::size_t>(n);
     const auto octaves = octaveRows(tables::kOctaves3, n);
-    forEachIndex(n, threads, [&](int slice) {
-        const auto k = static_cast<std::size_t>(slice);
+    base::forEachIndex(size, threads, [&](std::size_t k) {
         std::vector<SliceField> fields;
         for (const auto& octave : octaves) {
             fields.push_back({Rows(octave.cells(), size), Rows(octave.cells(), size)});
@@ -160,8 +140,7 @@ void forEachRow3(int n, int threads, const Row& row) {
 template <class Row>
 void forEachRow2(int n, int threads, const Row& row) {
     const auto octaves = octaveRows(tables::kOctaves2, n);
-    forEachIndex(n, threads, [&](int index) {
-        const auto j = static_cast<std::size_t>(index);
+    base::forEachIndex(static_cast<std::size_t>(n), threads, [&](std::size_t j) {
         std::array<OctaveRow, kOctaves> rows;
         for (std::size_t octave = 0; octave < rows.size(); ++octave) {
             const auto& from = octaves[octave];

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "geometry/shapes/primitive.h"
+#include "glib/command_table.h"
 #include "plan/texture_uses.h"
 
 namespace glibra::plan {
@@ -179,7 +181,10 @@ std::vector<std::string> attributesOf(const scene::Shape& shape) {
     std::vector<std::string> names;
     for (const std::string_view each : kAttributes) {
         bool isCarried = each != geometry::kColor;
-        if (each == geometry::kFaceIndex) isCarried = shape.command == glib::CommandId::soccerball;
+        if (each == geometry::kFaceIndex) {
+            const geometry::PrimitiveSpec* spec = glib::primitiveOf(shape.command);
+            isCarried = spec != nullptr && spec->hasFaceIndex;
+        }
         if (shape.list != nullptr) isCarried = shape.list->attribute(each) != nullptr;
         if (isCarried) names.emplace_back(each);
     }

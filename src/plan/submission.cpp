@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 
+#include "geometry/shapes/clouds.h"
 #include "glib/command_table.h"
 #include "scene/primitives.h"
 
@@ -17,43 +16,31 @@ namespace {
 using geometry::Topology;
 using glib::CommandId;
 
-/// Commands that draw the same as triangles and as lines.
-struct Counterpart {
-    CommandId solid, wire;
-};
-constexpr std::array kCounterparts =
-    std::to_array<Counterpart>({{CommandId::box, CommandId::wireBox},
-                                {CommandId::box, CommandId::wireCube},
-                                {CommandId::sphere, CommandId::wireSphere},
-                                {CommandId::cylinder, CommandId::wireCylinder},
-                                {CommandId::cone, CommandId::wireCone},
-                                {CommandId::torus, CommandId::wireTorus},
-                                {CommandId::teapot, CommandId::wireTeapot},
-                                {CommandId::obj, CommandId::wireObj},
-                                {CommandId::obj, CommandId::objAdj},
-                                {CommandId::obj, CommandId::objPatch}});
 constexpr int kObjPatchVertices = 3;
 
-/// The command that draws this model or shape as lines or as triangles, if there is one and it is another.
-std::optional<CommandId> counterpartOf(CommandId command, Topology wanted) {
-    if (wanted == Topology::lines && (command == CommandId::objAdj || command == CommandId::objPatch))
-        return CommandId::wireObj;
-    for (const Counterpart& each : kCounterparts) {
-        if (wanted == Topology::lines && each.solid == command) return each.wire;
-        if (wanted == Topology::triangles && each.wire == command) return each.solid;
+/// The command that draws this model or shape as lines or as triangles; empty if there is none.
+std::string_view counterpartOf(CommandId command, Topology wanted) {
+    if (const geometry::PrimitiveSpec* spec = glib::primitiveOf(command)) {
+        if (spec->twin != nullptr && spec->twin->topology == wanted) return spec->twin->names[0];
+        return {};
     }
-    return std::nullopt;
+    const bool isModel =
+        command == CommandId::obj || command == CommandId::objAdj || command == CommandId::objPatch;
+    if (wanted == Topology::lines && isModel) return glib::nameOf(CommandId::wireObj);
+    if (wanted == Topology::triangles && (command == CommandId::wireObj || isModel))
+        return command == CommandId::obj ? std::string_view() : glib::nameOf(CommandId::obj);
+    return {};
 }
 
 /// "; use ObjAdj": a command that delivers the wanted kind, where there is an obvious one.
 std::string recommendation(CommandId command, std::string_view wanted) {
-    std::optional<CommandId> other;
-    if (wanted == wordOf(Topology::trianglesAdjacency)) other = CommandId::objAdj;
-    if (wanted == wordOf(Topology::linesAdjacency)) other = CommandId::linesAdjacency;
-    if (wanted == wordOf(Topology::points)) other = CommandId::pointCloud;
+    std::string_view other;
+    if (wanted == wordOf(Topology::trianglesAdjacency)) other = glib::nameOf(CommandId::objAdj);
+    if (wanted == wordOf(Topology::linesAdjacency)) other = glib::nameOf(CommandId::linesAdjacency);
+    if (wanted == wordOf(Topology::points)) other = geometry::kPointCloudRow.names[0];
     for (const Topology each : {Topology::lines, Topology::triangles})
         if (wanted == wordOf(each)) other = counterpartOf(command, each);
-    return other ? fmt::format("; use {}", glib::nameOf(*other)) : std::string();
+    return other.empty() ? std::string() : fmt::format("; use {}", other);
 }
 
 int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {

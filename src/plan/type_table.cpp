@@ -8,17 +8,13 @@
 #include <cstdint>
 #include <limits>
 
+#include "glib/limits.h"
+
 namespace glibra::plan {
 namespace {
 
 using glib::UniformForm;
 
-bool isOpaque(const ValueType& type) {
-    return type.base == BaseType::sampler || type.base == BaseType::image;
-}
-bool isWhole(const ValueType& type) {
-    return type.base == BaseType::integer || type.base == BaseType::unsignedInteger;
-}
 bool isReal(const ValueType& type) {
     return type.base == BaseType::floating || type.base == BaseType::doublePrecision;
 }
@@ -69,7 +65,7 @@ struct Range {
     double minimum = 0, current = 0, maximum = 1;
 };
 
-/// Reads one pair for one uniform; every member function adds to `reading`.
+/// Reads one value for one uniform. Every member function adds to `reading_`.
 class ValueReader {
   public:
     ValueReader(const GivenValue& given, const ActiveUniform& uniform, bool oneElement)
@@ -106,10 +102,10 @@ class ValueReader {
                          brackets(given_.form), text),
              given_.valuePlace);
     }
-    /// glib-W20, once a pair: the value's form does not go with the type.
+    /// Reports glib-W20 once per value: the value's form does not fit the type.
     void warnForm(const std::string& outcome) {
-        if (saidForm_) return;
-        saidForm_ = true;
+        if (reportedForm_) return;
+        reportedForm_ = true;
         warn("glib-W20", fmt::format("{} is {}, {} {}", given_.tag, typeName_, quote(given_), outcome),
              given_.valuePlace);
     }
@@ -119,24 +115,24 @@ class ValueReader {
         reading_.values.clear();
     }
 
-    /// One number as a component of the type.
+    /// Converts one number to a component of the type.
     double convert(double value) {
         if (type_.base == BaseType::boolean) return value != 0 ? 1 : 0;
-        if (!isWhole(type_) && !isOpaque(type_)) return value;
+        if (!type_.isInteger() && !type_.isOpaque()) return value;
         const double cut = std::trunc(value) + 0.0;  // + 0: -0 becomes 0
-        if (cut != value && !saidCut_) {
-            saidCut_ = true;
+        if (cut != value && !reportedCut_) {
+            reportedCut_ = true;
             warn("glib-W27", fmt::format("{} cut to {}", numberText(value), numberText(cut)),
                  given_.valuePlace);
         }
-        if (isOpaque(type_)) return cut;
+        if (type_.isOpaque()) return cut;
         const bool isSigned = type_.base == BaseType::integer;
         const double lowest = isSigned ? std::numeric_limits<std::int32_t>::min() : 0;
         const double highest =
             isSigned ? std::numeric_limits<std::int32_t>::max() : std::numeric_limits<std::uint32_t>::max();
         const double kept = std::clamp(cut, lowest, highest);
-        if (kept != cut && !saidForm_) {
-            saidForm_ = true;
+        if (kept != cut && !reportedForm_) {
+            reportedForm_ = true;
             warn("glib-W20",
                  fmt::format("{} is {}, {} read as {:.0f}", given_.tag, type_.word, numberText(value), kept),
                  given_.valuePlace);
@@ -151,7 +147,7 @@ class ValueReader {
         const auto diagonal = static_cast<std::size_t>(std::min(type_.columns, type_.rows));
         for (std::size_t i = 0; i < diagonal; ++i) reading_.values.at(i * rows + i) = value;
     }
-    /// The given values in order, `wanted` of them; missing ones are 0.
+    /// Sets the first `wanted` of the given values; missing ones are 0.
     void setList(std::size_t wanted, bool countMatters) {
         const std::size_t given = given_.values.size();
         if (countMatters && given < wanted)
@@ -163,7 +159,7 @@ class ValueReader {
             reading_.values[i] = convert(given_.values[i]);
     }
 
-    /// The three numbers of a range by the rules for one, two and too many values (glib-W15).
+    /// Reads a range. One, two, or more than three values are read by the rules of glib-W15.
     Range readRange() {
         const std::span<const double> values = given_.values;
         Range range;
@@ -185,7 +181,7 @@ class ValueReader {
     }
 
     void readElement() {
-        if (isOpaque(type_)) return readUnit();
+        if (type_.isOpaque()) return readUnit();
         if (type_.base == BaseType::other) return ignore();
         if (type_.columns > 1) return readMatrix();
         if (type_.rows > 1) return readVector();
@@ -208,7 +204,7 @@ class ValueReader {
             case UniformForm::color:
                 break;
         }
-        const double value = isWhole(type_) ? std::trunc(first()) + 0.0 : first();
+        const double value = type_.isInteger() ? std::trunc(first()) + 0.0 : first();
         warnForm("read as " +
                  numberText(type_.base == BaseType::unsignedInteger ? std::max(value, 0.0) : value));
         setAll(first());
@@ -246,7 +242,7 @@ class ValueReader {
         double value = first();
         if (given_.form == UniformForm::range) {
             value = readRange().current;
-            if (given_.values.size() == 1) saidForm_ = true;  // glib-W15 has said what it is read as
+            if (given_.values.size() == 1) reportedForm_ = true;  // glib-W15 already says how it is read
         }
         setAll(value);
         const bool isTrue = reading_.values.front() != 0;
@@ -306,14 +302,14 @@ class ValueReader {
         warnForm("read as a diagonal");
     }
 
-    /// Units of the language; fractions are cut, and what is no unit is an error.
+    /// Checks units of the language; a number that is not a unit is an error.
     void checkUnits() {
         for (const double unit : reading_.values) {
-            if (unit >= 0 && unit <= kHighestUnit) continue;
-            reading_.diagnostics.push_back(
-                error("glib-E12",
-                      fmt::format("texture unit {} is not between 0 and {}", numberText(unit), kHighestUnit),
-                      given_.valuePlace));
+            if (unit >= 0 && unit <= glib::kHighestUnit) continue;
+            reading_.diagnostics.push_back(error(
+                "glib-E12",
+                fmt::format("texture unit {} is not between 0 and {}", numberText(unit), glib::kHighestUnit),
+                given_.valuePlace));
             reading_.ignored = true;
             reading_.values.clear();
             return;
@@ -331,12 +327,12 @@ class ValueReader {
     void readArray() {
         if (given_.form == UniformForm::list && type_.base != BaseType::other) {
             setList(elements_ * components(), true);
-            if (isOpaque(type_)) checkUnits();
+            if (type_.isOpaque()) checkUnits();
             return;
         }
         const bool hasReading = type_.base != BaseType::other &&
                                 (given_.form == UniformForm::number || given_.form == UniformForm::range ||
-                                 (!isOpaque(type_) && type_.columns == 1));
+                                 (!type_.isOpaque() && type_.columns == 1));
         if (!hasReading) return ignore();
         warnForm("read as its first element");
         readElement();
@@ -348,8 +344,8 @@ class ValueReader {
     bool array_;
     std::size_t elements_;
     std::string typeName_;
-    bool saidForm_ = false;
-    bool saidCut_ = false;
+    bool reportedForm_ = false;
+    bool reportedCut_ = false;
     Reading reading_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a value as written means for a declared type: the two tables of the language, 5.3.
+// What a written value means for a declared type: the two tables of language, 5.3.
 
 #include <optional>
 #include <span>
@@ -11,32 +11,30 @@
 
 namespace glibra::plan {
 
-/// The units of the language; a tag, a Noise2 or Noise3 and a texture command all count in these.
-inline constexpr int kHighestUnit = 127;
-
-/// A value as a scene's pair or the command line gives it.
+/// A value as a scene's tag or the command line gives it.
 struct GivenValue {
     std::string_view tag;  ///< for messages
     glib::UniformForm form = glib::UniformForm::number;
-    std::span<const double> values;  ///< as written; truth: 1 or 0
+    std::span<const double> values;  ///< as written; a truth value is 1 or 0
     Place tagPlace;
     Place valuePlace;
 };
 
-/// What it means. `values` are components, column by column, of one element or of all elements of an array,
-/// already cut to integers, not negative for uint, 1 or 0 for bool; for samplers and images they are units.
+/// The meaning of a value. `values` are the components, column by column, of one element or of all elements
+/// of an array: integers are truncated and limited to the type's range, a bool is 1 or 0, samplers and images
+/// have units.
 struct Reading {
-    bool ignored = false;  ///< the pair has no effect
+    bool ignored = false;  ///< the tag has no effect
     std::vector<double> values;
     std::optional<Control> control;  ///< without the uniform's index
     Diagnostics diagnostics;         ///< glib-W15, W17, W20, W21, W22, W27, E12
 };
 
-/// Reads a value for a uniform. `oneElement`: the tag named one element of an array, which is then read as a
-/// scalar, vector, matrix or sampler would be.
+/// Reads a value for a uniform. `oneElement`: the tag names one element of an array, which is then read like
+/// a uniform that is not an array.
 Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement = false);
 
-/// A number as messages show it: shortest form, without a zero before the point (".1", "-.25", "10").
+/// A number as messages show it: in shortest form, without a zero before the point (".1", "-.25", "10").
 std::string numberText(double value);
 
 }  // namespace glibra::plan

@@ -69,7 +69,7 @@ void writeMember(const ActiveUniform& member, int firstElement, std::span<const 
 
 std::vector<std::byte> blockContent(const ProgramInterface& interface, int block,
                                     std::span<const UniformBinding> bindings) {
-    const int size = interface.blocks.at(static_cast<std::size_t>(block)).size;
+    const int size = interface.blocks.at(static_cast<std::size_t>(block)).bytes;
     std::vector<std::byte> bytes(static_cast<std::size_t>(std::max(size, 0)));
     for (const UniformBinding& binding : bindings) {
         const ActiveUniform& member = interface.uniforms.at(static_cast<std::size_t>(binding.uniform));

@@ -63,7 +63,7 @@ class Resolver {
         int first = 0;
         bool counts = false;
         if (row != nullptr && isNoise(*row)) {
-            first = row->value == glsl::Builtin::noise2 ? kNoise2Unit : kNoise3Unit;
+            first = row->value == glsl::Builtin::noise2 ? scene::kNoise2Unit : scene::kNoise3Unit;
         } else if (const auto binding = interface_.facts.textureBindings.find(sampler.name);
                    binding != interface_.facts.textureBindings.end()) {
             first = binding->second;

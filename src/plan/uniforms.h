@@ -12,6 +12,7 @@
 
 #include "glsl/types/builtins.h"
 #include "plan/program_interface.h"
+#include "scene/scene.h"
 
 namespace glibra::plan {
 
@@ -31,11 +32,6 @@ struct UniformBinding {
     int firstElement = 0;  ///< for arrays
     Expression value;
 };
-
-/// Units of the language that hold the noise textures until a scene says otherwise; Noise2 and Noise3 without
-/// a tag read them.
-inline constexpr int kNoise2Unit = 2;
-inline constexpr int kNoise3Unit = 3;
 
 /// A sampler or image and the unit of the language that it reads.
 struct SamplerBinding {

@@ -15,9 +15,7 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
-/// Reads shader files for one word.
+/// Searches shader files for one word.
 class TimerSearch {
   public:
     TimerSearch(const scene::Scene& scene, const RenderOptions& options) : scene_(scene), options_(options) {}

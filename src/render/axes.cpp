@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/reflection.h"
 #include "gpu/uniform.h"
 
 namespace glibra::render {
@@ -34,7 +35,7 @@ std::vector<Vertex> vertices() {
         end[axis] = kLength;
         lines.push_back({{0, 0, 0}});
         lines.push_back({end});
-        // The letter stands upright in a plane parallel to XY, just past the end.
+        // The letter is upright in a plane parallel to XY, just past the end.
         end[axis] += kLetter / 2;
         const auto corner = [&](const std::array<float, 2>& at) {
             const float shift = axis == 1 ? -kLetter / 2 : 0;
@@ -63,7 +64,7 @@ scene::Projection lastProjection(const scene::Scene& scene) {
 
 }  // namespace
 
-Axes::Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,
+Axes::Axes(gpu::Program program, base::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,
            int count)
     : program_(std::move(program)),
       matrix_(std::move(matrix)),
@@ -78,15 +79,15 @@ Result<Axes> Axes::create(const gpu::Context& context) {
         gpu::buildProgram(context.capabilities(),
                           {.stages = stages, .vertexInputs = {{"aPosition", 0}}, .fragmentOutputs = {}});
     if (!built.program)
-        return error("gpu-E02", "the driver refuses the program of the axes: " + built.linkLog);
-    const gpu::ProgramInterface interface = gpu::reflect(*built.program);
+        return error("gpu-E02", "the driver does not link the program of --axes: " + built.linkLog);
+    const base::ActiveResources resources = gpu::reflect(*built.program);
     const std::vector<Vertex> lines = vertices();
     Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(lines)));
     if (!buffer) return std::move(buffer.diagnostics);
     const std::array<gpu::AttributeSource, 1> sources{
         {{.buffer = &*buffer, .location = 0, .components = 3, .stride = sizeof(Vertex)}}};
     gpu::VertexArray array(sources);
-    return Axes(std::move(*built.program), interface.uniforms.front(), std::move(*buffer), std::move(array),
+    return Axes(std::move(*built.program), resources.uniforms.front(), std::move(*buffer), std::move(array),
                 static_cast<int>(lines.size()));
 }
 

@@ -6,7 +6,6 @@
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "gpu/reflection.h"
 #include "gpu/vertex_array.h"
 #include "render/frame.h"
 #include "scene/scene.h"
@@ -17,17 +16,17 @@ class Axes {
   public:
     static Result<Axes> create(const gpu::Context& context);
 
-    /// Draws into the bound target, which shows `tile` of a picture of that size: with the projection of the
+    /// Draws into the bound target, which shows `tile` of a picture of that size, with the projection of the
     /// scene's last draw into the window and the world's view.
     void draw(const scene::Scene& scene, const ViewMatrices& view, const Tile& tile, int width,
               int height) const;
 
   private:
-    Axes(gpu::Program program, gpu::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,
+    Axes(gpu::Program program, base::ActiveUniform matrix, gpu::Buffer vertices, gpu::VertexArray lines,
          int count);
 
     gpu::Program program_;
-    gpu::ActiveUniform matrix_;
+    base::ActiveUniform matrix_;
     gpu::Buffer vertices_;
     gpu::VertexArray lines_;
     int count_;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "gpu/program.h"
-#include "gpu/reflection.h"
 #include "render/programs.h"
 
 namespace glibra::render {
@@ -16,6 +15,6 @@ std::vector<gpu::NamedLocation> inputLocations(const BuiltProgram& of);
 /// Gives every uniform, sampler and block of `program` its value in `from`. `program` must be in use, and
 /// `reflected` is its interface.
 void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
-                  const gpu::ProgramInterface& reflected);
+                  const base::ActiveResources& reflected);
 
 }  // namespace glibra::render

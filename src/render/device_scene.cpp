@@ -1,6 +1,8 @@
 #include "render/device_scene.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "glsl/types/builtins.h"
 #include "render/reuse.h"
@@ -9,14 +11,14 @@
 namespace glibra::render {
 namespace {
 
-/// The mesh attribute that feeds the vertex input of that name; nothing for names of the user's own.
+/// The mesh attribute that feeds the vertex input of that name; nothing for names that the user chose.
 std::optional<std::string_view> attributeOfInput(std::string_view input) {
     for (const glsl::BuiltinInput& each : glsl::builtinInputs())
         if (each.name == input) return each.attribute;
     return std::nullopt;
 }
 
-/// True if some program that draws the planned mesh declares that attribute as an integer input.
+/// True if a program that draws the planned mesh declares that attribute as an integer input.
 bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string_view attribute,
                    const ProgramLibrary& programs) {
     for (const plan::PlannedPass& pass : plan.passes)
@@ -26,13 +28,13 @@ bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string
             const BuiltProgram* built =
                 programs.find(plan.programs[static_cast<std::size_t>(draw->program)].variant);
             if (!built) continue;
-            for (const plan::ActiveInput& input : built->interface.inputs)
-                if (input.integer && attributeOfInput(input.name) == attribute) return true;
+            for (const base::ActiveInput& input : built->interface.inputs)
+                if (input.type.isInteger() && attributeOfInput(input.name) == attribute) return true;
         }
     return false;
 }
 
-/// The first draw of the planned mesh.
+/// The first draw that uses the planned mesh.
 const scene::Draw* drawOf(const plan::FramePlan& plan, std::size_t planned) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
@@ -53,6 +55,42 @@ std::size_t bytesOf(const DeviceMesh& mesh) {
     for (const DeviceMesh::Attribute& each : mesh.attributes)
         bytes += each.floats.size() + (each.integers ? each.integers->size() : 0);
     return bytes;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The indices and the wanted attributes of a mesh on the device; `isInteger` says which attributes are also
+/// needed as ints.
+template <class IsInteger>
+Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<std::string>& wanted,
+                                const IsInteger& isInteger) {
+    DeviceMesh copy;
+    copy.vertexCount = source.vertexCount();
+    copy.indexCount = static_cast<int>(source.indices.size());
+    Diagnostics diagnostics;
+    const auto upload = [&](auto values) {
+        Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(values));
+        append(diagnostics, std::move(buffer.diagnostics));
+        return std::move(buffer.value);
+    };
+    copy.indices = upload(std::span(source.indices));
+    if (!copy.indices) return diagnostics;
+    for (const geometry::Attribute& each : source.attributes) {
+        if (!contains(wanted, each.name)) continue;
+        std::optional<gpu::Buffer> floats = upload(std::span(each.values));
+        if (!floats) return diagnostics;
+        DeviceMesh::Attribute attribute{each.name, each.components, std::move(*floats), std::nullopt};
+        if (isInteger(each.name)) {
+            std::vector<std::int32_t> values(each.values.size());
+            std::transform(each.values.begin(), each.values.end(), values.begin(),
+                           [](float value) { return static_cast<std::int32_t>(value); });
+            attribute.integers = upload(std::span(std::as_const(values)));
+        }
+        copy.attributes.push_back(std::move(attribute));
+    }
+    return {std::move(copy), std::move(diagnostics)};
 }
 
 }  // namespace
@@ -86,7 +124,7 @@ const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostic
     const auto [known, isNew] = meshes_.try_emplace(shape);
     MadeMesh& made = known->second;
     if (isNew || (!made.withTangents && tangents && made.mesh)) make(shape, tangents, made);
-    tell(shape, remarks);
+    reportOnce(shape, remarks);
     return made.mesh.get();
 }
 
@@ -108,38 +146,38 @@ void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
         shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
 }
 
-void DeviceScene::tell(int shape, Diagnostics* remarks) {
+void DeviceScene::reportOnce(int shape, Diagnostics* remarks) {
     const auto made = meshes_.find(shape);
-    if (!remarks || made == meshes_.end() || made->second.areTold) return;
-    made->second.areTold = true;
+    if (!remarks || made == meshes_.end() || made->second.areReported) return;
+    made->second.areReported = true;
     append(*remarks, made->second.remarks);
 }
 
-const Bounds& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
+const VertexBox& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
     const auto [entry, isNew] = bounds_.try_emplace(shape);
-    Bounds& bounds = entry->second;
+    VertexBox& bounds = entry->second;
     if (!isNew) {
-        tell(shape, remarks);
+        reportOnce(shape, remarks);
         return bounds;
     }
     const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
     if (shared_ && !key.empty())
-        if (const std::optional<Bounds> known = shared_->bounds.find(key)) return bounds = *known;
+        if (const std::optional<VertexBox> known = shared_->bounds.find(key)) return bounds = *known;
     const geometry::Mesh* made = mesh(shape, withTangents, remarks);
     if (!made) return bounds;
-    const Bounds* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
+    const VertexBox* earlier = previous_ ? previous_->boundsOfMesh(*made) : nullptr;
     bounds = earlier ? *earlier : boundsOf(*made);
     if (shared_ && !key.empty() && meshes_.at(shape).remarks.empty()) shared_->bounds.add(key, bounds, 1);
     return bounds;
 }
 
-const Bounds* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
+const VertexBox* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
     for (const auto& [shape, made] : meshes_)
         if (made.mesh.get() == &mesh) return knownBounds(shape);
     return nullptr;
 }
 
-const Bounds* DeviceScene::knownBounds(int shape) const {
+const VertexBox* DeviceScene::knownBounds(int shape) const {
     const auto found = bounds_.find(shape);
     return found == bounds_.end() ? nullptr : &found->second;
 }
@@ -157,57 +195,37 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
     if (!found) return nullptr;
     stats_.add("meshes kept", 1);
     if (const scene::Draw* draw = drawOf(plan, planned))
-        stats_.skip("mesh", draw->word + ": it is there already", draw->place);
+        stats_.skip("mesh", draw->word + ": already on the device", draw->place);
     return found;
 }
 
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
                                 const ProgramLibrary& programs) {
-    Diagnostics diagnostics;
     const plan::PlannedMesh& wanted = plan.meshes[planned];
-    const bool withTangents = std::find(wanted.attributes.begin(), wanted.attributes.end(),
-                                        geometry::kTangent) != wanted.attributes.end();
+    const auto isInteger = [&](std::string_view attribute) {
+        return wantsIntegers(plan, planned, attribute, programs);
+    };
     std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(wanted.shape)]);
     if (!key.empty())
-        for (const std::string& each : wanted.attributes)
-            key += (wantsIntegers(plan, planned, each, programs) ? " i" : " ") + each;
+        for (const std::string& each : wanted.attributes) key += (isInteger(each) ? " i" : " ") + each;
     deviceMeshKeys_[planned] = key;
     deviceMeshes_[planned] = earlierDeviceMesh(key, plan, planned);
-    if (deviceMeshes_[planned]) return diagnostics;
-    const geometry::Mesh* source = mesh(wanted.shape, withTangents, &diagnostics);
+    if (deviceMeshes_[planned]) return {};
+    Diagnostics diagnostics;
+    const geometry::Mesh* source =
+        mesh(wanted.shape, contains(wanted.attributes, geometry::kTangent), &diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
     const StageTimer timer(stats_, "upload");
-    auto uploaded = std::make_shared<DeviceMesh>();
-    uploaded->vertexCount = source->vertexCount();
-    uploaded->indexCount = static_cast<int>(source->indices.size());
-    Result<gpu::Buffer> indices = gpu::Buffer::create(std::as_bytes(std::span(source->indices)));
-    append(diagnostics, std::move(indices.diagnostics));
-    if (!indices) return diagnostics;
-    uploaded->indices = std::move(indices.value);
-    for (const geometry::Attribute& each : source->attributes) {
-        if (std::find(wanted.attributes.begin(), wanted.attributes.end(), each.name) ==
-            wanted.attributes.end())
-            continue;
-        Result<gpu::Buffer> floats = gpu::Buffer::create(std::as_bytes(std::span(each.values)));
-        append(diagnostics, std::move(floats.diagnostics));
-        if (!floats) return diagnostics;
-        DeviceMesh::Attribute attribute{each.name, each.components, std::move(*floats), std::nullopt};
-        if (wantsIntegers(plan, planned, each.name, programs)) {
-            std::vector<std::int32_t> values(each.values.size());
-            std::transform(each.values.begin(), each.values.end(), values.begin(),
-                           [](float value) { return static_cast<std::int32_t>(value); });
-            Result<gpu::Buffer> integers = gpu::Buffer::create(std::as_bytes(std::span(values)));
-            append(diagnostics, std::move(integers.diagnostics));
-            attribute.integers = std::move(integers.value);
-        }
-        uploaded->attributes.push_back(std::move(attribute));
-    }
+    Result<DeviceMesh> made = copyToDevice(*source, wanted.attributes, isInteger);
+    append(diagnostics, std::move(made.diagnostics));
+    if (!made) return diagnostics;
+    const auto uploaded = std::make_shared<const DeviceMesh>(std::move(*made));
     stats_.add("meshes", 1);
     stats_.add("vertices stored", uploaded->vertexCount);
     if (shared_ && !key.empty() && meshes_.at(wanted.shape).remarks.empty())
         shared_->deviceMeshes.add(key, uploaded, bytesOf(*uploaded));
-    deviceMeshes_[planned] = std::move(uploaded);
+    deviceMeshes_[planned] = uploaded;
     return diagnostics;
 }
 
@@ -220,13 +238,13 @@ const gpu::VertexArray& DeviceScene::vertexArray(int planned, int program, const
     if (known != vertexArrays_.end()) return known->second;
     const DeviceMesh& mesh = *deviceMeshes_[static_cast<std::size_t>(planned)];
     std::vector<gpu::AttributeSource> sources;
-    for (const plan::ActiveInput& input : built.interface.inputs) {
+    for (const base::ActiveInput& input : built.interface.inputs) {
         const auto name = attributeOfInput(input.name);
         if (!name || input.location < 0) continue;
         for (const DeviceMesh::Attribute& each : mesh.attributes) {
             if (each.name != *name) continue;
             gpu::AttributeSource source;
-            const bool integer = input.integer && each.integers;
+            const bool integer = input.type.isInteger() && each.integers;
             source.buffer = integer ? &*each.integers : &each.floats;
             source.type =
                 integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's meshes, textures and targets on the device, made when first asked for.
+// The meshes, textures and targets of a scene on the device, each made at its first use.
 
 #include <map>
 #include <memory>
@@ -23,14 +23,14 @@
 
 namespace glibra::render {
 
-/// A mesh on the device: one buffer for each attribute that some program reads.
+/// A mesh on the device: one buffer for each attribute that a program reads.
 struct DeviceMesh {
     struct Attribute {
         std::string name;
         int components = 0;
         gpu::Buffer floats;
         std::optional<gpu::Buffer>
-            integers;  ///< the same values as ints, where a program declares the input so
+            integers;  ///< the same values as ints, if a program declares an integer input
     };
     std::vector<Attribute> attributes;
     std::optional<gpu::Buffer> indices;
@@ -40,46 +40,46 @@ struct DeviceMesh {
 
 class DeviceScene {
   public:
-    /// `shared`: what other scenes have made already, or null.
+    /// `shared`: parts of other scenes, or null. `sharesTextures`: statements that name the same files share
+    /// one texture.
     DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats,
-                SharedParts* shared = nullptr)
-        : context_(context), scene_(scene), stats_(stats), shared_(shared) {}
-    /// Statements that name the same files no longer share one texture.
-    void separateTextures() { sharesPictures_ = false; }
+                SharedParts* shared = nullptr, bool sharesTextures = true)
+        : context_(context), scene_(scene), stats_(stats), shared_(shared), sharesTextures_(sharesTextures) {}
 
-    /// What the scene had before it was read again: prepare() takes over meshes and textures that are still
-    /// the same. It must live until then.
+    /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
+    /// unchanged meshes and textures.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
-    /// Makes all meshes and textures of the plan. Errors name the scene line that wants them.
+    /// Makes all meshes and textures of the plan. Errors name the scene line that needs them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
-    /// The CPU mesh of a shape, kept until releaseMeshes; null if it could not be made, with the reason in
-    /// `remarks`. Without `remarks` they wait for the next who asks. No GL.
+    /// The CPU mesh of a shape, kept until releaseMeshes(); null if it could not be made, with the reason in
+    /// `remarks`. If `remarks` is null, the next call with `remarks` gets them. No GL.
     const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics* remarks);
-    /// Of the vertices of that mesh, which is made for it if need be. No GL.
-    const Bounds& bounds(int shape, bool withTangents, Diagnostics* remarks);
-    /// Reads the files of a texture, or computes its noise, if nobody has yet; prepare() uses it. No GL.
+    /// The box of the vertices of that mesh; makes the mesh if necessary. No GL.
+    const VertexBox& bounds(int shape, bool withTangents, Diagnostics* remarks);
+    /// Reads the files of a texture or computes its noise, unless that is done; prepare() uses the result. No
+    /// GL.
     void readAhead(int texture);
-    /// What bounds() has found out for the shape, or null.
-    [[nodiscard]] const Bounds* knownBounds(int shape) const;
-    /// The shape is another now.
+    /// The box that bounds() has found for the shape, or null.
+    [[nodiscard]] const VertexBox* knownBounds(int shape) const;
+    /// Call it after the shape has changed.
     void forgetMesh(int shape) {
         meshes_.erase(shape);
         bounds_.erase(shape);
     }
-    /// Frees the CPU's copies.
+    /// Frees the CPU meshes.
     void releaseMeshes() { meshes_.clear(); }
 
     /// Null if the mesh has nothing to draw.
     [[nodiscard]] const DeviceMesh* deviceMesh(int planned) const;
     /// Null if it has not been made.
     [[nodiscard]] const gpu::Texture* texture(int texture) const;
-    /// Reads (0, 0, 0, 1) everywhere.
+    /// A texture that reads (0, 0, 0, 1) everywhere.
     const gpu::Texture& emptyTexture(scene::TextureTarget target);
     const gpu::Sampler& sampler(bool clamp);
-    /// Joins the mesh's buffers and the program's inputs; kept.
+    /// The vertex array that connects the mesh's buffers to the program's inputs; cached.
     const gpu::VertexArray& vertexArray(int planned, int program, const BuiltProgram& built);
-    /// The render target of a pass into textures; kept.
+    /// The render target of a pass into textures; cached.
     Result<const gpu::Target*> target(const scene::Pass& pass);
 
   private:
@@ -87,15 +87,15 @@ class DeviceScene {
         std::shared_ptr<const geometry::Mesh> mesh;
         bool withTangents = false;
         Diagnostics remarks;
-        bool areTold = false;
+        bool areReported = false;
         std::string key;
     };
     using PictureTexels = Result<image::TexelBlock>;
     using NoiseTexels = Result<noise::TexelShorts>;
     void make(int shape, bool withTangents, MadeMesh& made);
-    void tell(int shape, Diagnostics* remarks);
+    void reportOnce(int shape, Diagnostics* remarks);
     std::shared_ptr<const geometry::Mesh> earlierMesh(const std::string& key);
-    [[nodiscard]] const Bounds* boundsOfMesh(const geometry::Mesh& mesh) const;
+    [[nodiscard]] const VertexBox* boundsOfMesh(const geometry::Mesh& mesh) const;
     std::shared_ptr<const DeviceMesh> earlierDeviceMesh(const std::string& key, const plan::FramePlan& plan,
                                                         std::size_t planned);
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
@@ -109,15 +109,15 @@ class DeviceScene {
     const scene::Scene& scene_;
     Stats& stats_;
     SharedParts* shared_;
+    bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
-    bool sharesPictures_ = true;
     std::map<int, MadeMesh> meshes_;
-    std::map<int, Bounds> bounds_;
+    std::map<int, VertexBox> bounds_;
     std::vector<std::string> deviceMeshKeys_;
     std::map<int, std::string> textureKeys_;
     std::vector<std::shared_ptr<const DeviceMesh>> deviceMeshes_;
     std::map<int, std::shared_ptr<const gpu::Texture>> textures_;
-    std::set<int> written_;  ///< textures that programs may write to as images: nobody else's
+    std::set<int> written_;  ///< textures that programs may write to as images; never shared
     std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it
     std::map<int, int> sameTexture_;
     std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()

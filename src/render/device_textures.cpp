@@ -82,7 +82,8 @@ gpu::TexelType typeOf(image::Component type) {
     return gpu::TexelType::f32;
 }
 
-/// Bytes as 16-bit values of the same size in 0..1: llvmpipe filters 8-bit textures with 8-bit weights.
+/// Converts bytes to 16-bit texels with the same values in 0..1, because llvmpipe filters 8-bit textures with
+/// 8-bit weights.
 noise::TexelShorts widened(const noise::TexelBytes& bytes) {
     noise::TexelShorts wide(bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
@@ -147,7 +148,7 @@ void DeviceScene::readAhead(int index) {
 Diagnostics DeviceScene::makeTexture(int index) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
-    if (picture && sharesPictures_) {
+    if (picture && sharesTextures_) {
         // Files used twice are read once: statements that name the same files share one texture.
         std::vector<int> key = picture->files;
         key.push_back(static_cast<int>(texture.target));
@@ -155,7 +156,7 @@ Diagnostics DeviceScene::makeTexture(int index) {
         if (!isNew) {
             sameTexture_[index] = first->second;
             stats_.skip("texture",
-                        fmt::format("unit {}: the one that line {} makes of the same file",
+                        fmt::format("unit {}: shares the texture that line {} makes from the same file",
                                     plan::slotText(texture.unit, texture.target),
                                     scene_.textures[static_cast<std::size_t>(first->second)].place.line),
                         texture.place);
@@ -193,7 +194,7 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     stats_.add("textures kept", 1);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
     stats_.skip(isNoise ? "noise texture" : "texture",
-                fmt::format("unit {}: it is there already", plan::slotText(texture.unit, texture.target)),
+                fmt::format("unit {}: already on the device", plan::slotText(texture.unit, texture.target)),
                 texture.place);
     return found;
 }
@@ -265,7 +266,7 @@ const gpu::Sampler& DeviceScene::sampler(bool clamp) {
 }
 
 Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
-    // Asked for at every frame: no key is made for it.
+    // This runs in every frame, so it compares without making a key.
     for (const auto& [key, known] : targets_)
         if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
     std::vector<const gpu::Texture*> textures;

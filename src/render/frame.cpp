@@ -17,7 +17,7 @@
 namespace glibra::render {
 namespace {
 
-/// What is drawn with a program that is wrong.
+/// The colour of draws whose program failed.
 constexpr glm::dvec4 kMagenta{1, 0, 1, 1};
 
 std::array<float, 4> asFloats(const glm::dvec4& color) {
@@ -29,8 +29,8 @@ GLenum imageFormat(gpu::TexelFormat format) {
     return gpu::internalFormat(format);
 }
 
-/// Lines without antialiasing have a whole number of pixels. Half way between two, one version of a driver
-/// takes the even one and another the larger: here it is always the larger, by the least that a float holds.
+/// A line without antialiasing is a whole number of pixels wide. Half-way values are rounded to even by one
+/// driver version and up by another; the smallest larger float makes all of them round up.
 double roundedUpAtHalf(double lineWidth) {
     return lineWidth - std::floor(lineWidth) == 0.5
                ? std::nextafter(static_cast<float>(lineWidth), std::numeric_limits<float>::max())
@@ -52,7 +52,7 @@ bool writesImages(const plan::PlannedDraw& planned) {
 }  // namespace
 
 double timerAt(double time, double period) {
-    // The remainder is exact, after any time; the largest float below 1 keeps what rounds up from becoming 1.
+    // fmod is exact for any time. The largest float below 1 keeps the quotient from rounding up to 1.
     const double rest = std::fmod(time, period);
     return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
 }
@@ -66,27 +66,21 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene,
       device_(device),
       stats_(stats),
       states_(plan.programs.size()),
-      // Whoever drew before may have left any of them on.
+      // Earlier drawing may have left any of them enabled.
       clipDistances_(context.capabilities().maxClipDistances) {}
 
-void FrameDrawer::setPictureSize(int width, int height) {
-    width_ = width;
-    height_ = height;
-}
-
-void FrameDrawer::leaveOutBlending() {
+void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;
-    std::set<int> told;
+    std::set<int> reported;
     for (const plan::PlannedPass& pass : plan_.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
             if (!draw || !pass.pass->targets.empty()) continue;
             const BuiltProgram* own = ownProgramOf(*draw);
-            if (own == nullptr || !own->interface.facts.isOpaque || !told.insert(draw->program).second)
+            if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw->program).second)
                 continue;
             const glsl::TranslatedProgram& facts = own->interface.facts;
-            stats_.skip("blending", fmt::format("'{}': it always writes 1 for alpha", facts.name),
-                        facts.place);
+            stats_.skip("blending", fmt::format("'{}': always writes 1 for alpha", facts.name), facts.place);
         }
 }
 
@@ -101,15 +95,15 @@ bool FrameDrawer::texturesComeFirst() const {
     return true;
 }
 
-Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, double time, bool texturePasses) {
+Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
     Diagnostics diagnostics;
-    tile_ = tile;
+    frame_ = &frame;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    std::size_t drawsBefore = 0;  // of the passes above this one
+    std::size_t drawsBefore = 0;  // in the passes before this one
     std::size_t texturePass = 0;
     for (const plan::PlannedPass& pass : plan_.passes) {
         std::size_t drawIndex = drawsBefore;
@@ -117,7 +111,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
             std::count_if(pass.steps.begin(), pass.steps.end(),
                           [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
         const bool isWindow = pass.pass->targets.empty();
-        if (!isWindow && !texturePasses) continue;
+        if (!isWindow && !frame.texturePasses) continue;
         const gpu::Target* target = &window;
         if (!isWindow) {
             Result<const gpu::Target*> made = device_.target(*pass.pass);
@@ -132,7 +126,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Tile& tile, doubl
         for (const auto& step : pass.steps) {
             if (drawIndex >= drawLimit_) break;
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
-                append(diagnostics, drawOne(*draw, *target, isWindow, time));
+                append(diagnostics, drawOne(*draw, *target, isWindow));
                 ++drawIndex;
             } else {
                 clear(*target, *std::get<const scene::Clear*>(step), isWindow);
@@ -159,7 +153,7 @@ void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bo
 }
 
 glm::dvec4 FrameDrawer::clearColor(const glm::dvec4& color, bool isWindow) const {
-    const auto& chosen = view_.state().background;
+    const auto& chosen = frame_->view.state().background;
     if (!isWindow || !chosen) return color;
     return {(*chosen)[0], (*chosen)[1], (*chosen)[2], (*chosen)[3]};
 }
@@ -175,13 +169,13 @@ void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
     if (state.literalsSet) return;
     state.literalsSet = true;
     std::vector<std::vector<std::byte>> blocks;
-    for (const gpu::UniformBlock& each : built.reflected.blocks)
+    for (const base::UniformBlock& each : built.interface.blocks)
         blocks.emplace_back(static_cast<std::size_t>(each.bytes));
     for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(program)].values) {
         const auto* literal = std::get_if<plan::Literal>(&binding.value);
         if (!literal) continue;
-        const gpu::ActiveUniform& uniform =
-            built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const base::ActiveUniform& uniform =
+            built.interface.uniforms[static_cast<std::size_t>(binding.uniform)];
         if (uniform.block >= 0)
             gpu::writeBlockMember(blocks[static_cast<std::size_t>(uniform.block)], uniform, literal->values,
                                   binding.firstElement);
@@ -189,18 +183,18 @@ void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
             gpu::setUniform(*built.program, uniform, literal->values, binding.firstElement);
     }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        glUniformBlockBinding(built.program->id(), built.reflected.blocks[i].index, static_cast<GLuint>(i));
+        glUniformBlockBinding(built.program->id(), built.interface.blocks[i].index, static_cast<GLuint>(i));
         if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i]))
             state.blocks.push_back(std::move(*buffer));
     }
 }
 
-DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect, double time) const {
+DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect) const {
     DrawFacts facts;
-    facts.projection = view_.projection(draw.projection, aspect);
-    facts.modelView = view_.modelView(draw);
-    facts.texture = view_.texture();
-    facts.timer = timerAt(time, draw.timerPeriod);
+    facts.projection = frame_->view.projection(draw.projection, aspect);
+    facts.modelView = frame_->view.modelView(draw);
+    facts.texture = frame_->view.texture();
+    facts.timer = timerAt(frame_->time, draw.timerPeriod);
     facts.color = draw.color;
     facts.pointSize = draw.raster.pointSize;
     return facts;
@@ -209,8 +203,8 @@ DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect, double ti
 void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts) {
     for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i)
         if (const glsl::BuiltinUniform* row = plan::suppliedBy(built.interface.uniforms[i]))
-            gpu::setUniform(*built.program, built.reflected.uniforms[i],
-                            suppliedValue(row->value, facts, built.reflected.uniforms[i].arraySize).span());
+            gpu::setUniform(*built.program, built.interface.uniforms[i],
+                            suppliedValue(row->value, facts, built.interface.uniforms[i].arraySize).span());
 }
 
 void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
@@ -219,23 +213,24 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
          plan_.programs[static_cast<std::size_t>(planned.program)].values) {
         const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
         if (!supplied) continue;
-        const gpu::ActiveUniform& uniform =
-            built.reflected.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const base::ActiveUniform& uniform =
+            built.interface.uniforms[static_cast<std::size_t>(binding.uniform)];
         gpu::setUniform(*built.program, uniform,
                         suppliedValue(supplied->value, facts, uniform.arraySize).span());
     }
-    // The names below are the translator's; a program that is not tiled has no such uniforms.
-    const Tile& part = isWindow ? tile_ : texture_;
+    // These names are the translator's; programs that are not made for tiles lack these uniforms.
+    const Tile& part = isWindow ? frame_->tile : texture_;
     const glm::dvec2& shift = isWindow ? shift_ : textureShift_;
-    const double wholeWidth = isWindow ? width_ : part.width, wholeHeight = isWindow ? height_ : part.height;
-    for (const gpu::ActiveUniform& uniform : built.reflected.uniforms) {
-        if (uniform.name == "glibra_Tile") {
+    const double wholeWidth = isWindow ? frame_->width : part.width,
+                 wholeHeight = isWindow ? frame_->height : part.height;
+    for (const base::ActiveUniform& uniform : built.interface.uniforms) {
+        if (uniform.emittedName == "glibra_Tile") {
             const double width = part.width, height = part.height;
             gpu::setUniform(*built.program, uniform,
                             std::array{wholeWidth / width, wholeHeight / height,
                                        (wholeWidth - 2.0 * (part.x - shift.x) - width) / width,
                                        (wholeHeight - 2.0 * (part.y - shift.y) - height) / height});
-        } else if (uniform.name == "glibra_TileOrigin") {
+        } else if (uniform.emittedName == "glibra_TileOrigin") {
             gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
         }
     }
@@ -244,7 +239,7 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
 void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                     const glm::dvec4& color) const {
     const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
-    for (const gpu::ActiveInput& input : built.reflected.inputs) {
+    for (const base::ActiveInput& input : built.interface.inputs) {
         if (input.location < 0) continue;
         std::string_view attribute;
         for (const glsl::BuiltinInput& each : glsl::builtinInputs())
@@ -255,7 +250,7 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
         if (fed) continue;
         std::array<double, 4> value{0, 0, 0, 1};
         if (attribute == geometry::kColor) value = {color.r, color.g, color.b, color.a};
-        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type.type, value);
+        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, value);
     }
 }
 
@@ -271,7 +266,7 @@ void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProg
             device_.sampler(use.clamp).bind(use.driverUnit);
         }
         const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
-        gpu::setUniform(*built.program, built.reflected.uniforms[static_cast<std::size_t>(use.uniform)], unit,
+        gpu::setUniform(*built.program, built.interface.uniforms[static_cast<std::size_t>(use.uniform)], unit,
                         use.element);
     }
 }
@@ -284,8 +279,8 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque && !changesNothing);
     const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
     const double width = std::clamp(roundedUpAtHalf(raster.lineWidth), capabilities.minLineWidth, widest);
-    if (raster.lineWidth > widest && !lineWidthTold_) {
-        lineWidthTold_ = true;
+    if (raster.lineWidth > widest && !lineWidthReported_) {
+        lineWidthReported_ = true;
         diagnostics.push_back(warning("draw-W04",
                                       fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
                                       planned.draw->place));
@@ -306,17 +301,18 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                               const gpu::Target& target, bool isWindow) const {
-    const Bounds* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
+    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
     if (!bounds || writesImages(planned)) return false;
-    const Screen window{width_, height_, tile_, windowSamples_, shift_ != glm::dvec2(0.0)};
+    const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
+                        shift_ != glm::dvec2(0.0)};
     const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
-    Lens lens = lensOf(*planned.draw, planned.submission.topology, view_, isWindow ? window : texture,
-                       context_.capabilities());
-    if (wireframe_ && lens.filled) {
-        lens.filled = false;
-        lens.reach = planned.draw->raster.lineWidth / 2 + 1;
+    DrawView drawView = drawViewOf(*planned.draw, planned.submission.topology, frame_->view,
+                                   isWindow ? window : texture, context_.capabilities());
+    if (wireframe_ && drawView.filled) {
+        drawView.filled = false;
+        drawView.reach = planned.draw->raster.lineWidth / 2 + 1;
     }
-    return sightOf(placed(*bounds, built.interface.facts.placement), lens) != Sight::possible;
+    return sightOf(placed(*bounds, built.interface.facts.placement), drawView) != Sight::possible;
 }
 
 const BuiltProgram* FrameDrawer::ownProgramOf(const plan::PlannedDraw& planned) const {
@@ -343,8 +339,7 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
                 planned.submission.patchVertices, mesh.indexCount, drawPart);
 }
 
-Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow,
-                                 double time) {
+Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
     Diagnostics diagnostics;
     const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
     if (!mesh) return diagnostics;
@@ -359,9 +354,9 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     }
     context_.debugLog().setPlace(draw.place);
     built.program->use();
-    const double aspect = isWindow ? static_cast<double>(width_) / height_
+    const double aspect = isWindow ? static_cast<double>(frame_->width) / frame_->height
                                    : static_cast<double>(target.width()) / target.height();
-    DrawFacts facts = factsOf(draw, aspect, time);
+    DrawFacts facts = factsOf(draw, aspect);
     if (isUsable) {
         setLiterals(planned.program, built);
         setSupplied(planned, built, facts, isWindow);

@@ -1,5 +1,5 @@
 #pragma once
-// GL's names for what scenes and shaders are made of.
+// GL's names for stages and topologies.
 
 #include <glad/gl.h>
 
@@ -11,7 +11,7 @@ namespace glibra::render {
 /// GL_VERTEX_SHADER and so on.
 GLenum glStage(glsl::Stage stage);
 
-/// GL_POINTS and so on: the first argument of a draw.
+/// GL_POINTS and so on: the mode of a draw call.
 GLenum glMode(geometry::Topology topology);
 
 }  // namespace glibra::render

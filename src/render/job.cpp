@@ -27,8 +27,8 @@ Diagnostics writeToStandardOutput(const image::Image& picture) {
     return {error("file-E10", "cannot write to standard output")};
 }
 
-/// "; nothing is in sight: line 7, Teapot: it is behind ..." if draws were left out and none is left. Their
-/// shaders were not compiled, so nobody has heard yet what is wrong with them.
+/// "; nothing is in sight: line 7, Teapot: it is behind ..." if all draws were skipped. Their shaders were
+/// not compiled, so errors in them are not yet reported.
 std::string whyNothingIsSeen(const plan::FramePlan& plan) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
@@ -40,7 +40,7 @@ std::string whyNothingIsSeen(const plan::FramePlan& plan) {
     return {};
 }
 
-/// What another frame says with other numbers, if it says it at all.
+/// True for diagnostics whose numbers differ from frame to frame.
 bool isOfPixels(const Diagnostic& remark) {
     return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
 }
@@ -81,7 +81,7 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
 
 namespace {
 
-/// One job under way.
+/// A running job.
 class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
@@ -113,7 +113,7 @@ class JobRun {
     }
 
   private:
-    /// The picture of frame `index`; nothing if it is not to be written.
+    /// Draws frame `index`; nothing if it must not be written.
     std::optional<image::Image> draw(SceneRenderer& scene, int index) {
         const double time = timeOf(index);
         Result<image::Image> picture = scene.draw(time, stats_);
@@ -121,14 +121,14 @@ class JobRun {
         if (search_) append(remarks, search_->at(time));
         if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
         applyStrict(remarks, options_.strict);
-        tell(std::move(remarks), index);
+        keepFirst(std::move(remarks), index);
         return hasErrors() ? std::nullopt : std::move(picture.value);
     }
 
-    /// Of what is said of the same place in many frames, what the first of them says.
-    void tell(Diagnostics remarks, int frame) {
+    /// Keeps a diagnostic only in the first frame that has one of its subject.
+    void keepFirst(Diagnostics remarks, int frame) {
         for (Diagnostic& each : remarks) {
-            const auto first = told_.try_emplace(subjectOf(each), frame).first;
+            const auto first = reported_.try_emplace(subjectOf(each), frame).first;
             if (first->second != frame) continue;
             if (job_.frames == 1) {
                 result_.diagnostics.push_back(std::move(each));
@@ -153,7 +153,7 @@ class JobRun {
                                                        : image::writeImage(*picture, job_.output));
     }
 
-    /// By frame the first frame that shows the same.
+    /// For each frame, the first frame that shows the same picture.
     [[nodiscard]] std::vector<int> firstAlike(const SceneRenderer& scene) const {
         std::map<Moment, int> known;
         std::vector<int> first(static_cast<std::size_t>(job_.frames));
@@ -164,12 +164,12 @@ class JobRun {
         return first;
     }
 
-    /// By frame whether this part draws it, or copies it from one that it draws. Parts take turns, so that
-    /// all have as much to do.
+    /// For each frame, whether this part draws it or copies it from one that it draws. The parts take turns,
+    /// so that each has as much to do.
     [[nodiscard]] std::vector<bool> ownFrames(const SceneRenderer& scene,
                                               const std::vector<int>& firstAlike) const {
-        const bool isDivided = job_.parts > 1 && !scene.remembersFrames() &&
-                               context_.capabilities().family.find("pipe") != std::string::npos;
+        const bool isDivided =
+            job_.parts > 1 && !scene.remembersFrames() && context_.capabilities().isSoftware;
         std::vector<bool> isOwn(firstAlike.size(), !isDivided && job_.part == 0);
         if (!isDivided) return isOwn;
         int turn = 0;
@@ -203,20 +203,18 @@ class JobRun {
         append(result_.diagnostics, writer.finish());
         if (copies == 0) return;
         stats_.add("frames copied", static_cast<std::uint64_t>(copies));
-        stats_.skip(
-            "frames",
-            drawn == 1
-                ? fmt::format("{} of {} are copies of the first: nothing that is drawn reads Timer", copies,
-                              job_.frames)
-                : fmt::format("{} of {} are copies of earlier ones with the same Timer", copies, job_.frames),
-            {job_.scene.string(), 1, 1});
+        stats_.skip("frames",
+                    drawn == 1 ? fmt::format("{} of {} are copies of the first: no draw reads Timer", copies,
+                                             job_.frames)
+                               : fmt::format("{} of {} are copies of earlier frames with the same Timer",
+                                             copies, job_.frames),
+                    {job_.scene.string(), 1, 1});
     }
 
     void explainTiles() {
         for (const Stats::Count& each : stats_.counts)
             if (each.name == kDrawsOutOfTheirTile)
-                stats_.skip("draws",
-                            fmt::format("{} lie outside the tile they would be drawn in", each.value),
+                stats_.skip("draws", fmt::format("{} lie outside their tile", each.value),
                             {job_.scene.string(), 1, 1});
     }
 
@@ -239,7 +237,7 @@ class JobRun {
     std::optional<gpu::CallCounter> counter_;
     Result<NanSearch> search_;
     JobResult result_;
-    std::map<Subject, int> told_;  ///< the frame in which each was told
+    std::map<Subject, int> reported_;  ///< the first frame of each subject
 };
 
 }  // namespace

@@ -21,38 +21,38 @@ struct Job {
     RenderOptions options;
     int frames = 1;
     double framesPerSecond = 30;
-    /// An animation may be divided among as many jobs, of which this is number `part`. They must run on the
-    /// same machine, each in a process of its own. On a driver that draws on the processor, and for a scene
-    /// whose frames do not show earlier ones, each draws its share of the frames; else part 0 draws all.
+    /// An animation may be divided among `parts` jobs; this one is number `part`. The jobs must run on the
+    /// same machine, each in its own process. Each draws its share of the frames if the driver draws on the
+    /// processor and no frame depends on earlier ones; otherwise part 0 draws all.
     int part = 0, parts = 1;
     bool explain = false;
     bool stats = false;
 };
 
-/// What became of it. `failed` says that the scene or its output is wrong; `diagnostics` say why.
+/// The outcome of a job. `failed`: the scene or its output has an error, which `diagnostics` name.
 struct JobResult {
     bool failed = false;
-    Diagnostics diagnostics;  ///< of an animation those of no single frame
-    /// Of an animation, by the number of its frame: what is seen there for the first time.
+    Diagnostics diagnostics;  ///< for an animation, those that belong to no single frame
+    /// For an animation, the diagnostics that a frame is the first to have, by the frame's number.
     std::map<int, Diagnostics> ofFrames;
     std::string explanation;  ///< --explain
     std::string statsJson;    ///< --stats
 };
 
 /// Draws and writes all frames, or those of its part. Encoding and writing of one frame overlap with drawing
-/// the next; frames that cannot differ are drawn and encoded once and copied. Called with the number of
-/// frames written so far, as soon as each is. `shared`: what earlier scenes have made, or null.
+/// the next; frames that cannot differ are drawn and encoded once and copied. `frameWritten` is called after
+/// each file with the number of frames written so far. `shared`: parts of earlier scenes, or null.
 JobResult runJob(gpu::Context& context, const Job& job,
                  const std::function<void(int framesWritten)>& frameWritten, SharedParts* shared = nullptr);
 
-/// A picture of one colour is legal, but seldom meant (draw-N02, with the reason if the plan has it: all
-/// draws are out of sight); NaN and infinities never are (draw-W06). `isSearched` leaves NaN to checkNan's
-/// search, which names the draws.
+/// Diagnostics of a finished picture: draw-N02 if it has only one colour, with the reason if all draws are
+/// out of sight; draw-W06 if it holds NaN or infinity. With `isSearched` draw-W06 is left to the search of
+/// checkNan, which names the draws.
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
                       const plan::FramePlan& plan, bool isSearched = false);
 
-/// The file of frame `index`: "a/b.png" becomes "a/b_0007.png" if there are several; as many digits as the
-/// last frame needs, at least four.
+/// The file of frame `index`. With several frames "a/b.png" becomes "a/b_0007.png", with as many digits as
+/// the last frame needs, at least four.
 std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames);
 
 }  // namespace glibra::render

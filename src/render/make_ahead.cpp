@@ -1,6 +1,6 @@
-// What is made of a scene before its programs are compiled. Which samplers a program keeps only the compiler
-// knows; here all count that its sources speak of. A wrong guess costs time, on a thread that has it, and
-// changes nothing else: the plan takes what it needs and makes what is missing.
+// Makes parts of a scene before its programs are compiled. Only the compiler knows which samplers a program
+// keeps; this code assumes all that the sources use. A wrong guess costs time on an otherwise idle thread and
+// nothing else: the plan uses what it needs and makes what is missing.
 
 #include <algorithm>
 #include <cctype>
@@ -19,7 +19,7 @@
 namespace glibra::render {
 namespace {
 
-/// The words of a GLSL text in order.
+/// The words of a GLSL text, in order.
 std::vector<std::string_view> wordsOf(std::string_view text) {
     const auto isOfWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     std::vector<std::string_view> words;
@@ -42,8 +42,8 @@ std::optional<scene::TextureTarget> targetOf(std::string_view samplerType) {
     return std::nullopt;
 }
 
-/// Samplers that a stage declares and names once more, as if the compiler had kept them.
-plan::ProgramInterface samplersSpokenOf(const glsl::TranslatedProgram& program) {
+/// The samplers that a stage declares and uses, as if the compiler had kept them.
+plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
     plan::ProgramInterface guess;
     for (const glsl::TranslatedStage& stage : program.stages) {
         if (stage.source.find("sampler") == std::string::npos) continue;
@@ -70,7 +70,7 @@ plan::ProgramInterface samplersSpokenOf(const glsl::TranslatedProgram& program) 
 }  // namespace
 
 void SceneRenderer::State::makeAhead() {
-    if (options.maxError > 0) return;  // shapes are chosen when the programs are known
+    if (options.maxError > 0) return;  // shapes are chosen after the programs are compiled
     const Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;
     const auto texturesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
@@ -80,7 +80,7 @@ void SceneRenderer::State::makeAhead() {
         if (!translated || hasError(translated->diagnostics)) return textures;
         device.bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
         if (variant.program == scene::kNone) return textures;
-        const plan::ProgramInterface guess = samplersSpokenOf(*translated);
+        const plan::ProgramInterface guess = samplersIn(*translated);
         std::vector<bool> used;
         const auto samplers = plan::resolveUniforms(scene.programs[static_cast<std::size_t>(variant.program)],
                                                     scene.path, guess, *overrides, used)

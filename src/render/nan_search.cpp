@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 8;
 
-/// A true for each pixel with a component that is no finite number; empty if there is none.
+/// True for each pixel with a component that is not finite; empty if there is none.
 std::vector<bool> brokenPixels(const image::Image& picture) {
     std::vector<bool> broken;
     const auto components = static_cast<std::size_t>(picture.components);
@@ -31,7 +31,7 @@ std::vector<bool> brokenPixels(const image::Image& picture) {
     return broken;
 }
 
-/// One colour of one pass's target, and the draws into it: first .. end, counted over all passes.
+/// One colour of one pass's target, and the range [first, end) of the draws into it, counted over all passes.
 struct Searched {
     std::size_t pass = 0;
     int color = 0;
@@ -42,7 +42,7 @@ struct Found {
     const plan::PlannedDraw* draw = nullptr;
     std::size_t pixels = 0;
     std::size_t x = 0, y = 0;    ///< of the first one, from the top left
-    int texture = scene::kNone;  ///< that it was drawn into; none: the window
+    int texture = scene::kNone;  ///< that was drawn into; kNone: the window
 };
 
 class Search {
@@ -96,7 +96,7 @@ class Search {
         return content ? brokenPixels(*content) : std::vector<bool>();
     }
 
-    /// Names every draw of low .. high after which a pixel is broken that was not before it.
+    /// Finds every draw from low to high after which a pixel is not finite that was finite before it.
     void halve(const Searched& where, std::size_t low, const std::vector<bool>& before, std::size_t high,
                const std::vector<bool>& after) {
         Found added;
@@ -146,7 +146,7 @@ std::string describe(const Found& found, const scene::Scene& scene, const std::m
     text += fmt::format(", the first at {}, {}", found.x, found.y);
     for (const plan::TextureUse& use : found.draw->textures)
         if (const auto line = lines.find(use.texture); line != lines.end())
-            return text + fmt::format("; it samples what line {} has drawn", line->second);
+            return text + fmt::format("; it samples what line {} drew", line->second);
     return text;
 }
 
@@ -157,7 +157,7 @@ std::string describe(const LostPrimitives& lost) {
                        lost.lost == 1 ? "is" : "are");
 }
 
-/// The last message that is told says how many are not.
+/// The last message that is shown counts those that are not.
 std::string countingRest(std::string text, std::size_t index, std::size_t count) {
     if (index + 1 == kMostNamed && count > kMostNamed)
         text += fmt::format("; {} more draws do so", count - kMostNamed);

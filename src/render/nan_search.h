@@ -1,7 +1,6 @@
 #pragma once
-// Which draws put NaN or infinity into a picture, or lose what they draw by such positions. The frame is
-// drawn again up to this draw and that, into floats, and what is between two pictures is halved until one
-// draw is left.
+// Finds the draws that put NaN or infinity into a picture, or that lose primitives because of such positions.
+// It draws the frame again into floats, up to a chosen draw, and bisects until one draw is left.
 
 #include <glibra/render.h>
 
@@ -15,22 +14,22 @@ namespace glibra::render {
 
 class NanSearch {
   public:
-    /// Loads the scene once more, with a window of floats. Errors are those of SceneRenderer::load; what the
-    /// scene's own loading has already said is not said again.
+    /// Loads the scene again with a float window. Errors are those of SceneRenderer::load; warnings and notes
+    /// of the first loading are not repeated.
     static Result<NanSearch> load(gpu::Context& context, const std::filesystem::path& scene,
                                   const RenderOptions& options);
 
-    /// draw-W06 at the scene line of each draw that leaves NaN or infinity in a pixel of the window, or of a
-    /// float texture that was finite before it, in the order of drawing; the last one counts the rest beyond
-    /// eight. draw-W09 likewise at each draw with NaN or infinity in gl_Position. Under `strict` they are
-    /// errors. Nothing if all are finite: that costs two frames, a readback of each float target, and what
-    /// PositionSearch does beside them. Each draw of a draw-W06 costs about log2(draws) frames more.
+    /// Reports draw-W06 at the scene line of each draw that leaves NaN or infinity in a pixel, of the window
+    /// or of a float texture, that was finite before it, in drawing order; the eighth message counts the
+    /// rest. Reports draw-W09 likewise at each draw with NaN or infinity in gl_Position. Under `strict` both
+    /// are errors. If everything is finite, the search costs two frames, a readback of each float target and
+    /// a PositionSearch. Each draw-W06 costs about log2(draws) more frames.
     Diagnostics at(double time);
 
   private:
     NanSearch(const gpu::Context& context, std::unique_ptr<Stats> stats, SceneRenderer renderer, bool strict)
         : stats_(std::move(stats)), renderer_(std::move(renderer)), positions_(context), strict_(strict) {}
-    std::unique_ptr<Stats> stats_;  ///< the renderer counts into it as long as it lives
+    std::unique_ptr<Stats> stats_;  ///< the renderer counts into it while it exists
     SceneRenderer renderer_;
     PositionSearch positions_;
     bool strict_;

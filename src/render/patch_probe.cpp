@@ -8,6 +8,7 @@
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "gpu/reflection.h"
 #include "gpu/uniform.h"
 #include "render/derived_program.h"
 #include "render/frame.h"
@@ -129,11 +130,12 @@ std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
     const int indices = draw.submission.patchVertices;
     const gpu::Program* program = built && mesh && indices > 0 ? capturingFor(*built) : nullptr;
     if (program == nullptr) return std::nullopt;
-    const gpu::ProgramInterface reflected = gpu::reflect(*program);
+    const base::ActiveResources reflected = gpu::reflect(*program);
     copyUniforms(*built, *program, reflected);
-    for (const gpu::ActiveUniform& each : reflected.uniforms)
+    for (const base::ActiveUniform& each : reflected.uniforms)
         for (const budget::LevelValue& value : values)
-            if (built->reflected.uniforms[static_cast<std::size_t>(value.uniform)].name == each.name)
+            if (built->interface.uniforms[static_cast<std::size_t>(value.uniform)].emittedName ==
+                each.emittedName)
                 gpu::setUniform(*program, each, std::array{value.value});
     program->use();
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);

@@ -28,8 +28,8 @@ bool hasStage(const glsl::TranslatedProgram& program, glsl::Stage stage) {
                        [stage](const glsl::TranslatedStage& each) { return each.stage == stage; });
 }
 
-/// Without the translation the numbers that a stage reads are the driver's: those within one draw. A fragment
-/// stage behind a geometry stage gets what that one writes.
+/// Without translation a stage reads the driver's numbers, those within one draw. A fragment stage after a
+/// geometry stage gets what that stage writes.
 bool numbersWithinDraw(const glsl::TranslatedProgram& program) {
     const bool hasGeometry = hasStage(program, glsl::Stage::geometry);
     return std::any_of(program.stages.begin(), program.stages.end(), [&](const glsl::TranslatedStage& each) {
@@ -44,7 +44,7 @@ bool countsPrimitives(const gpu::Capabilities& driver) {
     return driver.hasExtension("GL_ARB_pipeline_statistics_query");
 }
 
-/// -1 if the program in use does not read it.
+/// The location in the program in use, or -1.
 GLint locationOf(const glsl::TranslatedProgram& program, const char* name) {
     if (!anyReads(program, name)) return -1;
     GLint inUse = 0;
@@ -73,18 +73,17 @@ class PrimitiveCount {
 
   private:
     gpu::Name<gpu::deleteQuery> query_;
-    GLint invocations_ = 1;  ///< a primitive
+    GLint invocations_ = 1;  ///< per primitive
 };
 
-/// 1 or more.
+/// The number of patches to draw per call, at least 1.
 int patchesAtOnce(const gpu::Capabilities& driver, const glsl::TranslatedProgram& program,
                   int patchVertices) {
-    constexpr int kAll = 1 << 24;  // times 32 vertices a patch still fits an int
-    const bool isMesaSoftware = driver.family.find("pipe") != std::string::npos;
-    if (!isMesaSoftware || numbersWithinDraw(program) ||
+    constexpr int kAll = 1 << 24;  // times 32 vertices per patch still fits an int
+    if (!driver.isSoftware || numbersWithinDraw(program) ||
         (anyReads(program, kFirstPrimitive) && !countsPrimitives(driver)))
         return kAll;
-    // Vertices along a patch at the highest level; without a control stage each is of level 1.
+    // The vertices along one side of a patch at the highest level; without a control stage all levels are 1.
     const int side = hasStage(program, glsl::Stage::tessControl) ? driver.maxTessellationLevel + 1 : 2;
     const int most = std::max(1, 65'536 / (side * side));
     return anyReads(program, kFirstPatch) ? std::min(most, std::max(1, 1024 / patchVertices)) : most;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/frame.h"
 #include "render/probe_options.h"
 #include "render/scene_renderer.h"
 
@@ -12,7 +11,8 @@ namespace {
 
 constexpr int kNoiseSide = 200, kLeastSide = 320, kMostSide = 800;
 
-/// With meshes a tenth of a pixel can be told, and a picture in which the bound is that much is large enough.
+/// For meshes, shifts of a tenth of a pixel can be measured, so a picture in which the bound is that much is
+/// large enough.
 int largestSide(const budget::Choice& choice, const RenderOptions& options, int side) {
     if (!choice.noise.empty()) return kNoiseSide;
     return static_cast<int>(std::clamp(.1 * side / options.maxError, double{kLeastSide}, double{kMostSide}));
@@ -24,7 +24,8 @@ std::optional<budget::ContourShifts> PictureProbe::shift(const budget::Choice& f
                                                          const budget::Choice& to) const {
     ProbeOptions probe =
         probeOptions(options, width, height, largestSide(from, options, std::max(width, height)));
-    // Noise changes values by less than bytes tell. With bytes, the driver's code is that of the picture.
+    // Noise changes values by less than a byte can show. Meshes use bytes, so that the driver runs the same
+    // code as for the picture.
     probe.options.floatPixels = !from.noise.empty();
     probe.options.alpha = false;
     Stats stats;
@@ -35,7 +36,7 @@ std::optional<budget::ContourShifts> PictureProbe::shift(const budget::Choice& f
         Result<SceneRenderer> renderer =
             SceneRenderer::of(context, std::move(chosen), probe.options, stats, parts);
         if (!renderer) return std::move(renderer.diagnostics);
-        renderer->drawer().setView(view);
+        renderer->setView(view);
         return renderer->draw(options.time, stats);
     };
     const Result<image::Image> before = picture(from), after = picture(to);

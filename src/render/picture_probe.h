@@ -1,5 +1,5 @@
 #pragma once
-// What other meshes and noise textures do to a picture, measured on small pictures of the scene.
+// Measures on small pictures how other meshes and noise textures change a scene's picture.
 
 #include <glibra/render.h>
 
@@ -13,19 +13,19 @@
 
 namespace glibra::render {
 
-/// Of a scene in a picture of `width` x `height`, seen by `view` whatever the meshes are.
+/// The scene, in a picture of `width` x `height` pixels. The view is fixed: it does not depend on the meshes.
 struct PictureProbe {
     gpu::Context& context;
     const scene::Scene& scene;
     const RenderOptions& options;
     int width = 0, height = 0;
     const ViewMatrices& view;
-    SharedParts* parts = nullptr;  ///< what the pictures have in common, or null
+    SharedParts* parts = nullptr;  ///< parts that the pictures share, or null
 
-    /// How far contours move from the scene's picture with the shapes, noise and samples of `from` to that
-    /// with those of `to`, in pixels of the whole picture. It is measured on small pictures: for noise of at
-    /// most 200 pixels a side, for meshes of 320, or up to 800 where a tenth of a pixel is more than the
-    /// bound. Nothing if they cannot be drawn: whoever draws the scene itself is told why.
+    /// How far contours move, in pixels of the whole picture, between the scene's picture with the shapes,
+    /// noise and samples of `from` and that with those of `to`. The longer side of the small pictures has at
+    /// most 200 pixels for noise; for meshes 320, or up to 800 if the bound is less than a tenth of a pixel.
+    /// Nothing if they cannot be drawn; drawing the scene itself then reports why.
     [[nodiscard]] std::optional<budget::ContourShifts> shift(const budget::Choice& from,
                                                              const budget::Choice& to) const;
 };

@@ -1,9 +1,11 @@
 #include "render/picture_writer.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
+#include "base/parallel.h"
 #include "image/file.h"
 #include "image/write.h"
 
@@ -19,8 +21,7 @@ Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::p
 }  // namespace
 
 PictureWriter::PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads)
-    : written_(written),
-      mostThreads_(mostThreads > 0 ? mostThreads : std::max(1U, std::thread::hardware_concurrency())) {
+    : written_(written), mostThreads_(base::threadCount(static_cast<int>(mostThreads))) {
     startThread();
 }
 
@@ -29,7 +30,7 @@ void PictureWriter::startThread() {
 }
 
 bool PictureWriter::add(image::Image picture, std::filesystem::path file) {
-    // Every further thread has one more picture in hand, and as much memory for encoding it.
+    // Each further thread holds one more picture, and as much memory again for encoding it.
     constexpr std::size_t kMostBytes = std::size_t{256} << 20;
     const bool fits = threads_.size() * picture.data.size() <= kMostBytes;
     if (!wait({std::move(picture), std::move(file)})) return false;
@@ -42,7 +43,7 @@ bool PictureWriter::add(image::Image picture, std::filesystem::path file) {
     try {
         startThread();
     } catch (const std::system_error&) {
-        mostThreads_ = threads_.size();  // the machine gives no more
+        mostThreads_ = threads_.size();  // the machine gives no more threads
     }
     return true;
 }
@@ -70,7 +71,7 @@ Diagnostics PictureWriter::finish() {
     return std::move(problems_);
 }
 
-/// The next item, once what it is a copy of is written; false if there is no more.
+/// Takes the next item, after the file that it copies is written; false if there is none.
 bool PictureWriter::take(Item& item) {
     std::unique_lock lock(mutex_);
     ++idle_;
@@ -86,7 +87,7 @@ bool PictureWriter::take(Item& item) {
     return !failed_;
 }
 
-/// False if there is no use in writing more.
+/// Records that an item is done; false if writing more is useless.
 bool PictureWriter::done(const Item& item, Diagnostics problems) {
     const std::scoped_lock lock(mutex_);
     beingWritten_.erase(item.file);
@@ -102,15 +103,21 @@ bool PictureWriter::done(const Item& item, Diagnostics problems) {
 }
 
 void PictureWriter::run() {
-    // Drawing waits for these files, and each thread has its own.
+    // Drawing waits for these files, so they are compressed quickly, each on one thread.
     image::WriteOptions options;
     options.png.level = 0;
     options.png.threads = 1;
     Item item;
     while (take(item)) {
         const auto* picture = std::get_if<image::Image>(&item.content);
-        Diagnostics problems = picture ? image::writeImage(*picture, item.file, options)
-                                       : copyFile(std::get<std::filesystem::path>(item.content), item.file);
+        Diagnostics problems;
+        try {
+            problems = picture ? image::writeImage(*picture, item.file, options)
+                               : copyFile(std::get<std::filesystem::path>(item.content), item.file);
+        } catch (const std::bad_alloc&) {
+            problems.push_back(
+                error("file-E10", "cannot write '" + item.file.string() + "': not enough memory"));
+        }
         if (!done(item, std::move(problems))) return;
     }
 }

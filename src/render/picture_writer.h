@@ -1,5 +1,5 @@
 #pragma once
-// Frames of an animation to files, on threads of their own.
+// Writes the frames of an animation to files, on separate threads.
 
 #include <glibra/diagnostic.h>
 
@@ -18,23 +18,22 @@
 
 namespace glibra::render {
 
-/// Encodes and writes pictures while the next ones are drawn. One thread does it as long as it keeps up;
-/// where drawing is the quicker part, more are started. At most two pictures wait, so that memory stays
-/// bounded.
+/// Encodes and writes pictures while the next ones are drawn. It starts with one thread and adds more when
+/// drawing is faster. At most two pictures wait, so that the use of memory is bounded.
 class PictureWriter {
   public:
     /// `written` is called with the number of files written so far, never by two threads at once; it must
-    /// outlive this. `mostThreads` 0: as many as the machine has processors.
+    /// outlive the writer. `mostThreads` 0: one thread per processor.
     explicit PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads = 0);
     PictureWriter(const PictureWriter&) = delete;
     PictureWriter& operator=(const PictureWriter&) = delete;
     ~PictureWriter() { finish(); }
 
-    /// False once a file could not be written: there is no use in drawing more.
+    /// Returns false after a file could not be written: drawing more is useless.
     bool add(image::Image picture, std::filesystem::path file);
-    /// The same bytes as those of a file added before.
+    /// Adds a copy of a file that was added before.
     bool addCopy(std::filesystem::path of, std::filesystem::path file);
-    /// Waits for all; returns what went wrong: the errors of one file at most.
+    /// Waits for all files and returns the errors of at most one file.
     Diagnostics finish();
 
   private:
@@ -56,7 +55,7 @@ class PictureWriter {
     std::set<std::filesystem::path> beingWritten_;
     Diagnostics problems_;
     int count_ = 0;
-    std::size_t idle_ = 0;  ///< threads that wait for a picture
+    std::size_t idle_ = 0;  ///< threads waiting for a picture
     bool closed_ = false;
     bool failed_ = false;
     std::vector<std::jthread> threads_;

@@ -7,6 +7,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "gpu/reflection.h"
 #include "gpu/timer.h"
 #include "render/derived_program.h"
 #include "render/frame.h"
@@ -16,9 +17,9 @@ namespace glibra::render {
 namespace {
 
 constexpr GLuint kMostVertices = 1U << 25U;
-constexpr std::size_t kFloats = 4;  ///< of a captured vertex
+constexpr std::size_t kFloats = 4;  ///< per captured vertex
 
-/// What leaves the last stage before rasterisation.
+/// The primitives that leave the last stage before rasterisation.
 struct Output {
     GLenum mode = GL_TRIANGLES;
     GLuint corners = 3;
@@ -52,7 +53,7 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
         .program;
 }
 
-/// What `work` adds to a query's count.
+/// The count of a query around `work`.
 template <class Work>
 GLuint counted(GLenum what, const Work& work) {
     GLuint name = 0;
@@ -66,7 +67,7 @@ GLuint counted(GLenum what, const Work& work) {
     return count;
 }
 
-/// Primitives of the captured ones with a component that is not finite.
+/// The number of captured primitives with a component that is not finite.
 std::uint64_t countLost(const gpu::Buffer& buffer, GLuint primitives, GLuint corners) {
     const std::size_t floats = std::size_t{primitives} * corners * kFloats;
     if (floats == 0) return 0;
@@ -90,7 +91,7 @@ std::vector<LostPrimitives> PositionSearch::search(SceneRenderer& renderer, doub
     std::set<const plan::PlannedDraw*> seen;
     FrameDrawer& drawer = renderer.drawer();
     drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
-        // A picture of several tiles draws it several times.
+        // A picture of several tiles draws it once per tile.
         if (!begins || !seen.insert(&draw).second) return;
         if (std::optional<LostPrimitives> lost = look(drawer, draw)) found.push_back(std::move(*lost));
     });

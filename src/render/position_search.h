@@ -1,6 +1,6 @@
 #pragma once
-// Which draws place vertices at NaN or infinity. Nothing of the picture shows it: what such a vertex belongs
-// to is not drawn.
+// Finds the draws that place vertices at NaN or infinity. The picture does not show them: a primitive with
+// such a vertex is not drawn.
 
 #include <cstdint>
 #include <map>
@@ -15,22 +15,21 @@
 
 namespace glibra::render {
 
-/// A draw with vertices of which gl_Position has a component that is no finite number, when it leaves the
-/// last stage before rasterisation.
+/// A draw with vertices whose gl_Position is not finite when it leaves the last stage before rasterisation.
 struct LostPrimitives {
     const plan::PlannedDraw* draw = nullptr;
     std::string kind;                 ///< "triangles", "lines" or "points"
-    std::uint64_t lost = 0, all = 0;  ///< how many of them have such a vertex
+    std::uint64_t lost = 0, all = 0;  ///< primitives with such a vertex, and all primitives
 };
 
 class PositionSearch {
   public:
     explicit PositionSearch(const gpu::Context& context) : capabilities_(&context.capabilities()) {}
 
-    /// Draws one frame and has every draw's positions captured beside it: the stages before rasterisation run
-    /// three times for each draw, and each program is linked once more when it is first met. In the order of
-    /// drawing. Of a draw that becomes more than 2^25 vertices the first are looked at; a program that cannot
-    /// be linked without its fragment stage is left out. Always with the same renderer.
+    /// Draws one frame and captures the positions of every draw; the results are in drawing order. The stages
+    /// before rasterisation run three times per draw, and each program is linked once more when it is first
+    /// used. Of a draw with more than 2^25 vertices only the first are examined; a program that does not link
+    /// without its fragment stage is skipped. Use one search with one renderer only.
     std::vector<LostPrimitives> search(SceneRenderer& renderer, double time, Stats& stats);
 
   private:

@@ -32,7 +32,7 @@ ProgramLibrary::~ProgramLibrary() {
     for (auto& [variant, built] : programs_)
         if (built->program && !built->key.empty() && !built->isLastGood)
             shared_->programs.add(built->key,
-                                  SharedProgram{std::move(*built->program), std::move(built->reflected),
+                                  SharedProgram{std::move(*built->program), std::move(built->interface),
                                                 std::move(built->remarks)},
                                   1);
 }
@@ -41,13 +41,13 @@ bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& b
     std::optional<SharedProgram> earlier = shared_ ? shared_->programs.take(built.key) : std::nullopt;
     if (!earlier) return false;
     built.program.emplace(std::move(earlier->program));
-    built.reflected = std::move(earlier->reflected);
+    static_cast<base::ActiveResources&>(built.interface) = std::move(earlier->resources);
     built.remarks = std::move(earlier->remarks);
     stats_.add("programs kept", 1);
     const bool isBuiltin = variant.program == scene::kNone;
     const scene::Program* program =
         isBuiltin ? nullptr : &scene_.programs[static_cast<std::size_t>(variant.program)];
-    stats_.skip("program", fmt::format("'{}': it is there already", isBuiltin ? "built-in" : program->name),
+    stats_.skip("program", fmt::format("'{}': already linked", isBuiltin ? "built-in" : program->name),
                 isBuiltin ? Place{scene_.path, 1, 1} : program->place);
     return true;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glsl/emit/log.h"
+#include "gpu/reflection.h"
 #include "image/file.h"
 #include "render/gl_names.h"
 #include "scene/file_lookup.h"
@@ -14,9 +15,7 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::uint64_t kLargestSource = 4ULL << 20;
-
-/// The bytes as text without a UTF-8 mark.
+/// The bytes as text, without a UTF-8 byte order mark.
 std::string asText(const std::vector<std::byte>& bytes) {
     std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -45,6 +44,23 @@ glsl::SamplerKind samplerKind(scene::TextureTarget target) {
             break;
     }
     return glsl::SamplerKind::samplerCube;
+}
+
+/// The name that the user wrote. An emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y", and the
+/// translator may have renamed any part of it.
+std::string userName(const std::string& emitted, const glsl::TranslatedProgram& facts) {
+    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end())
+        return whole->second;
+    std::string name;
+    for (std::size_t begin = 0; begin < emitted.size();) {
+        const std::size_t end = std::min(emitted.find_first_of(".[]", begin), emitted.size());
+        const std::string part = emitted.substr(begin, end - begin);
+        const auto renamed = facts.userNames.find(part);
+        name += renamed == facts.userNames.end() ? part : renamed->second;
+        if (end < emitted.size()) name += emitted[end];
+        begin = end + 1;
+    }
+    return name;
 }
 
 }  // namespace
@@ -134,21 +150,22 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     gpu::BuildOutcome outcome = gpu::buildProgram(
         context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
-        Diagnostics said = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
-        if (!outcome.stages[i].compiled && !hasError(said))
-            said.push_back(error("glsl-E01", "the driver refuses it: " + outcome.stages[i].log,
-                                 {translated.stages[i].path, 1, 1}));
-        append(diagnostics, std::move(said));
+        Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+        if (!outcome.stages[i].compiled && !hasError(found))
+            found.push_back(error("glsl-E01",
+                                  "the driver does not compile the shader: " + outcome.stages[i].log,
+                                  {translated.stages[i].path, 1, 1}));
+        append(diagnostics, std::move(found));
     }
     if (!outcome.program && !hasError(diagnostics)) {
         append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
         if (!hasError(diagnostics))
             diagnostics.push_back(
-                error("glsl-E02", "the driver cannot link it: " + outcome.linkLog, programPlace));
+                error("glsl-E02", "the driver does not link the program: " + outcome.linkLog, programPlace));
     }
     stats_.add("programs", 1);
     if (!outcome.program) return false;
-    built.reflected = gpu::reflect(*outcome.program);
+    static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
     built.program = std::move(outcome.program);
     return true;
 }
@@ -165,7 +182,8 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         built.key = keyOf(variant, translated);
         if (BuiltProgram* earlier = earlierByKey(built.key)) {
             built.program = std::exchange(earlier->program, std::nullopt);
-            built.reflected = std::move(earlier->reflected);
+            // A copy: the earlier library's plan may still be read.
+            static_cast<base::ActiveResources&>(built.interface) = earlier->interface;
             built.remarks = std::move(earlier->remarks);
         } else if (!borrow(variant, built)) {
             if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
@@ -175,7 +193,6 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
     const bool isBuiltin = variant.program == scene::kNone;
     if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
         built.program = std::exchange(earlier->program, std::nullopt);
-        built.reflected = std::move(earlier->reflected);
         built.interface = std::move(earlier->interface);
         built.interface.facts.diagnostics = std::move(diagnostics);
         built.key = std::move(earlier->key);
@@ -184,7 +201,9 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         return;
     }
     translated.diagnostics = std::move(diagnostics);
-    built.interface = describe(built.reflected, std::move(translated));
+    for (base::ActiveUniform& each : built.interface.uniforms)
+        each.name = userName(each.emittedName, translated);
+    built.interface.facts = std::move(translated);
     built.interface.usable = built.program.has_value();
     built.interface.isBuiltin = isBuiltin;
 }

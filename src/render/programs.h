@@ -1,5 +1,6 @@
 #pragma once
-// Program statements to linked GL programs, made when a plan asks for them and kept by variant.
+// Turns Program statements into linked GL programs. A program is made when a plan asks for it and kept by
+// variant.
 
 #include <glibra/render.h>
 
@@ -15,7 +16,6 @@
 #include "glsl/types/request.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "gpu/reflection.h"
 #include "plan/frame_plan.h"
 #include "render/shared_parts.h"
 #include "render/stats.h"
@@ -23,36 +23,36 @@
 
 namespace glibra::render {
 
-/// A program of the driver with its two descriptions: `reflected` is GL's, `interface` the plan's. Their
-/// uniforms, blocks and inputs stand in the same order.
+/// The largest shader file, in bytes (language, 11).
+inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
+
+/// A program of the driver and what it reads.
 struct BuiltProgram {
-    std::optional<gpu::Program> program;  ///< nothing if it did not translate, compile or link
-    gpu::ProgramInterface reflected;
+    std::optional<gpu::Program> program;  ///< nothing if it failed to translate, compile or link
     plan::ProgramInterface interface;
-    std::string key;          ///< its translated sources and its tags: equal keys, equal programs
-    Diagnostics remarks;      ///< what the compiler said of those sources
-    bool isLastGood = false;  ///< the sources as they are now fail; this is an earlier state of them
-    std::vector<glsl::TranslatedStage> refused;  ///< what the driver did not take; empty if it took them
+    std::string key;          ///< from translated sources and tags; programs with equal keys are equal
+    Diagnostics remarks;      ///< the compiler's diagnostics of those sources
+    bool isLastGood = false;  ///< the current sources fail; this program is of an earlier state
+    std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 
 class ProgramLibrary {
   public:
-    /// `tiled`: programs are made so that a part of a larger picture can be drawn. `shared`: programs that
-    /// other scenes needed, or null; they are borrowed from there, and what was built goes there in the end.
+    /// `tiled`: makes programs that can draw a part of a larger picture. `shared`: programs of other scenes,
+    /// or null; the library borrows from it, and its destructor gives the programs back.
     ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
                    bool tiled, Stats& stats, SharedParts* shared = nullptr);
     ProgramLibrary(const ProgramLibrary&) = delete;
     ProgramLibrary& operator=(const ProgramLibrary&) = delete;
     ~ProgramLibrary();
 
-    /// What the scene had before it was read again, with a scene that is still there. interfaceOf takes
-    /// programs from it that are still the same, and for those that now fail the last good state;
-    /// forgetPrevious() ends that.
+    /// Sets the library of the scene before it was read again; it must exist until forgetPrevious().
+    /// interfaceOf takes unchanged programs from it, and the last good state of programs that now fail.
     void inherit(ProgramLibrary& previous) { previous_ = &previous; }
     void forgetPrevious() { previous_ = nullptr; }
-    /// Every file that was read for a program, includes among them.
+    /// Every file that was read for a program, including #include files.
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
-    /// How the program places its vertices; it is translated for that, not compiled.
+    /// How the program places its vertices. This translates the program but does not compile it.
     glsl::Placement placementOf(const plan::ProgramVariant& variant);
     /// The translation; null if a source is missing.
     const glsl::TranslatedProgram* translated(const plan::ProgramVariant& variant) {
@@ -60,12 +60,12 @@ class ProgramLibrary {
     }
     /// True if the variant may read tangents.
     bool mayReadTangents(const plan::ProgramVariant& variant);
-    /// What became of that line of a source in the programs that the driver refused: of the first stage that
-    /// has the line. Nothing if no refused program has it.
+    /// The translation of a source line, from the first stage that has the line in a program that the driver
+    /// refused. Empty if no refused program has it.
     [[nodiscard]] std::vector<glsl::EmittedLine> refusedLines(const Place& place) const;
-    /// Translates, compiles and links at the first call for a variant.
+    /// Translates, compiles and links the program at the first call for a variant.
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
-    /// What interfaceOf has made; null for a variant never asked for.
+    /// The program that interfaceOf has made; null before its first call for the variant.
     [[nodiscard]] const BuiltProgram* find(const plan::ProgramVariant& variant) const;
     /// True if any source of the program names an image function.
     bool mayWriteImages(int program);
@@ -77,7 +77,7 @@ class ProgramLibrary {
         std::string path;
         Diagnostics diagnostics;
     };
-    /// Null if a source is missing, for the reasons given.
+    /// A translated program; null if a source is missing, with the reasons in `diagnostics`.
     struct Translation {
         std::shared_ptr<const glsl::TranslatedProgram> program;
         Diagnostics diagnostics;
@@ -91,7 +91,7 @@ class ProgramLibrary {
     void build(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] std::string keyOf(const plan::ProgramVariant& variant,
                                     const glsl::TranslatedProgram& translated) const;
-    /// Which of the programs of the same name it is, and the name.
+    /// The program's name, and its index among the programs of that name.
     [[nodiscard]] std::pair<int, std::string> identityOf(const plan::ProgramVariant& variant) const;
     BuiltProgram* earlierByKey(const std::string& key);
     BuiltProgram* lastGoodOf(const plan::ProgramVariant& variant);
@@ -110,8 +110,5 @@ class ProgramLibrary {
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
 };
-
-/// GL's description in the plan's terms: the user's own names, targets that scenes can fill.
-plan::ProgramInterface describe(const gpu::ProgramInterface& reflected, glsl::TranslatedProgram facts);
 
 }  // namespace glibra::render

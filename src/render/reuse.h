@@ -1,5 +1,6 @@
 #pragma once
-// Names for what a shape or a texture is made of, so that a scene read again keeps what has not changed.
+// Keys that say what a shape or a texture is made from, so that a scene that is read again keeps what has not
+// changed.
 
 #include <string>
 
@@ -7,11 +8,12 @@
 
 namespace glibra::render {
 
-/// Equal for shapes that give the same mesh: command, numbers, and of a file its path, length and time of its
-/// last change. Empty for shapes whose vertices stand in the scene's text: they are made anew.
+/// Shapes with equal keys give the same mesh. A key holds the command and its numbers, and a file's path,
+/// length and modification time. It is empty for shapes whose vertices are in the scene's text; they are
+/// never reused.
 std::string reuseKey(const scene::Scene& scene, const scene::Shape& shape);
 
-/// The same for textures. Empty for empty ones (targets): their content belongs to the frames drawn.
+/// The same for textures. It is empty for render targets, whose content belongs to the drawn frames.
 std::string reuseKey(const scene::Scene& scene, const scene::Texture& texture);
 
 }  // namespace glibra::render

@@ -1,4 +1,4 @@
-// glibra check: everything is prepared, nothing is drawn.
+// glibra check: prepares everything and draws nothing.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ const char* suffix(glsl::Stage stage) {
     return "frag";
 }
 
-/// The source without what only this driver takes: names of files in #line become their plain numbers.
+/// The source without what only this driver accepts: file names in #line become plain source numbers.
 std::string portable(std::string_view source) {
     std::string text;
     for (std::size_t begin = 0; begin < source.size();) {
@@ -66,7 +66,7 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     Result<scene::Scene> interpreted = interpretFile(path, options, stats);
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
-        // A scene with errors in its text is checked further as far as it goes: its shaders may be wrong too.
+        // A scene with errors in its text is checked further, because its shaders may have errors too.
         SceneRenderer::State state(context, options, std::move(*interpreted), false, stats, nullptr);
         append(result.diagnostics, state.preparePlan(stats, true));
         result.shaders = translatedShaders(state.scene, state.plan);

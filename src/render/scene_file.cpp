@@ -1,8 +1,9 @@
-// From a scene's file to a Scene, and what becomes of its diagnostics.
+// Reads a scene file into a Scene, and merges its diagnostics.
 
 #include <set>
 #include <tuple>
 
+#include "glib/limits.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
@@ -10,21 +11,21 @@
 namespace glibra::render {
 namespace {
 
-/// The scene's text, or glib-E14 and glib-E15 in place of the ids of files that a scene names.
+/// The scene's text. Errors have the ids glib-E14 and glib-E15 in place of those for files that a scene
+/// names.
 Result<std::string> readScene(const std::filesystem::path& path) {
     const Place place{path.string(), 1, 1};
     std::error_code failure;
-    // An empty scene is legal, unlike every other empty file.
+    // An empty scene is valid, unlike every other empty file.
     if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
         return std::string();
-    constexpr std::uint64_t kLargestScene = 4ULL << 20;
-    const auto bytes = image::readFile(path, {path.string(), place}, kLargestScene);
+    const auto bytes = image::readFile(path, {path.string(), place}, glib::kLargestFile);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const Diagnostic& why = bytes.diagnostics.front();
     return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
 }
 
-/// The parser and the plan may both see the same mistake: of equal ids at one place the first stays.
+/// The parser and the plan may both report a mistake. Of equal ids at one place the first is kept.
 void removeRepeats(Diagnostics& diagnostics) {
     std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
     std::erase_if(diagnostics, [&](const Diagnostic& each) {

@@ -13,7 +13,7 @@
 namespace glibra::render {
 namespace {
 
-/// Larger pictures are drawn in tiles, so that the device's memory stays bounded: 8192 x 8192.
+/// Larger pictures are drawn in tiles, so that the use of device memory is bounded: 8192 x 8192.
 constexpr std::int64_t kMostPixelsAtOnce = std::int64_t{1} << 26;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
 
@@ -46,6 +46,9 @@ int SceneRenderer::width() const {
 }
 void SceneRenderer::setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures) {
     state_->drawer->setShift(window, std::move(textures));
+}
+void SceneRenderer::setView(const ViewMatrices& view) {
+    state_->view = view;
 }
 int SceneRenderer::height() const {
     return state_->height;
@@ -126,8 +129,10 @@ Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Cont
     const int width = options.width > 0 ? options.width : interpreted.width;
     const int height = options.height > 0 ? options.height : interpreted.height;
     if (static_cast<std::int64_t>(width) * height > kMostPixels)
-        return error("glib-E15", fmt::format("a picture of {} x {} pixels; the limit is 2^30", width, height),
-                     {interpreted.path, 1, 1});
+        return error(
+            "glib-E15",
+            fmt::format("a picture of {} x {} pixels is too large; the limit is 2^30 pixels", width, height),
+            {interpreted.path, 1, 1});
     const gpu::Capabilities& capabilities = context.capabilities();
     const int largest = std::min(
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
@@ -161,10 +166,8 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
 
     state->drawer.emplace(context, state->scene, state->plan, state->programs, state->device, stats);
     state->isStateful = state->mayShowEarlierFrames();
-    state->drawer->setPictureSize(state->width, state->height);
-    state->drawer->setView(state->view);
-    if (options.skip && state->tiles.size() > 1) state->drawer->leaveOutOfTile(state->options.samples);
-    if (options.skip && !options.floatPixels) state->drawer->leaveOutBlending();
+    if (options.skip && state->tiles.size() > 1) state->drawer->cullToTile(state->options.samples);
+    if (options.skip && !options.floatPixels) state->drawer->skipOpaqueBlending();
     state->device.releaseMeshes();
 
     Result<gpu::Target> window = gpu::Target::window(
@@ -192,7 +195,7 @@ Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image
     {
         const StageTimer timer(stats, "draw");
         const bool textures = index == 0 || !drawer->texturesComeFirst();
-        append(diagnostics, drawer->draw(*window, tile, time, textures));
+        append(diagnostics, drawer->draw(*window, {view, width, height, tile, time, textures}));
         if (axes) axes->draw(scene, view, tile, width, height);
         window->resolve();
     }

@@ -1,6 +1,6 @@
 #pragma once
-// One scene, loaded: draws its picture for any time. Programs, meshes and textures stay on the device between
-// frames.
+// A loaded scene, which draws its picture for any time. Programs, meshes and textures stay on the device
+// between frames.
 
 #include <glibra/render.h>
 
@@ -23,56 +23,60 @@ namespace glibra::render {
 class DeviceScene;
 class FrameDrawer;
 class PreparedScene;
+class ViewMatrices;
 
-/// What a picture depends on besides its scene: the values of Timer that its programs read, one a period.
+/// What a picture depends on besides its scene: the values of Timer that its programs read, one per period.
 using Moment = std::vector<double>;
 
 class SceneRenderer {
   public:
-    /// Parses, interprets, plans, compiles and uploads what a picture needs. Diagnostics of all that are in
-    /// the result; with an error among them (or a warning, if strict) there is no value. What `shared` (or
-    /// null) has from earlier scenes is used, unless the options say to skip nothing; it must outlive the
+    /// Parses, interprets, plans, compiles and uploads what a picture needs. The result holds the diagnostics
+    /// of all these steps, and no value if there is an error (or, if strict, a warning). Parts of earlier
+    /// scenes are taken from `shared` (may be null), unless options.skip is false; it must outlive the
     /// renderer.
     static Result<SceneRenderer> load(gpu::Context& context, const std::filesystem::path& scene,
                                       const RenderOptions& options, Stats& stats,
                                       SharedParts* shared = nullptr);
 
-    /// The same from a scene that is interpreted already; its own diagnostics are not repeated.
+    /// The same for a scene that is already interpreted; its own diagnostics are not repeated.
     static Result<SceneRenderer> of(gpu::Context& context, scene::Scene scene, const RenderOptions& options,
                                     Stats& stats, SharedParts* shared = nullptr);
 
-    /// The part of load() that needs no GL: reads, translates and computes what the plan will probably want.
-    /// It may run on another thread while this context draws; `shared` may be in use meanwhile.
+    /// The part of load() that needs no GL: reads, translates and computes what the plan will probably need.
+    /// It may run on another thread while this context draws and uses `shared`.
     static PreparedScene prepare(gpu::Context& context, const std::filesystem::path& scene,
                                  const RenderOptions& options, Stats& stats, SharedParts* shared = nullptr);
-    /// The rest of load(), on the context's thread, with the same `stats`: value and diagnostics are those of
-    /// load() by itself.
+    /// The rest of load(), on the context's thread, with the same `stats`. Value and diagnostics are those
+    /// that load() would return.
     static Result<SceneRenderer> load(PreparedScene prepared, Stats& stats);
 
-    /// Draws the picture at that time (seconds): RGB or RGBA (options.alpha), bytes or floats.
+    /// Draws the picture at `time` (seconds) as RGB, or RGBA with options.alpha, in bytes or floats.
     Result<image::Image> draw(double time, Stats& stats);
 
-    /// What colour output `color` of the target of plan().passes[pass] holds after the first `draws` draws of
-    /// the plan, counted over all passes: of the window the picture as draw() gives it, of a texture RGBA as
-    /// floats. For searches.
+    /// Draws only the first `draws` draws of the plan, counted over all passes, and returns colour output
+    /// `color` of the target of plan().passes[pass]: for the window the picture as draw() returns it, for a
+    /// texture RGBA floats. NanSearch uses it.
     Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
 
-    /// Moves the pictures that follow right and up by parts of a pixel: many of them average to one of many
-    /// samples. Passes into textures move by `textures`, in texels, in their order; those that it has no
-    /// place for stay. Needs options.tileSize > 0, even of one tile.
+    /// Moves the pictures that follow right and up by parts of a pixel; averaging many of them gives a
+    /// picture of many samples. Passes into textures move by `textures` texels, in their order; passes
+    /// without an entry do not move. Needs options.tileSize > 0, even for one tile.
     void setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures = {});
 
-    /// What draws it, and what is on the device: for measurements between two draws.
+    /// Replaces the view of the pictures that follow.
+    void setView(const ViewMatrices& view);
+
+    /// The parts of the renderer, for measurements between two draws.
     FrameDrawer& drawer();
     [[nodiscard]] const DeviceScene& device() const;
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
-    /// True if a picture may show what an earlier one left behind: rendered textures, or images that a shader
-    /// writes to. Otherwise the pictures of one load are those of a load each.
+    /// True if a picture may depend on earlier ones, through rendered textures or images that a shader writes
+    /// to. Otherwise each picture is the one that a newly loaded scene gives.
     [[nodiscard]] bool remembersFrames() const;
-    /// Pictures of equal moments are equal. Nothing if it remembers frames.
+    /// Pictures with equal moments are equal. Nothing if remembersFrames().
     [[nodiscard]] std::optional<Moment> momentOf(double time) const;
 
     SceneRenderer(SceneRenderer&&) noexcept;
@@ -89,7 +93,7 @@ class SceneRenderer {
     std::unique_ptr<State> state_;
 };
 
-/// A scene on its way to the device. What it was prepared with must outlive it.
+/// A scene that is prepared up to the use of GL. The arguments of prepare() must outlive it.
 class PreparedScene {
   public:
     PreparedScene(PreparedScene&&) noexcept;
@@ -104,30 +108,30 @@ class PreparedScene {
     Result<std::unique_ptr<SceneRenderer::State>> state_;
 };
 
-/// A scene file's text to a Scene. The diagnostics of both steps are in the result; there is no value only if
+/// Reads and interprets a scene file. The result holds the diagnostics of both steps, and no value only if
 /// the file cannot be read (glib-E14, glib-E15).
 Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
                                    Stats& stats);
-/// RenderOptions::set as overrides; no value if one of them cannot be read.
+/// Parses RenderOptions::set; no value if an entry cannot be parsed.
 Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set);
 
-/// A shader as the driver got it.
+/// A shader as the driver gets it.
 struct TranslatedShader {
     std::string name;  ///< "3-Dots.frag": number of the program in its scene, its name, the stage
     std::string source;
 };
 
-/// What glibra check found out.
+/// The result of glibra check.
 struct CheckResult {
     Diagnostics diagnostics;
     std::vector<TranslatedShader> shaders;
 };
 
-/// Parses, resolves and reads every file, compiles and links every program; draws nothing, skips nothing.
+/// Resolves and reads every file, and compiles and links every program. Draws nothing and skips nothing.
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
                        const RenderOptions& options);
 
-/// Removes repeated messages; with `strict` every warning becomes an error with the same id and text.
+/// Removes repeated diagnostics. With `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);
 
 }  // namespace glibra::render

@@ -1,4 +1,4 @@
-// From a scene to a plan with everything on the device that it needs.
+// Makes the plan of a scene and puts on the device what it needs.
 
 #include "render/scene_state.h"
 
@@ -25,7 +25,7 @@ plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOpt
         [this](int program) { return programs.mayWriteImages(program); }, planOptions);
 }
 
-/// Counts are chosen for what a plan needs; with the shapes as they are then, it is planned again.
+/// Chooses counts for what a first plan needs. The scene is then planned again with the chosen shapes.
 Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Stats& stats) {
     const plan::FramePlan first = planScene(planOptions);
     if (hasError(first.diagnostics)) return {};
@@ -66,7 +66,6 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
-    if (!options.skip) device.separateTextures();
     Diagnostics diagnostics;
     if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
     options.samples = std::max(1, options.samples);
@@ -97,12 +96,12 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
         if (!size) return {};
         screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, options.tileSize > 0};
     }
-    const Bounds& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
-    const Lens lens = lensOf(draw, topology, view, screen, context.capabilities());
-    return std::string(describe(sightOf(placed(bounds, placement), lens)));
+    const VertexBox& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
+    const DrawView drawView = drawViewOf(draw, topology, view, screen, context.capabilities());
+    return std::string(describe(sightOf(placed(bounds, placement), drawView)));
 }
 
-/// A target that is neither cleared nor drawn to before it is drawn to or read shows the frame before.
+/// A target that is drawn into or read before it is cleared in this frame shows the previous frame.
 bool SceneRenderer::State::mayShowEarlierFrames() {
     const bool writesImages =
         std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
@@ -112,7 +111,7 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
     std::set<int> targets;
     for (const plan::PlannedPass& pass : plan.passes)
         targets.insert(pass.pass->targets.begin(), pass.pass->targets.end());
-    std::set<int> fresh;        // targets with content of this frame
+    std::set<int> fresh;        // targets whose content is of this frame
     std::set<int> freshDepths;  // depth buffers likewise
     for (const plan::PlannedPass& pass : plan.passes) {
         const auto& steps = pass.steps;

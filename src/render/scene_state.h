@@ -1,5 +1,5 @@
 #pragma once
-// What a SceneRenderer is made of: for the files that implement it.
+// The state of a SceneRenderer, for the files that implement it.
 
 #include <memory>
 #include <optional>
@@ -17,8 +17,7 @@
 
 namespace glibra::render {
 
-/// Everything that refers to something else here lies on the heap behind one pointer, in the order of
-/// dependence.
+/// Members refer to members above them, so the whole state lives on the heap and never moves.
 struct SceneRenderer::State {
     State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled,
           Stats& stats, SharedParts* shared)
@@ -29,24 +28,24 @@ struct SceneRenderer::State {
                                                                    : nullptr),
           parts(ownParts ? ownParts.get() : shared),
           programs(context, scene, options, tiled, stats, parts),
-          device(context, scene, stats, parts) {}
+          device(context, scene, stats, parts, options.skip) {}
 
-    /// Without GL. Errors: glib-E15 for a picture that is too large.
+    /// Needs no GL. Reports glib-E15 for a picture that is too large.
     static Result<std::unique_ptr<State>> of(gpu::Context& context, scene::Scene interpreted,
                                              const RenderOptions& options, Stats& stats, SharedParts* shared);
 
     gpu::Context& context;
     RenderOptions options;
     scene::Scene scene;
-    std::unique_ptr<SharedParts> ownParts;  ///< between the picture and those that a bound is measured on
-    SharedParts* parts;                     ///< these, or what other scenes have too, or null
+    std::unique_ptr<SharedParts> ownParts;  ///< shared by the picture and the probes of the error bound
+    SharedParts* parts;                     ///< `ownParts`, or what other scenes share, or null
     ProgramLibrary programs;
     DeviceScene device;
     plan::FramePlan plan;
     std::optional<FrameDrawer> drawer;
     std::optional<Axes> axes;
     std::vector<Tile> tiles;      ///< with their margins
-    std::vector<Tile> tileParts;  ///< what of each tile goes into the picture
+    std::vector<Tile> tileParts;  ///< the part of each tile that goes into the picture
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
     ViewMatrices view;
@@ -56,9 +55,10 @@ struct SceneRenderer::State {
     Diagnostics preparePlan(Stats& stats, bool everything);
     Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
-    /// Translates programs, makes meshes and reads textures that the plan will probably want. No GL.
+    /// Translates programs, makes meshes and reads textures that the plan will probably need. Needs no GL.
     void makeAhead();
-    /// Why nothing of the draw can be seen. Without `remarks`, those on its mesh are told later.
+    /// Why nothing of the draw can be seen, or an empty text. Without `remarks` the diagnostics of its mesh
+    /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     [[nodiscard]] bool mayShowEarlierFrames();
     Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);

@@ -1,7 +1,7 @@
 #pragma once
-// What scenes that are drawn one after another with one context have in common is made once: meshes,
-// textures, programs, and translations of shaders, each under a key that says all it is made from. The least
-// recently used goes when there is too much.
+// Parts that scenes drawn one after another with one context share: meshes, textures, programs and translated
+// shaders. Each is stored under a key that says everything it is made from. The least recently used part is
+// removed when a store is full.
 
 #include <cstddef>
 #include <list>
@@ -13,10 +13,10 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/program_resources.h"
 #include "geometry/mesh.h"
 #include "glsl/types/translated_program.h"
 #include "gpu/program.h"
-#include "gpu/reflection.h"
 #include "gpu/texture.h"
 #include "render/sight.h"
 
@@ -24,14 +24,14 @@ namespace glibra::render {
 
 struct DeviceMesh;
 
-/// Values by key, up to a sum of sizes. Several threads may use it at once; a value goes on the thread whose
-/// add() or take() leaves no place for it.
+/// Values by key, up to a sum of sizes. Several threads may use it at once. A value is destroyed on the
+/// thread whose add() makes the store too large.
 template <class Value>
 class PartStore {
   public:
     explicit PartStore(std::size_t largest) : largest_(largest) {}
 
-    /// A copy of the value under the key.
+    /// Returns a copy of the value under the key.
     std::optional<Value> find(const std::string& key) {
         const std::scoped_lock lock(mutex_);
         const auto found = index_.find(key);
@@ -43,7 +43,7 @@ class PartStore {
         const std::scoped_lock lock(mutex_);
         return index_.contains(key);
     }
-    /// Takes it out.
+    /// Removes and returns the value.
     std::optional<Value> take(const std::string& key) {
         const std::scoped_lock lock(mutex_);
         const auto found = index_.find(key);
@@ -52,7 +52,7 @@ class PartStore {
         remove(found->second);
         return value;
     }
-    /// Keeps it in place of an earlier one; not if it alone is too large.
+    /// Stores a value, in place of an earlier one. A value larger than the whole store is not kept.
     void add(const std::string& key, Value value, std::size_t size) {
         const std::scoped_lock lock(mutex_);
         if (const auto found = index_.find(key); found != index_.end()) remove(found->second);
@@ -87,20 +87,20 @@ class PartStore {
     std::unordered_map<std::string, Place> index_;
 };
 
-/// A linked program with what the compiler said of its sources. Values of uniforms are a part of it, so it
-/// belongs to one scene at a time.
+/// A linked program with the compiler's diagnostics of its sources. It holds the values of uniforms, so one
+/// scene at a time owns it.
 struct SharedProgram {
     gpu::Program program;
-    gpu::ProgramInterface reflected;
+    base::ActiveResources resources;
     Diagnostics remarks;
 };
 
-/// Must go before the context does. Nothing is kept that was made with a remark: the next scene is to hear it
-/// too. What has a name of GL's is used on the context's thread alone; others may ask whether it is there.
+/// It must be destroyed before the context. Parts with diagnostics are not cached, so that each scene reports
+/// them. Only the context's thread uses parts that own GL names; other threads may only call contains().
 struct SharedParts {
     static constexpr std::size_t kMegabyte = std::size_t{1} << 20;
     PartStore<std::shared_ptr<const geometry::Mesh>> meshes{64 * kMegabyte};
-    PartStore<Bounds> bounds{4096};  ///< counted one by one, like programs
+    PartStore<VertexBox> bounds{4096};  ///< counted, not measured in bytes; likewise programs
     PartStore<std::shared_ptr<const DeviceMesh>> deviceMeshes{64 * kMegabyte};
     PartStore<std::shared_ptr<const gpu::Texture>> textures{128 * kMegabyte};
     PartStore<SharedProgram> programs{128};

@@ -8,15 +8,15 @@
 namespace glibra::render {
 namespace {
 
-/// Relative error of a clip coordinate: some ten roundings of 2^-24, and ten times as much for safety.
+/// The relative error of a clip coordinate: about ten roundings of 2^-24, times ten for safety.
 constexpr double kRounding = 1e-5;
-/// Below this drivers may take numbers for 0, above the other products may leave the range of floats.
+/// Drivers may flush numbers below kTiny to 0. Products of numbers above kHuge may leave the range of floats.
 constexpr double kTiny = 1e-30;
 constexpr double kHuge = 1e30;
-/// Pixels by which drivers move vertices (1/256 is usual) and err in the viewport's transform.
+/// Allowance in pixels for vertex snapping (1/256 is usual) and errors of the viewport transform.
 constexpr double kSnapping = 1.0 / 16;
 
-/// A clip coordinate, or a sum of them, as a function of the vertex, and how far off the driver's may be.
+/// A clip coordinate, or a sum of them, as a linear function of the vertex, with the driver's largest error.
 struct Form {
     glm::dvec4 factors{0.0};
     double error = 0;
@@ -31,13 +31,13 @@ Form operator-(const Form& a, const Form& b) {
     return a + -1.0 * b;
 }
 
-double largest(const Bounds& bounds, const Form& form) {
+double largest(const VertexBox& bounds, const Form& form) {
     double sum = form.error;
     for (int i = 0; i < 4; ++i)
         sum += std::max(form.factors[i] * bounds.low[i], form.factors[i] * bounds.high[i]);
     return sum;
 }
-double smallest(const Bounds& bounds, const Form& form) {
+double smallest(const VertexBox& bounds, const Form& form) {
     return -largest(bounds, -1.0 * form);
 }
 
@@ -52,9 +52,9 @@ struct Clip {
     Form x, y, z, w;
 };
 
-Clip clipOf(const Bounds& bounds, const Lens& lens) {
-    const glm::dmat4 matrix = lens.projection * lens.modelView;
-    const glm::dmat4 sizes = absolute(lens.projection) * absolute(lens.modelView);
+Clip clipOf(const VertexBox& bounds, const DrawView& drawView) {
+    const glm::dmat4 matrix = drawView.projection * drawView.modelView;
+    const glm::dmat4 sizes = absolute(drawView.projection) * absolute(drawView.modelView);
     const glm::dvec4 most = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
     const auto form = [&](int row) {
         Form result{{}, kTiny};
@@ -65,17 +65,17 @@ Clip clipOf(const Bounds& bounds, const Lens& lens) {
         return result;
     };
     Clip clip{form(0), form(1), form(2), form(3)};
-    // The tile as the translated program scales and moves it.
+    // Map the tile to clip space as the translated program does.
     const auto part = [&](const Form& coordinate, double whole, double first, double size) {
         return (whole / size) * coordinate + ((whole - 2 * first - size) / size) * clip.w;
     };
-    clip.x = part(clip.x, lens.width, lens.tile.x, lens.tile.width);
-    clip.y = part(clip.y, lens.height, lens.tile.y, lens.tile.height);
+    clip.x = part(clip.x, drawView.width, drawView.tile.x, drawView.tile.width);
+    clip.y = part(clip.y, drawView.height, drawView.tile.y, drawView.tile.height);
     return clip;
 }
 
-/// True if no sample lies in the interval that the coordinate's pixels span. `w` is positive.
-bool missesCentres(const Bounds& bounds, const Form& coordinate, const Form& w, int pixels) {
+/// True if no pixel centre lies in the interval that the coordinate spans. `w` is positive.
+bool missesCentres(const VertexBox& bounds, const Form& coordinate, const Form& w, int pixels) {
     const double nearest = smallest(bounds, w);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -95,11 +95,11 @@ bool missesCentres(const Bounds& bounds, const Form& coordinate, const Form& w, 
 }
 
 template <std::size_t Components>
-Bounds boundsOf(const std::vector<float>& values) {
+VertexBox boundsOf(const std::vector<float>& values) {
     constexpr float kMost = std::numeric_limits<float>::infinity();
     std::array<float, 4> low{kMost, kMost, kMost, kMost};
     std::array<float, 4> high{-kMost, -kMost, -kMost, -kMost};
-    std::array<float, Components> zero{};  // turns NaN where a value is no finite number
+    std::array<float, Components> zero{};  // becomes NaN where a value is not finite
     for (std::size_t i = 0; i + Components <= values.size(); i += Components)
         for (std::size_t k = 0; k < Components; ++k) {
             const float value = values[i + k];
@@ -108,7 +108,7 @@ Bounds boundsOf(const std::vector<float>& values) {
             zero[k] += value * 0;
         }
     if constexpr (Components == 3) low[3] = high[3] = 1;
-    Bounds bounds;
+    VertexBox bounds;
     for (std::size_t k = 0; k < 4; ++k) {
         bounds.low[static_cast<int>(k)] = static_cast<double>(low[k]);
         bounds.high[static_cast<int>(k)] = static_cast<double>(high[k]);
@@ -119,7 +119,7 @@ Bounds boundsOf(const std::vector<float>& values) {
 
 }  // namespace
 
-Bounds boundsOf(const geometry::Mesh& mesh) {
+VertexBox boundsOf(const geometry::Mesh& mesh) {
     const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
     if (position == nullptr || position->values.empty()) return {};
     switch (position->components) {
@@ -132,51 +132,52 @@ Bounds boundsOf(const geometry::Mesh& mesh) {
     }
 }
 
-Bounds placed(const Bounds& bounds, glsl::Placement placement) {
-    Bounds result = bounds;
+VertexBox placed(const VertexBox& bounds, glsl::Placement placement) {
+    VertexBox result = bounds;
     if (placement == glsl::Placement::point) result.low.w = result.high.w = 1;
     if (placement == glsl::Placement::unknown) result.isKnown = false;
     return result;
 }
 
-Lens lensOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatrices& view,
-            const Screen& screen, const gpu::Capabilities& driver) {
+DrawView drawViewOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatrices& view,
+                    const Screen& screen, const gpu::Capabilities& driver) {
     using geometry::Topology;
-    Lens lens;
-    lens.modelView = view.modelView(draw);
-    lens.projection = view.projection(draw.projection, static_cast<double>(screen.width) / screen.height);
-    lens.width = screen.width;
-    lens.height = screen.height;
-    lens.tile = screen.tile;
-    lens.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
-    lens.oneSample = screen.samples <= 1 && !screen.mayShift;
+    DrawView drawView;
+    drawView.modelView = view.modelView(draw);
+    drawView.projection = view.projection(draw.projection, static_cast<double>(screen.width) / screen.height);
+    drawView.width = screen.width;
+    drawView.height = screen.height;
+    drawView.tile = screen.tile;
+    drawView.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
+    drawView.oneSample = screen.samples <= 1 && !screen.mayShift;
     if (topology == Topology::points)
-        lens.reach = (draw.raster.pointSizeFromShader ? driver.maxPointSize : draw.raster.pointSize) / 2 + 1;
-    else if (!lens.filled)
-        lens.reach = draw.raster.lineWidth / 2 + 1;
-    if (screen.mayShift) lens.reach += 1;
-    return lens;
+        drawView.reach =
+            (draw.raster.pointSizeFromShader ? driver.maxPointSize : draw.raster.pointSize) / 2 + 1;
+    else if (!drawView.filled)
+        drawView.reach = draw.raster.lineWidth / 2 + 1;
+    if (screen.mayShift) drawView.reach += 1;
+    return drawView;
 }
 
-Sight sightOf(const Bounds& bounds, const Lens& lens) {
+Sight sightOf(const VertexBox& bounds, const DrawView& drawView) {
     if (!bounds.isKnown) return Sight::possible;
-    const Clip clip = clipOf(bounds, lens);
+    const Clip clip = clipOf(bounds, drawView);
     for (const Form& each : {clip.x, clip.y, clip.z, clip.w})
         if (!(each.error < kRounding * kHuge)) return Sight::possible;
     const auto isBeyond = [&](const Form& coordinate, int pixels) {
-        // Drivers differ in whether they clip wide lines and points at their middle.
-        const double widened = 1 + 2 * lens.reach / pixels;
+        // Drivers differ: some clip wide lines and points at their centre.
+        const double widened = 1 + 2 * drawView.reach / pixels;
         return largest(bounds, clip.w - coordinate) < 0 && largest(bounds, widened * clip.w - coordinate) < 0;
     };
     if (largest(bounds, clip.w + clip.z) < 0) return Sight::nearer;
     if (largest(bounds, clip.w - clip.z) < 0) return Sight::farther;
-    if (isBeyond(-1.0 * clip.x, lens.tile.width)) return Sight::left;
-    if (isBeyond(clip.x, lens.tile.width)) return Sight::right;
-    if (isBeyond(-1.0 * clip.y, lens.tile.height)) return Sight::below;
-    if (isBeyond(clip.y, lens.tile.height)) return Sight::above;
-    if (lens.filled && lens.oneSample && smallest(bounds, clip.w) > 0 &&
-        (missesCentres(bounds, clip.x, clip.w, lens.tile.width) ||
-         missesCentres(bounds, clip.y, clip.w, lens.tile.height)))
+    if (isBeyond(-1.0 * clip.x, drawView.tile.width)) return Sight::left;
+    if (isBeyond(clip.x, drawView.tile.width)) return Sight::right;
+    if (isBeyond(-1.0 * clip.y, drawView.tile.height)) return Sight::below;
+    if (isBeyond(clip.y, drawView.tile.height)) return Sight::above;
+    if (drawView.filled && drawView.oneSample && smallest(bounds, clip.w) > 0 &&
+        (missesCentres(bounds, clip.x, clip.w, drawView.tile.width) ||
+         missesCentres(bounds, clip.y, clip.w, drawView.tile.height)))
         return Sight::betweenPixels;
     return Sight::possible;
 }
@@ -192,7 +193,7 @@ std::string_view describe(Sight sight) {
         case Sight::above:
             return "it is above what is shown";
         case Sight::nearer:
-            return "it is behind the eye or before the near plane";
+            return "it is behind the eye or in front of the near plane";
         case Sight::farther:
             return "it is beyond the far plane";
         case Sight::betweenPixels:

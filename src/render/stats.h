@@ -1,5 +1,5 @@
 #pragma once
-// What a picture took: the time of every stage, counts of what was made and drawn, and what was skipped.
+// What a picture cost: the time of each stage, counts of what was made and drawn, and what was skipped.
 
 #include <chrono>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace glibra::render {
 
-/// Name of a count.
+/// The name of a count.
 inline constexpr std::string_view kDrawsOutOfTheirTile = "draws out of their tile";
 
 struct Stats {
@@ -25,7 +25,7 @@ struct Stats {
         std::string name;
         std::uint64_t value = 0;
     };
-    std::vector<Stage> stages;  ///< in order of their first use
+    std::vector<Stage> stages;  ///< in the order of first use
     std::vector<Count> counts;
     std::vector<plan::Skipped> skipped;
     std::vector<budget::Decision> decisions;  ///< of RenderOptions::maxError
@@ -35,7 +35,7 @@ struct Stats {
     void skip(std::string_view what, std::string why, const Place& place);
 };
 
-/// Adds the time from its construction to its end to one stage.
+/// Adds the time of its own life to one stage.
 class StageTimer {
   public:
     StageTimer(Stats& stats, std::string_view stage)
@@ -53,10 +53,10 @@ class StageTimer {
     std::chrono::steady_clock::time_point start_;
 };
 
-/// For --stats: one JSON object, with the scene, the picture's size and the driver.
+/// For --stats: one JSON object that also holds the scene, the picture's size and the driver.
 std::string toJson(const Stats& stats, std::string_view scene, int width, int height,
                    std::string_view driver);
-/// For --explain: the same for people.
+/// For --explain: the same as text.
 std::string toText(const Stats& stats);
 
 }  // namespace glibra::render

@@ -18,7 +18,7 @@ SuppliedNumbers numbers(const glm::mat<N, N, double>& matrix) {
     return values;
 }
 
-/// The first texture matrix is the window's, the others are the identity.
+/// The first texture matrix is the window's; the others are the identity.
 SuppliedNumbers textureMatrices(const glm::dmat4& first, int elements) {
     SuppliedNumbers values = numbers<4>(first);
     for (int i = 1; i < elements; ++i) addMatrix(glm::dmat4(1.0), values);
@@ -29,7 +29,7 @@ SuppliedNumbers textureMatrices(const glm::dmat4& first, int elements) {
 
 SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements) {
     using glsl::Builtin;
-    // In floats a matrix whose inverse they cannot hold is a singular one.
+    // A matrix whose inverse overflows a float counts as singular.
     const auto inverse = [](const glm::dmat4& m) {
         const glm::dmat4 inverted = scene::inverseOrZero(m);
         return scene::isFinite(inverted) ? inverted : glm::dmat4(0.0);
@@ -40,7 +40,7 @@ SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int
             return {facts.timer};
         case Builtin::noise2:
         case Builtin::noise3:
-            return {};  // samplers: the plan chose their units
+            return {};  // samplers: the plan chooses their units
         case Builtin::modelView:
             return numbers<4>(facts.modelView);
         case Builtin::projection:

@@ -1,5 +1,5 @@
 #pragma once
-// The values that shaders get without asking (language, section 6), for one draw.
+// The values that glibra supplies to shaders (language, 6), for one draw.
 
 #include <array>
 #include <glm/mat4x4.hpp>
@@ -20,7 +20,7 @@ struct DrawFacts {
     glm::dmat4 texture{1.0};  ///< gl_TextureMatrix[0]
 };
 
-/// Up to eight matrices of numbers, kept in place: these are made for every uniform of every draw.
+/// Up to eight matrices, stored in place, because values are made for every uniform of every draw.
 class SuppliedNumbers {
   public:
     static constexpr std::size_t kMost = 128;
@@ -28,7 +28,7 @@ class SuppliedNumbers {
     SuppliedNumbers(std::initializer_list<double> numbers) {
         for (const double each : numbers) add(each);
     }
-    /// What is beyond kMost is left out.
+    /// Numbers beyond kMost are ignored.
     void add(double number) {
         if (count_ < kMost) numbers_.at(count_++) = number;
     }
@@ -39,7 +39,8 @@ class SuppliedNumbers {
     std::size_t count_ = 0;
 };
 
-/// The value, column by column; arrays of matrices (the texture matrices) have `elements` of them, 8 at most.
+/// The value of a built-in, column by column. Arrays of matrices (the texture matrices) have `elements`
+/// matrices, at most 8.
 SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int elements);
 
 }  // namespace glibra::render

@@ -20,7 +20,7 @@ TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t m
         return grid;
     }
     const int side = std::max(1, std::min(wanted > 0 ? wanted : kUsualSide, largest - 2 * kMargin));
-    // All tiles have one size, so that one target serves them all; at the borders they are moved inside.
+    // All tiles have one size, so that one target serves them all. At the borders they are moved inside.
     const int tileWidth = std::min(width, side + 2 * kMargin);
     const int tileHeight = std::min(height, side + 2 * kMargin);
     for (int y = 0; y < height; y += side) {

@@ -15,13 +15,13 @@ double tangentOfHalf(double degrees) {
     return std::tan(degrees * std::numbers::pi / 360);
 }
 
-/// The box whose height is what the perspective shows at that distance.
+/// An orthographic box as high as what the perspective shows at that distance.
 scene::Projection orthographicOf(const scene::Perspective& perspective, double distance, double aspect) {
     const double half = distance > perspective.near ? distance * tangentOfHalf(perspective.fieldOfView) : 3.0;
     return scene::Orthographic{-half * aspect, half * aspect, -half, half, -perspective.far, perspective.far};
 }
 
-/// The eye stands where the plane z = 0 is as large as in the box.
+/// A perspective whose eye sees the plane z = 0 as large as in the box.
 glm::dmat4 perspectiveOf(const scene::Orthographic& box, double aspect) {
     constexpr double kFieldOfView = 50;
     const glm::dmat4 flat = scene::projectionMatrix(box, aspect);

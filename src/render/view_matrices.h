@@ -1,5 +1,5 @@
 #pragma once
-// The matrices of a draw as a window's transforms change them (language, 6.2).
+// The matrices of a draw, with the transforms of a window (language, 6.2).
 
 #include <glibra/render.h>
 
@@ -22,7 +22,7 @@ class ViewMatrices {
     [[nodiscard]] glm::dmat4 projection(const scene::Projection& projection, double aspect) const;
     /// eye transform * view policy * ModelView * object transform.
     [[nodiscard]] glm::dmat4 modelView(const scene::Draw& draw) const;
-    /// The same for what stands in the world without a draw of its own: the axes.
+    /// The same without a draw: for the axes, which are in world space.
     [[nodiscard]] glm::dmat4 worldView() const;
     [[nodiscard]] glm::dmat4 texture() const { return asMatrix(state_.texture); }
     [[nodiscard]] const ViewState& state() const { return state_; }

@@ -58,11 +58,11 @@ void send(int file, MessageKind kind, const std::string& text) {
     if (!writeAll(file, &header, sizeof header) || !writeAll(file, text.data(), text.size())) ::_exit(1);
 }
 
-/// The worker's whole life: pieces in, answers out, until the parent closes the pipe.
+/// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
 [[noreturn]] void serve(int requests, int answers, const WorkerOptions& options, const Work& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // When the machine's memory ends, a worker goes and not the process that knows all results.
+    // When memory runs out, the kernel should end a worker, not the parent that holds all results.
     if (std::FILE* score = std::fopen("/proc/self/oom_score_adj", "w")) {
         std::fputs("1000", score);
         std::fclose(score);
@@ -105,7 +105,7 @@ std::optional<Worker> start(const WorkerOptions& options, const Work& work,
     std::fflush(nullptr);
     const pid_t process = ::fork();
     if (process == 0) {
-        // Ends of other workers' pipes kept open here would hide from the parent that those workers died.
+        // Close the other workers' pipes: open ends here would hide from the parent that a worker died.
         for (const Worker& other : others) {
             if (other.requests >= 0) ::close(other.requests);
             if (other.answers >= 0) ::close(other.answers);
@@ -150,7 +150,7 @@ class Pool {
     void run() {
         const auto wanted = static_cast<std::size_t>(std::max(1, options_.workers));
         workers_.resize(std::min(wanted, count_));
-        // A worker that dies while we write to it is noticed when reading.
+        // A worker that dies during this write is detected when its pipe is read.
         struct sigaction ignore {};
         struct sigaction before {};
         ignore.sa_handler = SIG_IGN;
@@ -186,7 +186,7 @@ class Pool {
         if (worker.process < 0) {
             std::optional<Worker> started = start(options_, work_, workers_);
             if (!started) {
-                if (busy() > 0) return;  // later, when another worker is done
+                if (busy() > 0) return;  // try again when another worker is done
                 done_(next_++, {.end = Outcome::End::crashed});
                 return;
             }

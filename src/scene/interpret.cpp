@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <exception>
 #include <utility>
+#include <vector>
 
+#include "glib/command_table.h"
 #include "glib/number.h"
 #include "scene/state.h"
 
@@ -16,113 +17,10 @@ namespace {
 
 using glib::CommandId;
 
-/// What a command is to a glBegin list that is open.
-enum class InList {
-    isPart,     ///< belongs to it
-    goesFirst,  ///< is executed before the list is drawn: glib-W32
-    isWrong,    ///< glib-E07
-};
-
-struct CommandAction {
-    Handler handler = nullptr;
-    CommandId id{};
-    InList inList = InList::goesFirst;
-};
-
-constexpr CommandAction kActions[] = {
-    {doWindowSize, CommandId::windowSize},
-    {doPerspective, CommandId::perspective},
-    {doOrtho, CommandId::ortho},
-    {doLookAt, CommandId::lookAt},
-    {doColor, CommandId::color, InList::isPart},
-    {doBackground, CommandId::background},
-    {doClear, CommandId::clear},
-    {doTranslate, CommandId::translate},
-    {doRotate, CommandId::rotate},
-    {doScale, CommandId::scale},
-    {doPushMatrix, CommandId::pushMatrix},
-    {doPopMatrix, CommandId::popMatrix},
-    {doPrimitive, CommandId::box},
-    {doPrimitive, CommandId::sphere},
-    {doPrimitive, CommandId::cylinder},
-    {doPrimitive, CommandId::cone},
-    {doPrimitive, CommandId::torus},
-    {doPrimitive, CommandId::teapot},
-    {doPrimitive, CommandId::soccerball},
-    {doPrimitive, CommandId::diskXY},
-    {doPrimitive, CommandId::quadXY},
-    {doPrimitive, CommandId::quadXZ},
-    {doPrimitive, CommandId::quadYZ},
-    {doPrimitive, CommandId::quadBox},
-    {doPrimitive, CommandId::xarrow},
-    {doPrimitive, CommandId::pointCloud},
-    {doPrimitive, CommandId::jitterCloud},
-    {doPrimitive, CommandId::wireSphere},
-    {doPrimitive, CommandId::wireTorus},
-    {doPrimitive, CommandId::wireCylinder},
-    {doPrimitive, CommandId::wireCone},
-    {doPrimitive, CommandId::wireCube},
-    {doPrimitive, CommandId::wireBox},
-    {doPrimitive, CommandId::wireTeapot},
-    {doModel, CommandId::obj},
-    {doModel, CommandId::wireObj},
-    {doModel, CommandId::objAdj},
-    {doModel, CommandId::objPatch},
-    {doModel, CommandId::shp},
-    {doPointGroups, CommandId::linesAdjacency},
-    {doPointGroups, CommandId::triangles},
-    {doGlBegin, CommandId::glBegin, InList::isWrong},
-    {doGlVertex, CommandId::glVertex, InList::isPart},
-    {doGlNormal, CommandId::glNormal, InList::isPart},
-    {doGlColor, CommandId::glColor, InList::isPart},
-    {doGlTexCoord, CommandId::glTexCoord, InList::isPart},
-    {doGlEnd, CommandId::glEnd, InList::isPart},
-    {doLineWidth, CommandId::lineWidth},
-    {doPointSize, CommandId::pointSize},
-    {doPointSizeMode, CommandId::pointSizeMode},
-    {doNumPatchVertices, CommandId::numPatchVertices},
-    {doFlat, CommandId::flat},
-    {doSmooth, CommandId::smooth},
-    {doTexture, CommandId::texture1D},
-    {doTexture, CommandId::texture2D},
-    {doTexture, CommandId::texture3D},
-    {doTexture, CommandId::texture},
-    {doCubeMap, CommandId::cubeMap},
-    {doRenderToTexture, CommandId::renderToTexture, InList::isWrong},
-    {doClamp, CommandId::clamp},
-    {doStage, CommandId::vertex},
-    {doStage, CommandId::tessControl},
-    {doStage, CommandId::tessEvaluation},
-    {doStage, CommandId::geometry},
-    {doStage, CommandId::fragment},
-    {doProgram, CommandId::program, InList::isWrong},
-    {doGeometryInput, CommandId::geometryInput},
-    {doGeometryOutput, CommandId::geometryOutput},
-    {doGeometryVerticesOut, CommandId::geometryVerticesOut},
-    {doNothing, CommandId::gstap},
-    {doNoise2D, CommandId::noise2D},
-    {doNoise3D, CommandId::noise3D},
-    {doTimer, CommandId::timer},
-    {doMessageBox, CommandId::messageBox},
-    {doNothing, CommandId::verbose},
-};
-
-constexpr bool rowsStandInOrder() {
-    for (std::size_t i = 0; i < std::size(kActions); ++i)
-        if (static_cast<std::size_t>(kActions[i].id) != i) return false;
-    return static_cast<std::size_t>(CommandId::verbose) + 1 == std::size(kActions);
-}
-static_assert(rowsStandInOrder(), "every CommandId has its row, in the order of the enumeration");
-
-/// True for commands whose own message tells more than a repetition of the statement.
-bool isGeometry(CommandId id) {
-    return (id >= CommandId::box && id <= CommandId::triangles) || id == CommandId::glEnd;
-}
-
 void execute(Interpreter& in, const glib::Command& command) {
-    const auto index = static_cast<std::size_t>(command.id);
-    if (index >= std::size(kActions)) return;
-    const CommandAction& action = kActions[index];
+    const CommandAction* known = actionOf(command.id);
+    if (known == nullptr) return;
+    const CommandAction& action = *known;
     if (in.list && action.inList == InList::isWrong) {
         in.reportError(command, "glib-E07",
                        fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
@@ -131,14 +29,30 @@ void execute(Interpreter& in, const glib::Command& command) {
     if (in.list && action.inList == InList::goesFirst)
         in.reportWarning(command, "glib-W32",
                          fmt::format("{} inside glBegin {} before the list", command.word,
-                                     isGeometry(command.id) ? "is drawn" : "is carried out"));
+                                     action.draws ? "is drawn" : "is carried out"));
     if (action.inList != InList::isPart) in.isOrphan = false;
-    if (in.scene.verbose && !isGeometry(command.id))
-        in.report(note("glib-N02", textOf(command), in.place(command)));
+    if (in.scene.verbose && !action.draws) in.report(note("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);
 }
 
+/// The actions by CommandId; one without a handler is missing.
+std::vector<CommandAction> allActions() {
+    std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
+    for (const auto& some :
+         {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
+        for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
+    return all;
+}
+
 }  // namespace
+
+const CommandAction* actionOf(CommandId command) {
+    static const std::vector<CommandAction> kActions = allActions();
+    static constexpr CommandAction kPrimitive{.handler = doPrimitive, .draws = true};
+    const auto index = static_cast<std::size_t>(command);
+    if (index < kActions.size()) return kActions[index].handler != nullptr ? &kActions[index] : nullptr;
+    return glib::primitiveOf(command) != nullptr ? &kPrimitive : nullptr;
+}
 
 std::string textOf(const glib::Command& command) {
     std::string text = command.word;

@@ -12,7 +12,7 @@
 namespace glibra::scene {
 namespace {
 
-/// Index of the slot table of this place; draws share it until a texture statement changes the slots.
+/// Returns the index of the current slot table. Draws share it until a texture statement changes the slots.
 int currentSlots(Interpreter& in) {
     if (in.slotTable == kNone) {
         in.slotTable = static_cast<int>(in.scene.slotTables.size());
@@ -135,7 +135,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
                 : fmt::format("program '{}'",
                               in.scene.programs[static_cast<std::size_t>(state.program)].name);
         in.report(
-            note("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
+            diagnose("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
     }
     currentPass(in).steps.emplace_back(std::move(made));
 }
@@ -148,6 +148,8 @@ void doPrimitive(Interpreter& in, const glib::Command& command) {
                                          primitiveWord(topologyOf(command.id)));
     draw(in, command, {shareShape(in, std::move(shape)), command.word, size, {}});
 }
+
+namespace {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
@@ -196,6 +198,28 @@ void doFlat(Interpreter& in, const glib::Command&) {
 }
 void doSmooth(Interpreter& in, const glib::Command&) {
     in.state.flatColors = false;
+}
+
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::obj, doModel, InList::goesFirst, true},
+    {glib::CommandId::wireObj, doModel, InList::goesFirst, true},
+    {glib::CommandId::objAdj, doModel, InList::goesFirst, true},
+    {glib::CommandId::objPatch, doModel, InList::goesFirst, true},
+    {glib::CommandId::shp, doModel, InList::goesFirst, true},
+    {glib::CommandId::linesAdjacency, doPointGroups, InList::goesFirst, true},
+    {glib::CommandId::triangles, doPointGroups, InList::goesFirst, true},
+    {glib::CommandId::lineWidth, doLineWidth},
+    {glib::CommandId::pointSize, doPointSize},
+    {glib::CommandId::pointSizeMode, doPointSizeMode},
+    {glib::CommandId::numPatchVertices, doNumPatchVertices},
+    {glib::CommandId::flat, doFlat},
+    {glib::CommandId::smooth, doSmooth},
+};
+
+}  // namespace
+
+std::span<const CommandAction> drawActions() {
+    return kActions;
 }
 
 }  // namespace glibra::scene

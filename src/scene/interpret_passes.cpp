@@ -97,6 +97,8 @@ Pass& currentPass(Interpreter& in) {
     return in.scene.passes.emplace_back(beginPass(in, depthBuffer));
 }
 
+namespace {
+
 void doRenderToTexture(Interpreter& in, const glib::Command& command) {
     if (auto list = targetList(in, command)) in.state.target = std::move(*list);
 }
@@ -105,6 +107,17 @@ void doClear(Interpreter& in, const glib::Command& command) {
     Pass& pass = currentPass(in);
     if (!isClearAlready(pass, in.state.background))
         pass.steps.emplace_back(Clear{in.place(command), in.state.background});
+}
+
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::renderToTexture, doRenderToTexture, InList::isWrong},
+    {glib::CommandId::clear, doClear},
+};
+
+}  // namespace
+
+std::span<const CommandAction> passActions() {
+    return kActions;
 }
 
 void finishPasses(Interpreter& in) {

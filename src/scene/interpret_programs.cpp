@@ -23,8 +23,6 @@ glsl::Stage stageOf(glib::CommandId id) {
     return glsl::Stage::vertex;
 }
 
-}  // namespace
-
 void doStage(Interpreter& in, const glib::Command& command) {
     const glsl::Stage stage = stageOf(command.id);
     if (command.text.empty())
@@ -65,5 +63,27 @@ void doMessageBox(Interpreter& in, const glib::Command& command) {
 }
 
 void doNothing(Interpreter&, const glib::Command&) {}
+
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::vertex, doStage},
+    {glib::CommandId::tessControl, doStage},
+    {glib::CommandId::tessEvaluation, doStage},
+    {glib::CommandId::geometry, doStage},
+    {glib::CommandId::fragment, doStage},
+    {glib::CommandId::program, doProgram, InList::isWrong},
+    {glib::CommandId::geometryInput, doGeometryInput},
+    {glib::CommandId::geometryOutput, doGeometryOutput},
+    {glib::CommandId::geometryVerticesOut, doGeometryVerticesOut},
+    {glib::CommandId::timer, doTimer},
+    {glib::CommandId::messageBox, doMessageBox},
+    {glib::CommandId::gstap, doNothing},
+    {glib::CommandId::verbose, doNothing},
+};
+
+}  // namespace
+
+std::span<const CommandAction> programActions() {
+    return kActions;
+}
 
 }  // namespace glibra::scene

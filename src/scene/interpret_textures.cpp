@@ -134,6 +134,8 @@ void addNoiseTextures(Interpreter& in) {
                       {kNoise3Unit, TextureTarget::texture3D, kNoise3Texture}};
 }
 
+namespace {
+
 void doTexture(Interpreter& in, const glib::Command& command) {
     if (command.numbers.empty()) return;
     Texture texture;
@@ -168,6 +170,19 @@ void doNoise2D(Interpreter& in, const glib::Command& command) {
 }
 void doNoise3D(Interpreter& in, const glib::Command& command) {
     setNoiseSize(in, command, 1);
+}
+
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::texture1D, doTexture}, {glib::CommandId::texture2D, doTexture},
+    {glib::CommandId::texture3D, doTexture}, {glib::CommandId::texture, doTexture},
+    {glib::CommandId::cubeMap, doCubeMap},   {glib::CommandId::clamp, doClamp},
+    {glib::CommandId::noise2D, doNoise2D},   {glib::CommandId::noise3D, doNoise3D},
+};
+
+}  // namespace
+
+std::span<const CommandAction> textureActions() {
+    return kActions;
 }
 
 void finishNoise(Interpreter& in) {

@@ -32,8 +32,6 @@ void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& t
     in.state.modelView = product;
 }
 
-}  // namespace
-
 void doWindowSize(Interpreter& in, const glib::Command& command) {
     const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
     if (in.windowSize && *in.windowSize != size)
@@ -118,6 +116,26 @@ void doPopMatrix(Interpreter& in, const glib::Command& command) {
     }
     in.state.modelView = in.state.stack.back().modelView;
     in.state.stack.pop_back();
+}
+
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::windowSize, doWindowSize},
+    {glib::CommandId::perspective, doPerspective},
+    {glib::CommandId::ortho, doOrtho},
+    {glib::CommandId::lookAt, doLookAt},
+    {glib::CommandId::color, doColor, InList::isPart},
+    {glib::CommandId::background, doBackground},
+    {glib::CommandId::translate, doTranslate},
+    {glib::CommandId::rotate, doRotate},
+    {glib::CommandId::scale, doScale},
+    {glib::CommandId::pushMatrix, doPushMatrix},
+    {glib::CommandId::popMatrix, doPopMatrix},
+};
+
+}  // namespace
+
+std::span<const CommandAction> viewActions() {
+    return kActions;
 }
 
 void checkStack(Interpreter& in) {

@@ -12,7 +12,7 @@
 namespace glibra::scene {
 namespace {
 
-/// True if a list is open; else glib-E07, once for a run of such statements.
+/// True if a list is open. Otherwise reports glib-E07, once for consecutive statements of this kind.
 bool isInside(Interpreter& in, const glib::Command& command) {
     if (in.list) return true;
     if (!in.isOrphan)
@@ -26,7 +26,7 @@ void copy(const glib::Command& command, std::array<double, N>& values) {
     for (std::size_t i = 0; i < N && i < command.numbers.size(); ++i) values[i] = command.numbers[i];
 }
 
-/// The kind of primitive that an incomplete rest belongs to.
+/// The kind of primitive to which the vertices of an incomplete rest belong.
 std::string_view primitiveOf(geometry::ListTopology topology) {
     using geometry::ListTopology;
     switch (topology) {
@@ -56,8 +56,6 @@ std::string_view primitiveOf(geometry::ListTopology topology) {
     }
     return "triangle";
 }
-
-}  // namespace
 
 void doGlBegin(Interpreter& in, const glib::Command& command) {
     const auto topology = geometry::listTopology(command.text);
@@ -130,8 +128,23 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
     draw(in, command, drawing);
 }
 
+constexpr CommandAction kActions[] = {
+    {glib::CommandId::glBegin, doGlBegin, InList::isWrong},
+    {glib::CommandId::glVertex, doGlVertex, InList::isPart},
+    {glib::CommandId::glNormal, doGlNormal, InList::isPart},
+    {glib::CommandId::glColor, doGlColor, InList::isPart},
+    {glib::CommandId::glTexCoord, doGlTexCoord, InList::isPart},
+    {glib::CommandId::glEnd, doGlEnd, InList::isPart, true},
+};
+
+}  // namespace
+
+std::span<const CommandAction> listActions() {
+    return kActions;
+}
+
 void checkList(Interpreter& in) {
-    if (in.list) in.report(error("glib-E07", "glBegin without glEnd", in.list->place));
+    if (in.list) in.report(diagnose("glib-E07", "glBegin without glEnd", in.list->place));
 }
 
 }  // namespace glibra::scene

@@ -1,5 +1,5 @@
 #pragma once
-// From a Shape to its mesh: one table row for each geometry command (language, 3.3 and 4).
+// From a Shape to its mesh (language, 3.3 and 4).
 
 #include <glibra/result.h>
 
@@ -8,35 +8,31 @@
 
 #include "geometry/counts.h"
 #include "geometry/mesh.h"
+#include "glib/limits.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
 
-/// Largest numbers of vertices: of one command, of all commands of a scene, of one glBegin list (language,
-/// 11).
-inline constexpr std::uint64_t kMostCommandVertices = 8'388'608;
+/// The most vertices that one command, all commands of a scene, and one glBegin list may have (language, 11).
+inline constexpr std::uint64_t kMostCommandVertices = geometry::kMostVertices;
 inline constexpr std::uint64_t kMostSceneVertices = 67'108'864;
 inline constexpr std::uint64_t kMostListVertices = 1'048'576;
 
-/// True for a command that a shape with numbers alone comes from.
-bool isPrimitive(glib::CommandId command);
-
-/// Topology of the mesh that a command or a shape will give. Shp counts as lines: its file decides between
-/// those and points.
+/// The topology of the mesh that a command or a shape gives. Shp counts as lines, though its file may hold
+/// points instead.
 geometry::Topology topologyOf(glib::CommandId command);
 geometry::Topology topologyOf(const Shape& shape);
 
-/// True for a shape of size zero and for a list without a primitive: it draws nothing (language, 1.7).
+/// True if the shape has a size of zero or is a list without a primitive: it draws nothing (language, 1.7).
 bool drawsNothing(const Shape& shape);
 
-/// How large the mesh will be; nothing for shapes whose size a file decides. Shapes that draw nothing count
-/// 0.
+/// The size of the mesh; nothing if a file decides it. A shape that draws nothing counts 0.
 std::optional<geometry::Counts> countsOf(const Shape& shape);
 
-/// Makes the mesh of Scene::shapes[shape], with all its attributes but, for models, tangents if they are not
-/// wanted. What draws nothing gives a mesh without vertices. Models are read here; their files' remarks and
-/// errors (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, at the place of the first
-/// statement that names the file; draw-E05 if memory does not suffice.
+/// Makes the mesh of Scene::shapes[shape] with all its attributes; a model gets tangents only on demand. A
+/// shape that draws nothing gives a mesh without vertices. Models are read here, and the messages about their
+/// files (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, with the place of the first
+/// statement that names the file. draw-E05 if there is not enough memory.
 Result<geometry::Mesh> makeMesh(const Scene& scene, int shape, bool withTangents = true);
 
 }  // namespace glibra::scene

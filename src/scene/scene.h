@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/program_resources.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
@@ -39,15 +40,16 @@ struct FileReference {
 /// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
 struct Shape {
     glib::CommandId command{};
-    /// Arguments, defaults filled in. Behind them may stand a count that the language fixes and no scene
-    /// states: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an Xarrow.
+    /// Arguments, defaults filled in. A count that the language fixes and no scene
+    /// states may follow: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an
+    /// Xarrow.
     std::vector<double> numbers;
     int file = kNone;  ///< index into Scene::files
     std::shared_ptr<const geometry::Mesh>
         list;  ///< the mesh itself where the scene's text gives the vertices
 };
 
-enum class TextureTarget { texture1D, texture2D, texture3D, cube };
+using base::TextureTarget;
 enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
@@ -85,6 +87,10 @@ struct Texture {
 struct Sampling {
     bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
 };
+
+/// Units that hold the noise textures until a scene fills them; Noise2 and Noise3 without a tag read them.
+inline constexpr int kNoise2Unit = 2;
+inline constexpr int kNoise3Unit = 3;
 
 /// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and
 /// [1] (3D, unit 3).

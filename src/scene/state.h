@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "geometry/list_mesh.h"
+#include "glib/command_table.h"
 #include "glib/script.h"
 #include "scene/file_lookup.h"
 #include "scene/interpret.h"
@@ -19,9 +21,8 @@
 
 namespace glibra::scene {
 
-inline constexpr glm::dvec4 kInitialBackground{18 / 255., 27 / 255., 33 / 255., 1};
-inline constexpr int kNoise2Unit = 2;
-inline constexpr int kNoise3Unit = 3;
+inline constexpr glm::dvec4 kInitialBackground{glib::kDefaultBackground[0], glib::kDefaultBackground[1],
+                                               glib::kDefaultBackground[2], 1};
 
 struct SavedMatrix {
     glm::dmat4 modelView;
@@ -102,78 +103,66 @@ struct Interpreter {
     }
 };
 
-/// Does what a statement says. Its numbers are as the command's row in glib's table promises.
+/// Carries out a statement. Its numbers are as the command's row in glib's table promises.
 using Handler = void (*)(Interpreter&, const glib::Command&);
 
-/// Index of the file that a statement names, looked up where it is named first.
+/// What happens to a command inside an open glBegin list.
+enum class InList {
+    isPart,     ///< it belongs to the list
+    goesFirst,  ///< it is carried out before the list is drawn: glib-W32
+    isWrong,    ///< glib-E07
+};
+
+/// A command and the function that carries it out. The rows stand at the end of the files that implement
+/// them.
+struct CommandAction {
+    glib::CommandId id{};
+    Handler handler = nullptr;
+    InList inList = InList::goesFirst;
+    bool draws = false;  ///< it reports itself when the scene is verbose
+};
+std::span<const CommandAction> viewActions();     // interpret_view.cpp
+std::span<const CommandAction> drawActions();     // interpret_geometry.cpp
+std::span<const CommandAction> listActions();     // lists.cpp
+std::span<const CommandAction> passActions();     // interpret_passes.cpp
+std::span<const CommandAction> textureActions();  // interpret_textures.cpp
+std::span<const CommandAction> programActions();  // interpret_programs.cpp
+
+/// The action of a command; null if there is none.
+const CommandAction* actionOf(glib::CommandId command);
+
+/// Returns the index of the file that a statement names. A file is looked up where it is named first.
 int fileOf(Interpreter&, const std::string& name, const Place& place);
 
-// window, projection, colours, transforms (interpret_view.cpp)
-void doWindowSize(Interpreter&, const glib::Command&);
-void doPerspective(Interpreter&, const glib::Command&);
-void doOrtho(Interpreter&, const glib::Command&);
-void doLookAt(Interpreter&, const glib::Command&);
-void doColor(Interpreter&, const glib::Command&);
-void doBackground(Interpreter&, const glib::Command&);
-void doTranslate(Interpreter&, const glib::Command&);
-void doRotate(Interpreter&, const glib::Command&);
-void doScale(Interpreter&, const glib::Command&);
-void doPushMatrix(Interpreter&, const glib::Command&);
-void doPopMatrix(Interpreter&, const glib::Command&);
-/// glib-W31
+// interpret_view.cpp
+
+/// Reports glib-W31 for a PushMatrix without PopMatrix.
 void checkStack(Interpreter&);
 
-// draws and what decides how they are rasterised (interpret_geometry.cpp)
-void doPrimitive(Interpreter&, const glib::Command&);
-void doModel(Interpreter&, const glib::Command&);
-void doPointGroups(Interpreter&, const glib::Command&);
-void doLineWidth(Interpreter&, const glib::Command&);
-void doPointSize(Interpreter&, const glib::Command&);
-void doPointSizeMode(Interpreter&, const glib::Command&);
-void doNumPatchVertices(Interpreter&, const glib::Command&);
-void doFlat(Interpreter&, const glib::Command&);
-void doSmooth(Interpreter&, const glib::Command&);
+// lists.cpp
 
-// glBegin lists (lists.cpp)
-void doGlBegin(Interpreter&, const glib::Command&);
-void doGlVertex(Interpreter&, const glib::Command&);
-void doGlNormal(Interpreter&, const glib::Command&);
-void doGlColor(Interpreter&, const glib::Command&);
-void doGlTexCoord(Interpreter&, const glib::Command&);
-void doGlEnd(Interpreter&, const glib::Command&);
-/// glib-E07 for a list without glEnd
+/// Reports glib-E07 for a list without glEnd.
 void checkList(Interpreter&);
 
-// targets (interpret_passes.cpp)
-void doRenderToTexture(Interpreter&, const glib::Command&);
-void doClear(Interpreter&, const glib::Command&);
-/// The pass into the current target, begun with its implicit clears if need be.
+// interpret_passes.cpp
+
+/// The pass into the current target. It is begun here, with its implicit clears, if there is none.
 Pass& currentPass(Interpreter&);
-/// The window is shown even if nothing is drawn into it.
+/// Makes sure that the window is shown, even if nothing is drawn into it.
 void finishPasses(Interpreter&);
 
-// textures (interpret_textures.cpp)
+// interpret_textures.cpp
+
 void addNoiseTextures(Interpreter&);
-void doTexture(Interpreter&, const glib::Command&);
-void doCubeMap(Interpreter&, const glib::Command&);
-void doClamp(Interpreter&, const glib::Command&);
-void doNoise2D(Interpreter&, const glib::Command&);
-void doNoise3D(Interpreter&, const glib::Command&);
-/// The sizes are known at the end of the file only.
+/// Sets the sizes of the noise textures, which are known only at the end of the file.
 void finishNoise(Interpreter&);
 
-// shaders, programs, and the rest (interpret_programs.cpp)
-void doStage(Interpreter&, const glib::Command&);
-void doProgram(Interpreter&, const glib::Command&);
-void doGeometryInput(Interpreter&, const glib::Command&);
-void doGeometryOutput(Interpreter&, const glib::Command&);
-void doGeometryVerticesOut(Interpreter&, const glib::Command&);
-void doTimer(Interpreter&, const glib::Command&);
-void doMessageBox(Interpreter&, const glib::Command&);
-void doNothing(Interpreter&, const glib::Command&);
+// interpret_geometry.cpp
 
-/// What a geometry command draws with the state of this place. `vertices` counts against the limits, `size`
-/// is what Verbose says of it, `color` replaces the current colour.
+/// The action of every primitive.
+void doPrimitive(Interpreter&, const glib::Command&);
+/// What a geometry command draws with the current state. `size` describes it for Verbose; `color` replaces
+/// the current colour.
 struct Drawing {
     int shape = kNone;
     std::string word;
@@ -181,12 +170,12 @@ struct Drawing {
     std::optional<glm::dvec4> color;
 };
 void draw(Interpreter&, const glib::Command&, const Drawing&);
-/// False, with glib-E15, if that many more vertices are beyond a limit.
+/// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
-/// The shape with that mesh, shared with an equal one.
+/// Returns the shape with that mesh; equal meshes share one shape.
 int shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
 
-/// The statement as notes and messages repeat it: "Sphere 1 60 60".
+/// Returns the statement as messages repeat it: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);
 
 }  // namespace glibra::scene

@@ -56,7 +56,7 @@ TEST(PixelFilter, BoxIsTheMeanOfAPixelsSamplesAndTentReachesTheNeighbours) {
     EXPECT_DOUBLE_EQ(box[0], 0);
     const std::vector<double> tent = reduce(samples, 3, 3, 2, PixelFilter::tent);
     EXPECT_GT(tent[0], tent[8]);
-    // Weights of the middle pixel along one axis: .25 .75 .75 .25 over samples 1 to 4.
+    // Weights of the middle pixel along one axis: .25 .75 .75 .25 for samples 1 to 4.
     EXPECT_DOUBLE_EQ(tent[4], .375 * .375);
 }
 
@@ -79,8 +79,9 @@ class Antialiasing : public testing::Test {
 };
 
 TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
-    // Area of an edge under a regular grid of n x n samples: between 1/n (parallel) and n^-1.5 (any slope),
-    // in samples -.5 to -.75; Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
+    // The error of the area of an edge on a regular grid of n x n samples is between 1/n (parallel) and
+    // n^-1.5 (any slope), which is an order of -.5 to -.75 in samples; Mitchell, Consequences of Stratified
+    // Sampling in Graphics, 1996.
     const double order = fittedOrder(curve("edges", "supersampling, box"));
     EXPECT_LT(order, -.6);
     EXPECT_GT(order, -1);

@@ -28,7 +28,7 @@ std::string crash(const std::string&) {
     std::abort();
 }
 
-/// Tests before this one may have loaded a driver into this process.
+/// Earlier tests may have loaded a driver into this process.
 class ApartFromTheStart : public testing::Test {
   protected:
     void SetUp() override {
@@ -53,7 +53,7 @@ TEST_F(ApartFromTheStart, AnswersLargerThanAPipeArrive) {
     EXPECT_EQ(apart.run(large, "end"), std::string(1 << 20, 'x') + "end");
 }
 
-TEST_F(ApartFromTheStart, ACrashIsNoAnswerAndTheNextPieceIsDone) {
+TEST_F(ApartFromTheStart, ACrashGivesNoAnswerAndTheNextPieceIsDone) {
     Apart apart;
     EXPECT_FALSE(apart.run(crash, ""));
     EXPECT_EQ(apart.run(large, ""), std::string(1 << 20, 'x'));

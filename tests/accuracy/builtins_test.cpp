@@ -22,7 +22,7 @@ const BuiltinFunction& functionOf(std::string_view name) {
     throw std::runtime_error("no function " + std::string(name));
 }
 
-/// What a device would give that computes each result of a sweep by `answer`.
+/// The results of a device that computes each result of a sweep by `answer`.
 std::vector<float> answers(const ArgumentSweep& sweep, std::uint32_t count,
                            const std::function<std::array<float, 3>(const std::array<float, 8>&)>& answer) {
     std::vector<float> results;
@@ -54,10 +54,10 @@ TEST(JudgedPrecision, OfRoundedResultsIsHalfAUnit) {
     EXPECT_GT(precision.largest, .45);
     EXPECT_NEAR(precision.mean, .25, .03);
     EXPECT_EQ(precision.samples, 1000U);
-    EXPECT_LT(precision.ofBound.value(), 1);
+    EXPECT_LT(precision.timesTheBound.value(), 1);
 }
 
-TEST(JudgedPrecision, CountsTheUnitsThatAResultIsOff) {
+TEST(JudgedPrecision, CountsTheUnitsByWhichAResultIsWrong) {
     const BuiltinFunction& function = functionOf("division");
     const ArgumentSweep& sweep = function.sweeps.front();
     const auto off = [&](int units) {
@@ -69,11 +69,11 @@ TEST(JudgedPrecision, CountsTheUnitsThatAResultIsOff) {
     };
     EXPECT_NEAR(off(4).largest, 4.25, .25);
     EXPECT_NEAR(off(4).mean, 4, .25);
-    EXPECT_GT(off(4).ofBound.value(), 1);
-    EXPECT_LT(off(2).ofBound.value(), 1.0001);
+    EXPECT_GT(off(4).timesTheBound.value(), 1);
+    EXPECT_LT(off(2).timesTheBound.value(), 1.0001);
 }
 
-TEST(JudgedPrecision, TellsNotANumberAndWhereItCame) {
+TEST(JudgedPrecision, ReportsNotANumberAndItsArguments) {
     const BuiltinFunction& function = functionOf("exp");
     const ArgumentSweep& sweep = function.sweeps.front();
     std::vector<float> results = answers(sweep, 100, [](const auto& x) {
@@ -98,7 +98,7 @@ TEST(JudgedPrecision, LetsAnArgumentAtABorderFallToEitherSide) {
               1e6);
 }
 
-TEST(BuiltinFunctions, AreExactlyWhatWiderArithmeticSays) {
+TEST(BuiltinFunctions, EqualWiderArithmetic) {
     namespace mp = boost::multiprecision;
     const std::map<std::string, std::function<Wide(const std::array<Wide, 8>&)>> wide{
         {"sin", [](const auto& x) { return mp::sin(x[0]); }},
@@ -129,7 +129,7 @@ TEST(BuiltinFunctions, AreExactlyWhatWiderArithmeticSays) {
                 Values got{};
                 function.exact(arguments, got);
                 const auto wanted = evaluate(wideArguments).convert_to<long double>();
-                // A thousandth of the smallest error that is told.
+                // A thousandth of the smallest reported error.
                 EXPECT_NEAR(static_cast<double>((got[0] - wanted) / unitInLastPlace(wanted)), 0, 1e-3)
                     << name << " at " << argumentsText(function, given);
             }
@@ -196,15 +196,15 @@ TEST(BuiltinFunctions, BoundsHoldForTheEquationsInFloat) {
     for (const auto& [name, evaluate] : inFloat) {
         const BuiltinFunction& function = functionOf(name);
         for (const ArgumentSweep& sweep : function.sweeps) {
-            const double ofBound =
-                judgePrecision(function, sweep, answers(sweep, 20'000, evaluate)).ofBound.value();
-            EXPECT_LE(ofBound, 1.0001) << name << " over " << sweep.words;
-            EXPECT_GT(ofBound, .05) << "the bound says nothing: " << name << " over " << sweep.words;
+            const double timesTheBound =
+                judgePrecision(function, sweep, answers(sweep, 20'000, evaluate)).timesTheBound.value();
+            EXPECT_LE(timesTheBound, 1.0001) << name << " over " << sweep.words;
+            EXPECT_GT(timesTheBound, .05) << "the bound says nothing: " << name << " over " << sweep.words;
         }
     }
 }
 
-TEST(BuiltinFunctions, TellTheArgumentsTheyRead) {
+TEST(BuiltinFunctions, PrintTheArgumentsTheyRead) {
     const std::array<float, 8> x{1, 2, 3, 4, 5, 6, 7, 8};
     EXPECT_EQ(argumentsText(functionOf("sin"), x), "1");
     EXPECT_EQ(argumentsText(functionOf("atan(y, x)"), x), "1, 5");
@@ -213,7 +213,7 @@ TEST(BuiltinFunctions, TellTheArgumentsTheyRead) {
     EXPECT_EQ(argumentsText(functionOf("mat2 * vec2"), x), "1, 2, 3, 4, 5, 6");
 }
 
-TEST(PrecisionOfTheDriver, IsMeasuredOnTheArgumentsThatWereMeant) {
+TEST(PrecisionOfTheDriver, IsMeasuredOnTheIntendedArguments) {
     const Result<gpu::Context> context = gpu::openContext();
     ASSERT_TRUE(context);
     const Result<std::vector<PrecisionRow>> rows = precisionTable(context->capabilities(), 16);
@@ -223,7 +223,7 @@ TEST(PrecisionOfTheDriver, IsMeasuredOnTheArgumentsThatWereMeant) {
     EXPECT_EQ(rows->size(), sweeps);
     for (const PrecisionRow& row : *rows) {
         EXPECT_EQ(row.fragment.samples, 256U);
-        // Rounded, exact operations: another argument's result would be off by millions of units.
+        // Exact operations, rounded: the result for another argument would differ by millions of units.
         const std::string_view name = row.function->name;
         const bool isRounded = name == "floor" || name == "product" || name == "roundEven";
         for (const Precision& each : {row.vertex, row.fragment}) {

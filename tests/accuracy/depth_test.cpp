@@ -32,7 +32,7 @@ class Depth : public testing::Test {
     static inline std::vector<Figure> figures;
 };
 
-/// The depth as a buffer of that many bits keeps it.
+/// The depth as stored in a buffer with `bits` bits.
 double kept(double z, double near, double far, int bits) {
     const double depth = far * (z - near) / (z * (far - near));
     return std::round(depth * (std::ldexp(1., bits) - 1));
@@ -55,7 +55,7 @@ TEST_F(Depth, OneStepInTheoryIsWhereTheRoundedDepthChangesForSure) {
     }
 }
 
-TEST_F(Depth, EveryKindTellsGapsApartAsTheoryDoes) {
+TEST_F(Depth, EveryKindResolvesGapsAsInTheory) {
     for (const char* name : {"gap-by-range", "gap-by-distance"})
         for (const Curve& measured : figure(name).curves) {
             const Curve* theory = curve(figure(name), "theory: " + measured.name);
@@ -63,7 +63,7 @@ TEST_F(Depth, EveryKindTellsGapsApartAsTheoryDoes) {
             for (std::size_t i = 0; i < measured.points.size(); ++i) {
                 const double expected = theory->points[i].error;
                 if (std::isnan(expected) || expected > .2) continue;
-                // Rounding of clip coordinates and of their quotient adds steps of its own.
+                // Rounding of clip coordinates and of their quotient adds further steps.
                 EXPECT_LT(measured.points[i].error, 4 * expected) << measured.name << " " << i;
                 EXPECT_GT(measured.points[i].error, .3 * expected) << measured.name << " " << i;
             }
@@ -71,7 +71,7 @@ TEST_F(Depth, EveryKindTellsGapsApartAsTheoryDoes) {
 }
 
 TEST_F(Depth, FixedPointGapsGrowWithTheSquareOfTheDistance) {
-    // The error is a share of the distance, which takes one power away.
+    // The error is a share of the distance, which reduces the order by one.
     const Curve* curveOf16 = curve(figure("gap-by-distance"), "16 bit");
     ASSERT_TRUE(curveOf16);
     EXPECT_NEAR(fittedOrder(*curveOf16), 1, .1);
@@ -85,7 +85,7 @@ TEST_F(Depth, ReversedFloatsFromZeroToOneHoldAtAnyRange) {
 
 TEST_F(Depth, PlanesSixteenStepsApartDoNotFightAndThoseAnEighthApartDo) {
     for (const Curve& each : figure("fighting").curves) {
-        // With reversed floats rounding may favour the nearer one everywhere.
+        // With reversed floats, rounding may favour the nearer plane everywhere.
         if (each.name.find("reversed") == std::string::npos) {
             EXPECT_GT(each.points.front().error, .2) << each.name;
         }

@@ -7,7 +7,7 @@
 namespace glibra::bench {
 namespace {
 
-/// A disk with that centre and radius, edges without intermediate values, on stripes that are smooth.
+/// A disk with the given centre and radius and hard edges, on smooth stripes.
 image::Image disk(double x, double y, double radius) {
     image::Image picture{96, 80, 3, image::Component::u8, {}};
     for (int row = 0; row < picture.height; ++row)
@@ -20,7 +20,7 @@ image::Image disk(double x, double y, double radius) {
     return picture;
 }
 
-TEST(Displacement, IsNoneOfPicturesThatAreAlike) {
+TEST(Displacement, OfEqualPicturesIsZero) {
     EXPECT_EQ(displacement(disk(40, 40, 20), disk(40, 40, 20), 5), 0);
 }
 
@@ -32,7 +32,7 @@ TEST(Displacement, IsHowFarAnEdgeMoves) {
     }
 }
 
-TEST(Displacement, OfWhatOneDoesNotShowIsBeyondAll) {
+TEST(Displacement, OfAMissingShapeExceedsEveryRadius) {
     EXPECT_EQ(displacement(disk(40, 40, 20), disk(40, 40, 0), 8), 9);
     EXPECT_EQ(displacement(disk(40, 40, 0), disk(40, 40, 20), 8), 9);
 }

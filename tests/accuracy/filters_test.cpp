@@ -63,7 +63,7 @@ class FiltersOnTheDevice : public testing::Test {
         ASSERT_TRUE(context);
         capabilities = &(*context)->capabilities();
     }
-    /// Largest difference of any pixel from the plane, in 255ths.
+    /// The largest difference of any pixel from the plane, in 255ths.
     double largest(const std::vector<std::string>& fragments, gpu::TexelFormat between, const Plane& wanted) {
         const Result<FilterChain> chain = FilterChain::create(*capabilities, picture, fragments, between);
         EXPECT_TRUE(chain);
@@ -88,7 +88,7 @@ TEST_F(FiltersOnTheDevice, OfFloatsAreTheReferenceAtEveryPixel) {
         const auto format = gpu::TexelFormat::rgba32f;
         EXPECT_LT(largest({directBlur(weights)}, format, wanted), .001);
         EXPECT_LT(largest({blurAlong(weights, false), blurAlong(weights, true)}, format, wanted), .001);
-        // Hardware filters may weigh by 256ths.
+        // Hardware filters may round weights to 256ths.
         EXPECT_LT(largest({pairedBlurAlong(weights, false), pairedBlurAlong(weights, true)}, format, wanted),
                   2);
     }
@@ -104,7 +104,8 @@ TEST_F(FiltersOnTheDevice, OfOneDirectionAreNotABlur) {
 }
 
 TEST_F(FiltersOnTheDevice, RoundToBytesBetweenTheirPasses) {
-    // Half a step for each row's pixel, averaged by the second pass; and more than a float's error.
+    // At most half a step for the pixel of each row, averaged by the second pass; and more than the error of
+    // floats.
     const std::vector<double> weights = gaussianWeights(4);
     const double most = largest({blurAlong(weights, false), blurAlong(weights, true)},
                                 gpu::TexelFormat::rgba8, blurred(picture, weights));

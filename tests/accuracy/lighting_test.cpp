@@ -13,14 +13,14 @@
 namespace glibra::bench {
 namespace {
 
-/// The torus as a polynomial: 0 on it, positive outside.
+/// The torus as a polynomial: 0 on the surface, positive outside.
 double quartic(const glm::dvec3& p) {
     const double ring = kRingRadius, tube = kTubeRadius;
     const double sum = glm::dot(p, p) + ring * ring - tube * tube;
     return sum * sum - 4 * ring * ring * (p.x * p.x + p.y * p.y);
 }
 
-/// The normal by small steps and bisection along the ray, and differences of the polynomial.
+/// The normal from small steps and bisection along the ray, and from differences of the polynomial.
 std::optional<glm::dvec3> steppedNormal(double x, double y) {
     const glm::dmat3 toModel = glm::inverse(torusRotation());
     const auto at = [&](double z) { return quartic(toModel * glm::dvec3(x, y, z)); };
@@ -51,7 +51,7 @@ TEST(AnalyticTorus, HasTheNormalsOfItsPolynomial) {
         for (int j = 0; j < 40; ++j) {
             const double x = -1.03 + 2.06 * i / 39, y = -1.03 + 2.06 * j / 39;
             const auto stepped = steppedNormal(x, y), traced = normalAt(LitSurface::torus, x, y);
-            // Steps of a thousandth pass over what a ray only grazes.
+            // Steps of a thousandth miss parts that a ray only grazes.
             if (traced && traced->z > .1) {
                 ASSERT_TRUE(stepped) << x << " " << y;
                 EXPECT_NEAR(glm::length(*traced - *stepped), 0, 1e-6) << x << " " << y;
@@ -63,7 +63,7 @@ TEST(AnalyticTorus, HasTheNormalsOfItsPolynomial) {
 }
 
 TEST(AnalyticHighlights, AreCosinesOfTheAngleAndOfTwiceIt) {
-    const glm::dvec3 light(0, 0, 1);  // from the viewer
+    const glm::dvec3 light(0, 0, 1);  // from the direction of the viewer
     for (const double angle : {0., .2, .5, .7}) {
         const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle));
         EXPECT_NEAR(highlight(Highlight::reflection, normal, light, 5), std::pow(std::cos(2 * angle), 5),
@@ -111,8 +111,8 @@ TEST_F(MeasuredLighting, OfTheReflectionInAShaderIsThatOfTheReference) {
     for (const Point& point : figure.curves.front().points) EXPECT_LT(point.error, 1e-5) << point.label;
 }
 
-TEST_F(MeasuredLighting, FindsThatFourTimesTheExponentStandsForTheReflection) {
-    // cos(2a) is 1 - 2a^2, cos(a)^4 is too, up to a^4: near the view's direction the factor is 4.
+TEST_F(MeasuredLighting, FindsThatFourTimesTheExponentMatchesTheReflection) {
+    // cos(2a) and cos(a)^4 are both 1 - 2a^2 up to a^4: near the direction of the view, the factor is 4.
     const Figure& figure = figureOf(figures, "half-vector");
     for (std::size_t i = 0; i < 3; ++i) {
         const std::vector<Point>& points = figure.curves[i].points;

@@ -26,7 +26,7 @@ TEST(TestCard, BilinearIsTheTexelAtItsCentreAndTheMeanBetweenFour) {
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {1.5, .5}), 20. / 255);
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {.5, 1.5}), 30. / 255);
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {1, 1}), 25. / 255);
-    // Half way from the last texel to the next period's first.
+    // Half way between the last texel and the first one of the next period.
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {2, .5}), 15. / 255);
     EXPECT_DOUBLE_EQ(bilinear(texels, 2, {-.5, .5}), 20. / 255);
 }
@@ -65,14 +65,14 @@ TEST_F(Minification, EachFilterOfThePlaneIsBetterThanTheCheaperOne) {
 
 TEST_F(Minification, SupersamplingComesCloseToTheReferenceAtFirstOrderOrBetter) {
     for (const char* name : {"supersampling, linear", "supersampling, trilinear"}) {
-        // The setting counts texels, which grow with the square of the samples along an axis.
+        // The setting is the number of texels, which grows with the square of the samples along an axis.
         EXPECT_LT(fittedOrder(*find("plane", name)), -.5) << name;
         EXPECT_LT(error("plane", name), 4) << name;
     }
 }
 
 TEST_F(Minification, TheFilterOfTheDriverIsThatOfDouble) {
-    // Hardware keeps 8 bits of the weights; half a step of each of two axes.
+    // Hardware stores 8 bits of the weights: half a step for each of two axes.
     EXPECT_LT(find("arithmetic", "the driver as glibra sets it up")->points.front().error, 1.1);
 }
 
@@ -86,7 +86,7 @@ TEST_F(Minification, BytesFilteredInBytesAreAStepOff) {
     EXPECT_LT(error("arithmetic", "the driver as glibra sets it up"), .01);
 }
 
-TEST_F(Minification, FromTheFrontLinearIsRightAtOneTexelAPixelAndMipmapsBeyond) {
+TEST_F(Minification, FromTheFrontLinearIsRightAtOneTexelPerPixelAndMipmapsBeyond) {
     EXPECT_LT(find("front", "linear")->points.front().error, 5);
     EXPECT_GT(error("front", "linear"), 3 * error("front", "mipmaps, bilinear"));
     EXPECT_GT(error("front", "nearest"), error("front", "linear"));

@@ -14,7 +14,7 @@
 namespace glibra::bench {
 namespace {
 
-TEST(ByteFilter, PointsComeBackAsTheyWere) {
+TEST(ByteFilter, PointsSurviveARoundTrip) {
     std::vector<Point> points{{.setting = 3, .label = "a \"quoted\" label", .error = 1. / 3},
                               {.setting = 4, .label = "", .error = std::numeric_limits<double>::quiet_NaN()}};
     points[0].time = Timing{.median = 1e-7, .low = 1e-8, .high = 1. / 7, .repeats = 11};
@@ -33,7 +33,7 @@ TEST(ByteFilter, PointsComeBackAsTheyWere) {
     EXPECT_FALSE(pointsFromText("not points"));
 }
 
-TEST(NoiseVolume, TexelsAreFoundWhereTheyStand) {
+TEST(NoiseVolume, TexelsHaveTheirValuesAtTheirPlaces) {
     const std::vector<float> exact = exactTexels(8);
     const NoiseVolume volume(8, NoiseFormat::single, exact);
     for (int i = 0; i < 8; ++i) {
@@ -79,23 +79,23 @@ class Noise : public testing::Test {
 };
 
 TEST_F(Noise, InterpolationOfASmoothOctaveIsOfSecondOrder) {
-    EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells a period")), -2, .1);
+    EXPECT_NEAR(fittedOrder(curve("octaves", "4 cells per period")), -2, .1);
 }
 
-TEST_F(Noise, OneTexelACellHoldsNothingOfAnOctave) {
-    // Every texel lies on a lattice point, where the noise is 1/2.
-    EXPECT_NEAR(curve("octaves", "16 cells a period").points.front().error, 1, 1e-9);
-    EXPECT_NEAR(curve("octaves", "32 cells a period").points[1].error, 1, 1e-9);
+TEST_F(Noise, OneTexelPerCellHoldsNothingOfAnOctave) {
+    // Every texel is at a lattice point, where the noise is 1/2.
+    EXPECT_NEAR(curve("octaves", "16 cells per period").points.front().error, 1, 1e-9);
+    EXPECT_NEAR(curve("octaves", "32 cells per period").points[1].error, 1, 1e-9);
 }
 
 TEST_F(Noise, RoundingToBytesAddsTheNoiseOfRounding) {
-    // Variance 1/12 a texel and octave, four octaves, and each axis of the interpolation keeps 2/3 of it.
+    // Variance 1/12 per texel and octave; four octaves; each axis of the interpolation keeps 2/3 of it.
     const double bytes = curve("texels", "8 bit, rounded").points.back().error;
     const double floats = curve("texels", "float").points.back().error;
     EXPECT_NEAR(std::sqrt(bytes * bytes - floats * floats), std::sqrt(4. / 12 * 8 / 27), .08);
 }
 
-TEST_F(Noise, CuttingOffMakesTheSumDarkerByHalfAStepAnOctave) {
+TEST_F(Noise, TruncationMakesTheSumDarkerByHalfAStepPerOctave) {
     const double cut = curve("texels", "8 bit, cut off").points.back().error;
     const double rounded = curve("texels", "8 bit, rounded").points.back().error;
     EXPECT_NEAR(std::sqrt(cut * cut - rounded * rounded), 2, .15);
@@ -144,7 +144,7 @@ TEST_F(Noise, APixelIsWhatTheTableGivesThere) {
             for (int column = 0; column < 32; ++column) {
                 const Octaves wanted = volume.at(picture->place(plane, column, row));
                 for (std::size_t i = 0; i < wanted.size(); ++i)
-                    // Hardware keeps 8 bits of the filter's weights.
+                    // Hardware stores 8 bits of the filter's weights.
                     EXPECT_NEAR((*pixels)[static_cast<std::size_t>(row * 32 + column) * 4 + i], wanted[i],
                                 .003);
             }

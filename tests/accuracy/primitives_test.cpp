@@ -1,4 +1,4 @@
-// Subject 1: known orders of convergence, and references held against each other.
+// Primitives: known orders of convergence, and references compared with each other.
 
 #include "bench/subjects/primitives.h"
 
@@ -60,7 +60,7 @@ TEST_F(Primitives, NormalsOfASphereAreTheRadiusAndThoseOfFlatTrianglesAreNot) {
 TEST_F(Primitives, TooFewStacksStopTheSphere) {
     const Curve& stopped = curveOf(figureOf(figures, "balance"), "8 stacks");
     EXPECT_GT(fittedOrder(stopped, 32), -.3);
-    // The sagitta of half a stack of 22.5 degrees, whatever the slices.
+    // The sagitta of half a stack of 22.5 degrees, for any number of slices.
     EXPECT_NEAR(stopped.points.back().error, 1 - std::cos(std::numbers::pi / 16), 2e-3);
 }
 
@@ -111,7 +111,7 @@ TEST(BezierSurface, AgreesWithTheTeapotsVertices) {
     }
 }
 
-TEST(BezierSurface, FindsItsWayBackFromAPointAboveIt) {
+TEST(BezierSurface, FindsThePointBelowAPointAboveIt) {
     const geometry::Patch patch = geometry::teapotPatches()[geometry::kTeapotBody];
     for (const glm::dvec2 st : {glm::dvec2(.3, .4), glm::dvec2(.8, .15)}) {
         const PatchPoint at = patchPoint(patch, st);
@@ -119,7 +119,7 @@ TEST(BezierSurface, FindsItsWayBackFromAPointAboveIt) {
         const glm::dvec2 found =
             nearestOnPatch(patch, at.position + .01 * normal, st + glm::dvec2(.02, -.03));
         EXPECT_NEAR(glm::distance(found, st), 0, 1e-6);
-        // The derivatives, by differences.
+        // The derivatives from differences.
         const double h = 1e-6;
         const glm::dvec3 moved = patchPoint(patch, st + glm::dvec2(h, 0)).position;
         EXPECT_NEAR(glm::distance((moved - at.position) / h, at.alongS), 0, 1e-4);

@@ -1,4 +1,4 @@
-// CSV, JSON, HTML and the comparison of runs.
+// Reports as CSV, JSON and HTML, and the comparison of runs.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
     return cells;
 }
 
-TEST(Csv, HasARowForEachPointAndThirteenCells) {
+TEST(Csv, HasOneRowPerPointWithThirteenCells) {
     const std::vector<std::string> lines = linesOf(csvReport(sampleReport()));
     ASSERT_EQ(lines.size(), 6U);
     for (const std::string& line : lines) EXPECT_EQ(cellsOf(line).size(), 13U) << line;
@@ -53,7 +53,7 @@ TEST(Csv, HasARowForEachPointAndThirteenCells) {
     EXPECT_EQ(cellsOf(lines[5])[5], "inf");
 }
 
-TEST(Html, DrawsATheoryInTheColourOfWhatIsMeasured) {
+TEST(Html, DrawsATheoryInTheColourOfItsMeasuredCurve) {
     Report report;
     Figure figure;
     figure.name = "gap";
@@ -72,7 +72,7 @@ TEST(Html, DrawsATheoryInTheColourOfWhatIsMeasured) {
     EXPECT_FALSE(read->subjects[0].figures[0].curves[1].theoryOf);
 }
 
-TEST(Json, ComesBackWhole) {
+TEST(Json, SurvivesARoundTrip) {
     const Report report = sampleReport();
     const std::string text = jsonReport(report);
     const Result<Report> read = readJsonReport(text, "a.json");
@@ -90,7 +90,7 @@ TEST(Json, ComesBackWhole) {
     EXPECT_EQ(read->machine.processor, "Processor <A> & B");
 }
 
-TEST(Json, TellsWhereItIsBroken) {
+TEST(Json, ReportsThePlaceOfAnError) {
     const Result<Report> broken = readJsonReport("{\n \"format\": ]\n}", "b.json");
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.diagnostics[0].id, "bench-E02");
@@ -102,7 +102,7 @@ TEST(Json, TellsWhereItIsBroken) {
     EXPECT_FALSE(readJsonReport(wrong, "d.json"));
 }
 
-TEST(Json, EveryCutIsRefused) {
+TEST(Json, EveryCutIsRejected) {
     const std::string text = jsonReport(sampleReport());
     for (std::size_t length = 0; length + 2 < text.size(); length += 7)
         EXPECT_FALSE(readJsonReport(std::string_view(text).substr(0, length), "cut.json")) << length;
@@ -146,7 +146,7 @@ TEST(Against, AnErrorThatIsNotMeasurableAnyMoreOrLeavesZeroIsWorse) {
 TEST(Against, TimesCountOnlyWithAFactorAndBeyondTheSpread) {
     Report now = sampleReport();
     Timing& time = *now.subjects[0].figures[0].curves[0].points[0].time;
-    time = {1.15e-3, 1.05e-3, 1.2e-3, 7};  // touches the earlier .9e-3 .. 1.1e-3
+    time = {1.15e-3, 1.05e-3, 1.2e-3, 7};  // overlaps the earlier .9e-3 .. 1.1e-3
     EXPECT_FALSE(compare(sampleReport(), now).points[0].timeIsWorse);
     time = {3e-3, 2.9e-3, 3.1e-3, 7};
     EXPECT_TRUE(compare(sampleReport(), now).points[0].timeIsWorse);
@@ -166,7 +166,7 @@ TEST(Against, NamesMissingPointsAndOtherMachines) {
     EXPECT_TRUE(compare(sampleReport(), now).missing.empty()) << "a quick run has fewer settings";
 }
 
-/// Every opened element is closed in its order; nothing else than a browser needs is in between.
+/// Every element is closed in the right order, and the page loads nothing.
 std::string firstImbalance(const std::string& page) {
     std::vector<std::string> open;
     for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
@@ -209,7 +209,7 @@ TEST(Html, ShowsEachMeasurablePointInItsDiagrams) {
         for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++found;
         return found;
     };
-    // Against the setting: both timed ones and the one of error 0; against time: the timed ones.
+    // Against the setting: both timed points and the one with error 0. Against time: the timed points.
     EXPECT_EQ(count("data-tip="), 5U);
     EXPECT_EQ(count("class=\"spread\""), 2U);
     EXPECT_EQ(count("<svg class=\"plot\""), 2U);

@@ -1,4 +1,4 @@
-// Subjects 7, 9, 11 and 12: what rounding does, where theory says how much.
+// Transforms, curves, fractals, rays and spheres: the effects of rounding where theory predicts them.
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST_F(Transforms, DoubleIsNineDigitsBetterThanFloat) {
         const Figure& figure = figureOf(figures, name);
         const Curve &single = curveOf(figure, "CPU, float matrices"), &twice = curveOf(figure, "CPU, double");
         for (std::size_t i = 0; i < single.points.size(); ++i) {
-            // 2^-24 against 2^-53, within an order or two as the roundings fall.
+            // 2^-24 against 2^-53, within one or two orders of magnitude, depending on the roundings.
             const double ratio = single.points[i].error / twice.points[i].error;
             EXPECT_GT(ratio, 1e7) << name << ", " << single.points[i].label;
             EXPECT_LT(ratio, 1e11) << name << ", " << single.points[i].label;
@@ -104,7 +104,7 @@ TEST(ShaderValues, ComeBackInTheirOrder) {
     EXPECT_FALSE(ShaderValues::create(bench, "vec4 value() { return 1; }", inputs));
 }
 
-TEST(Curves, BehaveAsTheirSchemesSay) {
+TEST(Curves, ConvergeWithTheOrdersOfTheirMethods) {
     const std::vector<Figure> figures = quickFigures(measureCurves);
     expectSound(figures);
     const Figure& parameter = figureOf(figures, "parameter");
@@ -146,7 +146,7 @@ TEST(Fractals, LoseTheirPixelsWhereTheMantissaEnds) {
     const auto wrong = [&](const char* curve, std::size_t point) {
         return curveOf(figure, curve).points.at(point).error;
     };
-    // Zooms 1, 1e5, 1e10 and 1e15, at 32 pixels a side: a pixel is 1e-1, 1e-6, 1e-11, 1e-16 wide.
+    // Zooms 1, 1e5, 1e10 and 1e15, at 32 pixels per side: a pixel is 1e-1, 1e-6, 1e-11, 1e-16 wide.
     for (const char* name : {"CPU, float", "shader, float"}) {
         EXPECT_LT(wrong(name, 0), .05) << name;
         EXPECT_GT(wrong(name, 2), .5) << name;

@@ -1,4 +1,4 @@
-// Fronts, timing, orders, and what a run makes of its subjects.
+// Fronts, timing, orders of convergence, and runs of subjects.
 
 #include "bench/core/run.h"
 
@@ -27,7 +27,7 @@ std::string frontOf(Figure figure) {
     return marks;
 }
 
-TEST(Front, HoldsWhatNothingCheaperBeats) {
+TEST(Front, HoldsPointsThatNothingCheaperBeats) {
     Figure figure;
     figure.curves = {{"a", {timedPoint(1, .5, 1), timedPoint(2, .1, 4), timedPoint(3, .05, 9)}},
                      {"b", {timedPoint(1, .6, 2), timedPoint(2, .2, 3), timedPoint(3, .05, 10)}}};
@@ -145,14 +145,14 @@ Result<std::vector<Figure>> works(Bench& /*bench*/) {
     return std::vector<Figure>{figure};
 }
 
-TEST(Run, GoesOnAfterASubjectThatFails) {
+TEST(Run, ContinuesAfterASubjectThatFails) {
     const std::vector<Subject> table{{"bad", "Bad", fails}, {"good", "Good", works}};
     const std::vector<const Subject*> chosen{&table[0], &table[1]};
-    std::vector<std::string> told;
+    std::vector<std::string> started;
     const Report report = run(chosen, {.quick = true}, [&](const Subject& subject, std::size_t, std::size_t) {
-        told.emplace_back(subject.name);
+        started.emplace_back(subject.name);
     });
-    EXPECT_EQ(told, (std::vector<std::string>{"bad", "good"}));
+    EXPECT_EQ(started, (std::vector<std::string>{"bad", "good"}));
     ASSERT_EQ(report.subjects.size(), 2U);
     EXPECT_TRUE(hasError(report.subjects[0].diagnostics));
     EXPECT_TRUE(lacksDriver(report));
@@ -163,7 +163,7 @@ TEST(Run, GoesOnAfterASubjectThatFails) {
     EXPECT_EQ(report.date.size(), std::string("2026-03-01T12:00:00Z").size());
 }
 
-TEST(Subjects, HaveNamesOfTheirOwn) {
+TEST(Subjects, HaveUniqueNames) {
     std::vector<std::string_view> names;
     for (const Subject& each : subjects()) {
         EXPECT_EQ(std::ranges::count(names, each.name), 0) << each.name;

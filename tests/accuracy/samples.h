@@ -1,5 +1,5 @@
 #pragma once
-// Small reports made by hand, and the shortest way to a subject's figures.
+// Small reports made by hand, and a shortcut to the figures of a subject.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ inline Point timedPoint(double setting, double error, double seconds) {
     return point;
 }
 
-/// One subject with two curves, times and memory at some points, and names that need quoting.
+/// One subject with two curves, with times and memory at some points, and with names that need quoting.
 Report sampleReport();
 
 /// The figures of a subject in a quick run.
@@ -46,7 +46,8 @@ inline const Curve& curveOf(const Figure& figure, std::string_view name) {
     return *found;
 }
 
-/// Names unique, sentences there, errors measurable and not negative, labels of a curve unique.
+/// Checks that names are unique, texts are not empty, errors are measurable and not negative, and labels of a
+/// curve are unique.
 void expectSound(const std::vector<Figure>& figures);
 
 }  // namespace glibra::bench::test

@@ -27,7 +27,8 @@ gpu::Context& context() {
     return *shared;
 }
 
-/// A folder with a scene that fills 0 <= x < 3.375, 0 <= y < 8 of 8 x 8 pixels with the fragment's colour.
+/// A folder with a scene that fills 0 <= x < 3.375, 0 <= y < 8 of 8 x 8 pixels with the colour of the
+/// fragment shader.
 class QuadScene {
   public:
     explicit QuadScene(const std::string& rgb) {
@@ -53,7 +54,7 @@ class QuadScene {
     fs::path folder_;
 };
 
-/// A scene that draws the same into a texture of 8 x 8 texels, and shows one of them all over the window.
+/// A scene that draws the same into a texture of 8 x 8 texels, and shows one texel over the whole window.
 class TextureScene {
   public:
     explicit TextureScene(double column) {
@@ -85,7 +86,7 @@ class TextureScene {
     fs::path folder_;
 };
 
-/// Red of a pixel of a float picture.
+/// The red component of a pixel of a float picture.
 float redAt(const image::Image& picture, int x, int y) {
     float value = 0;
     std::memcpy(&value, picture.row(y).data() + static_cast<std::size_t>(x) * 3 * sizeof(float),
@@ -121,14 +122,14 @@ TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
 }
 
 TEST(SampledPicture, ShowsShadersThePlaceOfEachSample) {
-    // Half of every pixel; its middle alone is all or nothing.
+    // Half of every pixel; a sample in the middle alone gives all or nothing.
     const QuadScene scene("vec3(step(.5, fract(gl_FragCoord.x + .001)))");
     const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
     ASSERT_TRUE(picture);
     EXPECT_EQ(redAt(*picture, 1, 4), .5F);
 }
 
-TEST(SampledPicture, LimitsEachSampleToWhatAScreenShows) {
+TEST(SampledPicture, LimitsEachSampleToTheRangeOfAScreen) {
     const QuadScene scene("vec3(4., -4., 0.)");
     const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
     ASSERT_TRUE(picture);
@@ -152,7 +153,7 @@ TEST(SampledPicture, OfOneSampleIsThePicture) {
     }
 }
 
-TEST(ShippedScenesOfTheBench, AreThoseOfTheLibraryWithSlidersThatExist) {
+TEST(ShippedScenesOfTheBench, AreThoseOfTheLibraryAndTheirSlidersExist) {
     const Result<std::vector<ShippedScene>> scenes = shippedScenes();
     ASSERT_TRUE(scenes);
     std::size_t files = 0;

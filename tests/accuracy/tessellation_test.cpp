@@ -26,7 +26,8 @@ TEST(PnTriangle, GoesThroughItsCornersAndTheirTangentPlanes) {
 }
 
 TEST(PnTriangle, ItsMiddleOnAnOctantIsFourNinthsInEveryCoordinate) {
-    // Six tangent points with the mean 4/9, corners with the mean 1/3: b111 = 1/2, middle (1 + 8 + 3) / 27.
+    // Six tangent points with the mean 4/9 and corners with the mean 1/3: b111 = 1/2, middle (1 + 8 + 3) /
+    // 27.
     const glm::dvec3 middle = PnTriangle(kCorners, kCorners).at(glm::dvec3(1. / 3));
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(middle[i], 4. / 9, 1e-15);
 }
@@ -61,7 +62,8 @@ TEST_F(Tessellation, DistancesFallWithTheSquareOfTheLevelInEverySpacing) {
 }
 
 TEST_F(Tessellation, OneTriangleOfAnOctantMissesTheSphereByWhatItsMiddleSays) {
-    // Sampled on a grid of quarters, which has no middle: the nearest points are (1/2, 1/4, 1/4).
+    // Sampled on a grid of quarters, which does not contain the middle: the nearest points are (1/2, 1/4,
+    // 1/4).
     const Point& first = figure("sphere-largest").curves.front().points.front();
     EXPECT_NEAR(first.error, 1 - std::sqrt(.25 + .0625 + .0625), 1e-6);
 }
@@ -83,7 +85,7 @@ TEST_F(Tessellation, NeighboursOfDifferentLevelsLeaveGapsThatShrinkWithTheSquare
         EXPECT_NEAR(fittedOrder(curve, 4), -2, .4) << curve.name;
 }
 
-TEST_F(Tessellation, TheSpacingsCutAsTheirNamesSay) {
+TEST_F(Tessellation, TheSpacingsDivideAsTheirNamesSay) {
     Bench bench({.quick = true});
     Result<gpu::Context*> context = bench.context();
     ASSERT_TRUE(context);
@@ -92,7 +94,7 @@ TEST_F(Tessellation, TheSpacingsCutAsTheirNamesSay) {
         Result<Tessellator> octant =
             Tessellator::create((*context)->capabilities(), Evaluation::sphereOctant, spacing, {});
         ASSERT_TRUE(octant);
-        // 3.2 is rounded up to a whole number, an even one, an odd one.
+        // 3.2 is rounded up to an integer, to an even one, and to an odd one.
         Result<std::vector<TessellatedVertex>> vertices = octant->capture({.outer = 3.2F, .inner = 3.2F});
         ASSERT_TRUE(vertices);
         std::vector<float> places;

@@ -27,7 +27,7 @@ TEST(VolumeFieldInDouble, IsItsTexelsAndLinearBetweenThem) {
     EXPECT_EQ(field.at({-1, -1, -1}), texel(0, 0, 0));
 }
 
-TEST(VolumeFieldInDouble, IsZeroWhereverItsBlocksSaySo) {
+TEST(VolumeFieldInDouble, IsZeroInBlocksWhoseMaximumIsZero) {
     const VolumeField field = blobs(32), blocks = blockMaxima(field, 4);
     ASSERT_EQ(blocks.side, 8);
     std::mt19937 random(7);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Many small scenes: `glibra render --suite` against as many single processes, and against the sum of what drawing
-alone takes, in turn, in one run.
+"""Many small scenes: `glibra render --suite` against as many single processes, and against the sum of the times of drawing
+alone, alternating in one run.
 
 usage: tests/bench/batch.py [GLIBRA] [SHOTS] [ROUNDS]      (default: build/release/glibra 200 5)
 
-A batch is drawn by one worker and one rasteriser thread ("one"), and by a worker a processor ("all"). The sum of
-drawing is the time of the stages draw and readback that a single worker measures itself while it draws the same shots
-(render --stats). Prints ratios, round by round: minimum, median, maximum. The first round warms Mesa's
+A batch is drawn by one worker with one rasteriser thread ("one"), and by one worker per processor ("all"). The sum of
+drawing is the time of the stages draw and readback that a single worker measures while it draws the same shots
+(render --stats). Prints the ratios of all rounds: minimum, median, maximum. The first round warms Mesa's
 shader cache and is not counted.
 """
 import glob

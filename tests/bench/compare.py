@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Comparing pictures, as whole processes: `glibra compare` against OpenImageIO's `idiff`, in turn, in one run.
+"""Comparing pictures, as whole processes: `glibra compare` against OpenImageIO's `idiff`, alternating in one run.
 
 usage: tests/bench/compare.py [RUNS]        (needs: cmake --preset bench && cmake --build build/bench, and the Debian
                                              package openimageio-tools)
 
-Pairs of a 1024 x 1024 picture of a scene: a copy of the file; the same pixels in another file; a picture that differs by
-one step here and there, which a tolerance has to decide. Prints both wall times and their ratio, pair by pair: minimum,
+A 1024 x 1024 picture of a scene is compared with a copy of its file, with the same pixels in another file, and with a picture that
+differs by one step in some pixels, where a tolerance decides. Prints both wall times and the ratios of all pairs: minimum,
 median, maximum. The first pair is not counted.
 
 Then FLIP, in one process, against the authors' program if CMake was given -DGLIBRA_FLIP_H=.../src/cpp/FLIP.h
-(github.com/NVlabs/flip): a pair of 1024 x 1024 pixels of noise, so that no pixel is equal.
+(github.com/NVlabs/flip): two pictures of 1024 x 1024 pixels of noise, so that no pixel is equal.
 """
 import os
 import statistics

@@ -1,5 +1,5 @@
-// FLIP of a pair of 1024 x 1024 pixels of noise: ours, and the authors' program where its header was given to
-// CMake (-DGLIBRA_FLIP_H=.../src/cpp/FLIP.h), in turn, in one process. Prints times and their ratio.
+// FLIP of two pictures of 1024 x 1024 pixels of noise: ours, and the authors' program if its header was given
+// to CMake (-DGLIBRA_FLIP_H=.../src/cpp/FLIP.h), alternating in one process. Prints times and their ratio.
 
 #ifdef GLIBRA_FLIP_H
 #include GLIBRA_FLIP_H

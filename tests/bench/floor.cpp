@@ -1,10 +1,10 @@
-// The yardstick: the least that a program can do to draw one lit sphere into a PNG, with nothing of glibra in
-// it. EGL without a surface, one program, one draw, one readback, one file.
-// Use: floor OUT.png [SIDE [FRAMES]]. With several frames all are drawn and read back, and the last is
-// written: what an animation takes without its encoding.
+// The floor: the least that a program can do to draw one lit sphere into a PNG, without any code of glibra.
+// EGL without a surface, one program, one draw, one readback, one file.
+// Use: floor OUT.png [SIDE [FRAMES]]. With several frames, all are drawn and read back and the last one is
+// written: the cost of an animation without its encoding.
 //
-// The sphere has 60 x 60 cells and the vertices of the language's Sphere: south pole t = 0, seam at -x, a
-// vertex a slice at each pole. Needs libEGL and libdeflate.
+// The sphere has 60 x 60 cells and the vertices of the language's Sphere: south pole at t = 0, seam at -x,
+// one vertex per slice at each pole. Needs libEGL and libdeflate.
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -134,7 +134,7 @@ void openContext() {
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("eglMakeCurrent");
 }
 
-/// Draws into an RGBA picture of `side` times `side` pixels, bottom row first; the last of several frames.
+/// Draws into an RGBA picture of `side` x `side` pixels, bottom row first; keeps the last of several frames.
 std::vector<std::uint8_t> draw(const Mesh& mesh, int side, int frames) {
     PFNGLCREATESHADERPROC createShader;
     PFNGLSHADERSOURCEPROC shaderSource;
@@ -255,7 +255,7 @@ std::vector<std::uint8_t> draw(const Mesh& mesh, int side, int frames) {
     std::vector<std::uint8_t> pixels(std::size_t{4} * static_cast<std::size_t>(side) *
                                      static_cast<std::size_t>(side));
     for (int frame = 0; frame < frames; ++frame) {
-        // The language's Timer: 30 frames a second, 10 seconds a period.
+        // The language's Timer: 30 frames per second, 10 seconds per period.
         uniform1f(2, static_cast<float>(frame % 300) / 300.F);
         clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         drawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_SHORT, nullptr);
@@ -268,7 +268,7 @@ void putBigEndian(std::uint8_t* at, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
 }
 
-/// Opaque RGB, every row as the difference to the row above.
+/// Opaque RGB; every row is the difference from the row above.
 void writePng(const char* name, const std::vector<std::uint8_t>& pixels, std::size_t side) {
     const std::size_t rowBytes = 1 + 3 * side;
     std::vector<std::uint8_t> filtered(rowBytes * side);

@@ -1,8 +1,8 @@
-// One model file to what can be drawn, in a process of its own, for its time and its memory.
+// Turns one model file into data that can be drawn, in a process of its own, to measure its time and memory.
 // Use: load_obj glibra|tinyobjloader FILE.obj   (load_obj grid FILE.obj writes a model of 70 MB)
 //
-// glibra: file, polygons, mesh with one vertex for each different triple. tinyobjloader: its own reader with
-// triangulation, then one vertex for each different triple by std::unordered_map, as its examples do.
+// glibra: file, polygons, mesh with one vertex per distinct triple. tinyobjloader: its own reader with
+// triangulation, then one vertex per distinct triple by std::unordered_map, as in its examples.
 
 #include <tiny_obj_loader.h>
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""One image, as whole processes: `glibra render` against the bare EGL program of floor.cpp, in turn, in one run.
+"""One image, as whole processes: `glibra render` against the bare EGL program of floor.cpp, alternating in one run.
 
 usage: tests/bench/one_image.py [RUNS]      (needs: cmake --preset bench && cmake --build build/bench)
 
-Prints both wall times and their ratio, pair by pair: minimum, median, maximum. The first pair warms Mesa's shader cache and
+Prints both wall times and the ratios of all pairs: minimum, median, maximum. The first pair warms Mesa's shader cache and
 is not counted.
 """
 import os

@@ -1,4 +1,4 @@
-"""Other programs on the same picture, where they are installed. What each does beside drawing differs; README.md says how."""
+"""Other programs that draw the same picture, if they are installed. README.md describes what each does besides drawing."""
 import math
 import os
 import shutil
@@ -6,7 +6,7 @@ import subprocess
 
 from processes import GLIBRA, ROOT, TOOLS, measure
 
-# A pattern that costs about what an exercise's fragment stage does, as each program wants it.
+# A pattern as expensive as the fragment stage of an exercise, in the form that each program needs.
 PATTERN = """
 vec4 pattern(vec2 p) {
     vec3 sum = vec3(0.);

@@ -1,9 +1,9 @@
-// What each level of our PNG writer gives, against libpng with its own defaults, over many pictures.
+// The size and speed of each level of the PNG writer, against libpng with its defaults, over many pictures.
 // Use: png_levels FILE.png...   (glibra render glib/*/*.glib --size 1024x1024 -o DIR makes such pictures)
 //
-// Size and speed are geometric means over the pictures; speed is libpng's time divided by ours, the best of
-// three: of all processors together, and by the clock. Writer and libpng take turns, picture by picture.
-// Before the means, a row for each picture: size and speed by processor time at levels 3 to 6.
+// Sizes and speeds are geometric means over the pictures. Speed is libpng's time divided by ours, the best of
+// three: of all processors together, and by the clock. Writer and libpng alternate, picture by picture.
+// Before the means comes one row per picture: size and speed by processor time at levels 3 to 6.
 
 #include <fmt/format.h>
 #include <png.h>
@@ -34,7 +34,7 @@ double processorTime() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // POSIX: of all threads
 }
 
-/// The least of three runs of `encode`, which gives the size of the file.
+/// The least cost of three runs of `encode`, which returns the size of the file.
 template <class Encode>
 Cost measure(const Encode& encode, std::size_t& bytes) {
     Cost least{1e9, 1e9};
@@ -49,7 +49,7 @@ Cost measure(const Encode& encode, std::size_t& bytes) {
     return least;
 }
 
-/// Over the pictures seen so far.
+/// Sums over the pictures so far.
 struct Level {
     double sizes = 0, processor = 0, wall = 0;  ///< sums of logarithms of ratios
     double largest = 0;

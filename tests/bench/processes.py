@@ -1,4 +1,4 @@
-"""Whole processes, timed in pairs: what is measured and what it is measured against, in turn, in one run."""
+"""Times whole processes in pairs: the two processes alternate in one run."""
 import os
 import statistics
 import subprocess
@@ -13,7 +13,7 @@ FLOOR = os.path.join(TOOLS, "glibra_floor")
 
 
 class Cost(NamedTuple):
-    """What one run took: seconds by the clock, seconds of all processors, and the most memory in MiB."""
+    """The cost of one run: seconds by the clock, seconds of all processors, and peak memory in MiB."""
     wall: float
     processor: float
     memory: float = 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""All speed figures: functions by Google Benchmark, commands as whole processes in pairs, in one run.
+"""Measures all speed figures in one run: functions by Google Benchmark, commands as whole processes in pairs.
 
 usage: tests/bench/run.py [--runs N] [--only WORD]... [--quick] [--write]
 
@@ -26,7 +26,7 @@ PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "README.md")
 
 
 class Row:
-    """One line of the table: costs of two things, `over` divided by `under`, pair by pair."""
+    """One row of the table: the costs of `over` divided by those of `under`, pair by pair."""
 
     def __init__(self, what, against, over, under, aim, note=""):
         self.what, self.against, self.aim = what, against, aim
@@ -82,7 +82,7 @@ def start_rows(folder, runs):
 
 
 def animation_rows(folder, runs):
-    """300 frames against the floor's 300 frames, which are drawn and read back and not encoded."""
+    """300 frames against 300 frames of the floor, which draws and reads them back but does not encode them."""
     scene = write_scene(folder)
     frames = os.path.join(folder, "frame.png")
     for what, threads in (("all processors draw", {}), ("one is left to encode", {"LP_NUM_THREADS": "1"})):
@@ -94,7 +94,7 @@ def animation_rows(folder, runs):
 
 
 def model_rows(folder, runs):
-    """A model of 70 MB, as processes of their own."""
+    """A model of 70 MB, read by processes of their own."""
     model = os.path.join(folder, "grid.obj")
     loader = os.path.join(TOOLS, "glibra_load_obj")
     subprocess.run([loader, "grid", model], check=True)
@@ -106,7 +106,7 @@ def model_rows(folder, runs):
 
 
 def measured_functions(filters, repetitions):
-    """Per name the costs of the repetitions, and the counters of the last."""
+    """For each name, the costs of all repetitions and the counters of the last one."""
     command = [os.path.join(TOOLS, "glibra_functions"), "--benchmark_format=json",
                f"--benchmark_filter={filters}", f"--benchmark_repetitions={repetitions}",
                "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.1"]
@@ -124,11 +124,11 @@ def measured_functions(filters, repetitions):
 
 
 def function_rows(_, runs):
-    """Functions beside what they are measured against, repetitions in random order."""
+    """Functions and those they are compared with, repetitions in random order."""
     costs, counters = measured_functions(".", max(3, runs // 2))
 
     def row(what, over, under, against, aim, note=""):
-        # Repetitions are not in pairs: the median of one over each of the other.
+        # Repetitions are not paired: the median of one over each repetition of the other.
         median = Cost(*(spread(values)[1] for values in zip(*costs[over])))
         return Row(what, against, [median] * len(costs[under]), costs[under], aim, note)
 
@@ -166,7 +166,7 @@ def first_match(path, pattern):
 
 
 def machine():
-    """Processor, system and driver in a line."""
+    """Processor, system and driver on one line."""
     processor = first_match("/proc/cpuinfo", r"^model name\s*:\s*(.*)$") or platform.processor()
     system = first_match("/etc/os-release", r'^PRETTY_NAME="(.*)"$') or platform.platform()
     information = subprocess.run([GLIBRA, "info"], check=True, capture_output=True, text=True).stdout

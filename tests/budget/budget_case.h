@@ -1,5 +1,5 @@
 #pragma once
-// A scene for tests of the choice, without GL: programs are described by hand.
+// A scene for tests of the choice. It needs no GL: programs are described by hand.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class Budget {
         program.facts.placement = glsl::Placement::vertex;
         program.facts.stages = {{glsl::Stage::vertex, "void main() {}", {}, "a.vert", {}, {}},
                                 {glsl::Stage::fragment, "void main() {}", {}, "a.frag", {}, {}}};
-        program.inputs = {{"aVertex", 0, false}};
+        program.inputs = {{"aVertex", 0}};
         const glib::Script script = glib::parse(text, "/tmp/scene.glib");
         EXPECT_TRUE(script.diagnostics.empty()) << script.diagnostics.front().text;
         scene = scene::interpret(script);
@@ -46,7 +46,7 @@ class Budget {
     const Choice& choose() {
         plan::ProgramInterface builtin;
         builtin.usable = builtin.isBuiltin = true;
-        builtin.inputs = {{"aVertex", 0, false}};
+        builtin.inputs = {{"aVertex", 0}};
         const plan::FramePlan plan = plan::planFrame(
             scene,
             [&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {

@@ -30,7 +30,7 @@ class NoiseBudget : public Budget {
 constexpr auto kBytes = scene::NoiseTexels::bytes, kShorts = scene::NoiseTexels::shorts;
 
 TEST(Choose, ChoosesTheNoiseThatTheSceneLeavesOpen) {
-    // About 250 pixels a unit; 64 texels are off by .0082 of a period, bytes by .0017.
+    // About 250 pixels per unit; 64 texels are off by .0082 of a period, bytes by .0017.
     EXPECT_EQ(NoiseBudget("", 4).chosen(), (NoiseFormat{64, kBytes}));
     EXPECT_EQ(NoiseBudget("", .7).chosen(), (NoiseFormat{128, kBytes}));
     EXPECT_EQ(NoiseBudget("", .25).chosen(), (NoiseFormat{192, kShorts}));
@@ -39,11 +39,11 @@ TEST(Choose, ChoosesTheNoiseThatTheSceneLeavesOpen) {
     NoiseBudget free("Noise3D 100\n", .25);
     free.request.overrideCounts = true;
     EXPECT_EQ(free.chosen(), (NoiseFormat{192, kShorts}));
-    EXPECT_NE(free.decision("Noise3D").find("192 texels a side of 16 bits in place of 100"),
+    EXPECT_NE(free.decision("Noise3D").find("192 texels per side with 16 bits in place of 100"),
               std::string::npos);
 }
 
-/// Two pictures of a slope of a 100th a pixel that moves by that many pixels.
+/// Two pictures of a slope of 1/100 per pixel that moves by that many pixels.
 ContourShifts slopes(double shift, float contrast = 1) {
     constexpr int kSide = 64;
     const auto picture = [&](double by) {
@@ -81,7 +81,7 @@ TEST(Choose, TakesTheNoiseFromPicturesWhereTheyTellIt) {
     EXPECT_EQ(chosenFor(far, 16), (NoiseFormat{128, kShorts}));
     // Finer noise would change no value visibly.
     EXPECT_EQ(chosenFor(far, 4), (NoiseFormat{192, kShorts}));
-    // The same, hardly to be seen.
+    // The same, but hardly visible.
     EXPECT_EQ(chosenFor(slopes(10, .05F), 4), (NoiseFormat{64, kBytes}));
     EXPECT_EQ(chosenFor(std::nullopt, .25), (NoiseFormat{192, kShorts}));
 }
@@ -92,7 +92,7 @@ TEST(Choose, SaysWhatNoiseCannotKeep) {
     ASSERT_EQ(stated.choice.diagnostics.size(), 1U);
     EXPECT_EQ(stated.choice.diagnostics[0].id, "draw-N03");
     EXPECT_NE(stated.choice.diagnostics[0].text.find("Noise3D with 40 texels"), std::string::npos);
-    // The sizes of a scene are judged by pictures too.
+    // Sizes that a scene states are also judged by pictures.
     NoiseBudget stretched("Noise3D 100\n", 4);
     stretched.choose();
     EXPECT_TRUE(stretched.choice.diagnostics.empty());

@@ -11,6 +11,7 @@
 
 #include "budget/least_counts.h"
 #include "budget_case.h"
+#include "glib/command_table.h"
 
 namespace glibra::budget {
 namespace {
@@ -18,11 +19,11 @@ namespace {
 TEST(Choose, GivesASphereTheLeastCountsForItsPixels) {
     Budget budget(kEye + "Sphere\n");
     budget.choose();
-    // 300 cot(25 degrees) pixels a unit at distance 1, sideways views included; the sphere's nearest point is
-    // at distance 3.
+    // 300 cot(25 degrees) pixels per unit at distance 1, including sideways views; the nearest point of the
+    // sphere is at distance 3.
     const double straight = 300 / std::tan(25 * std::numbers::pi / 180) / 3;
     const auto& chosen = budget.numbers(0);
-    const double off = surfaceModel(glib::CommandId::sphere)->deviation(chosen, Fidelity::shape);
+    const double off = surfaceModel(glib::commandOf("Sphere"))->deviation(chosen, Fidelity::shape);
     EXPECT_LE(off * straight, .25);
     EXPECT_GE(off * straight, .25 / 1.3);
     EXPECT_EQ(budget.choice.diagnostics.size(), 0U);
@@ -50,7 +51,7 @@ TEST(Choose, LeavesStatedNumbersAsTheyAre) {
     ASSERT_EQ(choice.diagnostics.size(), 1U);
     EXPECT_EQ(choice.diagnostics[0].id, "draw-N03");
     EXPECT_EQ(choice.diagnostics[0].place.line, 3);  // the torus is worse
-    EXPECT_NE(choice.diagnostics[0].text.find("so is 1 more"), std::string::npos);
+    EXPECT_NE(choice.diagnostics[0].text.find("the same holds for 1 more"), std::string::npos);
 }
 
 TEST(Choose, ChoosesTheRestOfWhatIsStatedInPart) {
@@ -58,12 +59,13 @@ TEST(Choose, ChoosesTheRestOfWhatIsStatedInPart) {
     budget.choose();
     EXPECT_EQ(budget.numbers(0)[1], 80);
     const auto off = [&](double stacks) {
-        return surfaceModel(glib::CommandId::sphere)
+        return surfaceModel(glib::commandOf("Sphere"))
             ->deviation(std::vector{1., 80., stacks}, Fidelity::shape);
     };
     Budget open(kEye + "Sphere\n");
     open.choose();
-    const double allowed = surfaceModel(glib::CommandId::sphere)->deviation(open.numbers(0), Fidelity::shape);
+    const double allowed =
+        surfaceModel(glib::commandOf("Sphere"))->deviation(open.numbers(0), Fidelity::shape);
     EXPECT_LE(off(budget.numbers(0)[2]), allowed * 1.02);
     EXPECT_GT(off(budget.numbers(0)[2] - 1), allowed * .98);
 }
@@ -109,7 +111,7 @@ TEST(Choose, IsFinerForAProgramThatReflects) {
     Budget plain(kEye + kProgram + "Sphere\n"), mirror(kEye + kProgram + "Sphere\n");
     for (Budget* each : {&plain, &mirror}) {
         each->request.maxError = 50;
-        each->program.inputs.push_back({"aNormal", 1, false});
+        each->program.inputs.push_back({"aNormal", 1});
     }
     mirror.program.facts.stages[1].facts.magnifiesNormals = true;
     plain.choose();
@@ -156,7 +158,7 @@ TEST(Choose, MeasuresWhatIsComputedAtTheVertices) {
     coarse.choose();
     EXPECT_GE(coarse.numbers(0)[1], 80);
     EXPECT_TRUE(coarse.choice.diagnostics.empty());
-    EXPECT_NE(coarse.decision("Sphere").find("what its program makes of the vertices"), std::string::npos);
+    EXPECT_NE(coarse.decision("Sphere").find("values computed at the vertices"), std::string::npos);
     stated.choose();
     EXPECT_EQ(stated.numbers(0), (std::vector<double>{1, 60, 60}));
     ASSERT_EQ(stated.choice.diagnostics.size(), 1U);
@@ -191,7 +193,7 @@ TEST(Choose, MeasuresNothingOfProgramsThatOnlyPlace) {
 
 TEST(Choose, IsFinerForAProgramThatReadsTextureCoordinates) {
     Budget plain(kEye + kProgram + "Sphere\n"), textured(kEye + kProgram + "Sphere\n");
-    textured.program.inputs.push_back({"aTexCoord0", 1, false});
+    textured.program.inputs.push_back({"aTexCoord0", 1});
     plain.choose();
     textured.choose();
     EXPECT_GT(textured.numbers(0)[1] * textured.numbers(0)[2],
@@ -250,7 +252,7 @@ TEST(Choose, SaysWhatTheDriverAndTheLimitsAllow) {
     ASSERT_EQ(choice.diagnostics.size(), 2U);
     for (const Diagnostic& each : choice.diagnostics) EXPECT_EQ(each.id, "draw-W07");
     EXPECT_NE(choice.diagnostics[0].text.find("4 samples"), std::string::npos);
-    EXPECT_NE(choice.diagnostics[1].text.find("the most there may be"), std::string::npos);
+    EXPECT_NE(choice.diagnostics[1].text.find("the largest possible"), std::string::npos);
     EXPECT_EQ(choice.diagnostics[1].place.line, 2);
     EXPECT_EQ(choice.samples, 4);
 }
@@ -271,7 +273,7 @@ TEST(Choose, JudgesAPassIntoATextureInItsTexels) {
     budget.choose();
     Budget whole(kEye + "Sphere\n");
     whole.choose();
-    // A tenth of the pixels, and so a root of ten fewer slices.
+    // A tenth of the pixels, so the slices are fewer by the square root of ten.
     EXPECT_NEAR(budget.numbers(0)[1], whole.numbers(0)[1] / std::sqrt(10), 2);
 }
 

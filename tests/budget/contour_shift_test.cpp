@@ -1,4 +1,4 @@
-// The measured shift of contours against pictures that are shifted by a known part of a pixel.
+// The measured shift of contours, on pictures that are shifted by a known part of a pixel.
 
 #include "budget/contour_shift.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSide = 128;
 
-/// Grey values of a function, averaged over 8 x 8 places a pixel.
+/// The grey values of a function, averaged over 8 x 8 places per pixel.
 image::Image picture(const std::function<double(double x, double y)>& value) {
     constexpr int kPlaces = 8;
     std::vector<float> values;
@@ -96,7 +96,7 @@ TEST(ContourShift, CountsLightOfAnotherColourButNoEdges) {
     const auto lit = [](double more) {
         return picture([=](double x, double y) { return (x < 64 ? .2 : .9) + (y < 32 ? more : 0); });
     };
-    // A quarter of the pixels, but for those beside the edge and beside the border of the light.
+    // A quarter of the pixels, except those next to the edge and to the border of the light.
     const auto share = [&](double more, double above, double shift = 0) {
         return ContourShifts(lit(0), lit(more)).shareOfSmoothChangesAbove(above, shift);
     };

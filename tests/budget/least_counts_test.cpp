@@ -1,4 +1,4 @@
-// Least counts against trying all of them.
+// Least counts compared with trying all counts.
 
 #include "budget/least_counts.h"
 
@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "glib/command_table.h"
 #include "scene/primitives.h"
 
 namespace glibra::budget {
@@ -28,7 +29,7 @@ CountsRequest request(CommandId command, std::vector<double> numbers, double all
             .allowed = allowed};
 }
 
-/// The fewest vertices of all counts below 300 that keep the bound.
+/// Returns the smallest number of vertices among all counts below 300 that keep the bound.
 std::uint64_t fewestOfAll(const CountsRequest& wanted) {
     std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
     std::vector<double> numbers = wanted.numbers;
@@ -48,9 +49,11 @@ TEST(LeastCounts, HaveTheFewestVerticesOfAllThatKeepTheBound) {
     for (int i = 0; i < 12; ++i)
         for (const Fidelity fidelity : {Fidelity::shape, Fidelity::pattern})
             for (const CountsRequest& wanted :
-                 {request(CommandId::sphere, {1, 60, 60}, std::pow(10, exponent(random)), fidelity),
-                  request(CommandId::torus, {1, .4, 20, 40}, std::pow(10, exponent(random)), fidelity),
-                  request(CommandId::cone, {1, 1, 60, 20}, std::pow(10, exponent(random)), fidelity)}) {
+                 {request(glib::commandOf("Sphere"), {1, 60, 60}, std::pow(10, exponent(random)), fidelity),
+                  request(glib::commandOf("Torus"), {1, .4, 20, 40}, std::pow(10, exponent(random)),
+                          fidelity),
+                  request(glib::commandOf("Cone"), {1, 1, 60, 20}, std::pow(10, exponent(random)),
+                          fidelity)}) {
                 const LeastCounts found = leastCounts(wanted);
                 EXPECT_TRUE(found.isKept);
                 EXPECT_LE(found.deviation, wanted.allowed);
@@ -61,7 +64,7 @@ TEST(LeastCounts, HaveTheFewestVerticesOfAllThatKeepTheBound) {
 
 TEST(LeastCounts, GoUpToWhereOneFewerBreaksTheBound) {
     for (const double allowed : {.1, .01, 1e-3, 1e-4, 1e-5, 1e-6}) {
-        const LeastCounts found = leastCounts(request(CommandId::diskXY, {0, 1, 60, 10}, allowed));
+        const LeastCounts found = leastCounts(request(glib::commandOf("DiskXY"), {0, 1, 60, 10}, allowed));
         ASSERT_TRUE(found.isKept);
         // r (1 - cos(pi/n)) <= e
         const double least = std::ceil(std::numbers::pi / std::acos(1 - allowed) - 1e-9);
@@ -71,27 +74,29 @@ TEST(LeastCounts, GoUpToWhereOneFewerBreaksTheBound) {
 }
 
 TEST(LeastCounts, KeepWhatIsNotFree) {
-    CountsRequest wanted = request(CommandId::sphere, {1, 90, 7}, .001);
+    CountsRequest wanted = request(glib::commandOf("Sphere"), {1, 90, 7}, .001);
     wanted.isFree = {true, false};
     const LeastCounts coarse = leastCounts(wanted);
     EXPECT_EQ(coarse.numbers[2], 7);
     EXPECT_FALSE(coarse.isKept);  // seven stacks alone are off by .025
     EXPECT_GT(coarse.deviation, .02);
-    // The slices are as beside enough stacks, not as many as there can be.
-    EXPECT_EQ(coarse.numbers[1], leastCounts(request(CommandId::sphere, {1, 90, 7}, .001)).numbers[1]);
+    // The slices are chosen as if there were enough stacks; they are not the largest possible number.
+    EXPECT_EQ(coarse.numbers[1],
+              leastCounts(request(glib::commandOf("Sphere"), {1, 90, 7}, .001)).numbers[1]);
 
-    wanted = request(CommandId::sphere, {1, 90, 7}, .01);
+    wanted = request(glib::commandOf("Sphere"), {1, 90, 7}, .01);
     wanted.isFree = {false, true};
     const LeastCounts fine = leastCounts(wanted);
     EXPECT_EQ(fine.numbers[1], 90);
     EXPECT_TRUE(fine.isKept);
-    EXPECT_GT(surfaceModel(CommandId::sphere)
+    EXPECT_GT(surfaceModel(glib::commandOf("Sphere"))
                   ->deviation(std::vector{1., 90., fine.numbers[2] - 1}, Fidelity::shape),
               .01);
 }
 
 TEST(LeastCounts, DoNotGoBelowWhatIsAskedFor) {
-    CountsRequest wanted = request(CommandId::sphere, {1, 60, 60}, std::numeric_limits<double>::infinity());
+    CountsRequest wanted =
+        request(glib::commandOf("Sphere"), {1, 60, 60}, std::numeric_limits<double>::infinity());
     wanted.least = {36, 18};
     EXPECT_EQ(leastCounts(wanted).numbers, (std::vector<double>{1, 36, 18}));
     wanted.least = {1, 1};
@@ -99,10 +104,12 @@ TEST(LeastCounts, DoNotGoBelowWhatIsAskedFor) {
 }
 
 TEST(LeastCounts, StopAtTheLimitAndSaySo) {
-    for (const CommandId command : {CommandId::sphere, CommandId::teapot, CommandId::soccerball}) {
+    for (const CommandId command :
+         {glib::commandOf("Sphere"), glib::commandOf("Teapot"), glib::commandOf("Soccerball")}) {
         std::vector<double> numbers{1, 60, 60};
-        if (command != CommandId::sphere) numbers = surfaceModel(command)->complete({command, {1}, -1, {}});
-        if (command == CommandId::teapot) numbers = {16};
+        if (command != glib::commandOf("Sphere"))
+            numbers = surfaceModel(command)->complete({command, {1}, -1, {}});
+        if (command == glib::commandOf("Teapot")) numbers = {16};
         const LeastCounts found = leastCounts(request(command, numbers, 1e-15));
         EXPECT_FALSE(found.isKept);
         EXPECT_LE(vertices(command, found.numbers), kMostBudgetVertices);

@@ -1,4 +1,4 @@
-// The search for levels against an error that is known: a constant over the square of the level.
+// The search for levels, with a known error: a constant divided by the square of the level.
 
 #include "budget/least_levels.h"
 
@@ -45,7 +45,7 @@ TEST(LeastLevels, AreTheMostWhereNothingIsEnough) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->values[0].value, 64);
     EXPECT_FALSE(found->isKept);
-    // The highest level's own error, told by half of it.
+    // The error of the highest level itself, estimated from half of that level.
     EXPECT_NEAR(found->pixels, 10'000. / 64 / 64, 1e-9);
 }
 

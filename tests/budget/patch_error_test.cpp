@@ -1,4 +1,4 @@
-// The error of patches against closed forms: a parabola and its chords.
+// The error of patches compared with a closed form: a parabola and its chords.
 
 #include "budget/patch_error.h"
 

@@ -1,4 +1,4 @@
-// The scale against steps that are projected one by one.
+// The scale compared with steps that are projected one by one.
 
 #include "budget/pixel_scale.h"
 
@@ -48,7 +48,7 @@ class Steps {
     std::mt19937 random_;
 };
 
-Bounds ball(double radius) {
+geometry::Extent ball(double radius) {
     return {glm::dvec3(-radius), glm::dvec3(radius), radius};
 }
 

@@ -1,4 +1,4 @@
-// Models of samples and noise against measurements.
+// The models of samples and noise compared with measurements.
 
 #include "budget/sampling_model.h"
 
@@ -25,7 +25,7 @@ TEST(SamplingModel, TakesTheFewestSamplesThatKeepTheBound) {
     EXPECT_EQ(leastSamples(.25, 1), 1);
 }
 
-/// A row of n samples at equal distances, the worst of the places that an edge across it can have.
+/// For a row of n samples at equal distances, returns the error at the worst place of an edge across it.
 TEST(SamplingModel, IsHalfTheDistanceOfTheRowsOfARegularPattern) {
     for (const int rows : {1, 2, 4, 8}) {
         double worst = 0;
@@ -48,8 +48,8 @@ double exact(const std::vector<double>& place) {
     return sum;
 }
 
-/// What a linear filter gives from texels of 255 or 65535 steps, with the half byte that cutting to bytes
-/// takes away on the average.
+/// The result of a linear filter on texels of 255 or 65535 steps, plus the half byte by which cutting to
+/// bytes lowers the values on average.
 template <class Texels>
 double filtered(const Texels& texels, int size, const std::vector<double>& place) {
     constexpr double kSteps = std::numeric_limits<typename Texels::value_type>::max();
@@ -121,7 +121,8 @@ TEST_P(NoiseError, IsThatOf999OfAThousandPlaces) {
         }
         std::sort(errors.begin(), errors.end());
         const double measured = errors[kPlaces / 1000 * 999] / gradient;
-        // The finest octave of 32 cells is not there at all in 32 texels: its error is its size.
+        // 32 texels do not contain the finest octave of 32 cells at all, so the error is as large as the
+        // octave.
         const double model = noiseError(dimensions(), format);
         EXPECT_LE(measured, model * 1.1) << format.size;
         EXPECT_GE(measured, model * (format.size == 32 ? .5 : .8)) << format.size;

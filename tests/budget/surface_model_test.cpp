@@ -1,4 +1,4 @@
-// The error models against meshes as they are drawn: never below the measured distance, and near it.
+// The error models compared with real meshes: never below the measured distance, and near it.
 
 #include "budget/surface_model.h"
 
@@ -8,6 +8,7 @@
 
 #include "geometry/shapes/teapot.h"
 #include "geometry/shapes/teapot_patches.h"
+#include "glib/command_table.h"
 #include "surfaces.h"
 
 namespace glibra::budget {
@@ -22,7 +23,7 @@ double model(CommandId command, const std::vector<double>& numbers, Fidelity fid
     return surfaceModel(command)->deviation(numbers, fidelity);
 }
 
-/// `measured` within the bound and above that part of it.
+/// Expects `measured` to be within the bound and above that part of it.
 void expectTight(double measured, double bound, double part, const std::string& what) {
     EXPECT_LE(measured, bound * (1 + 1e-6) + kFloat) << what;
     EXPECT_GE(measured, bound * part - kFloat) << what;
@@ -39,12 +40,12 @@ TEST(SurfaceModel, BoundsHowFarASphereLiesInside) {
     std::uniform_int_distribution<int> count(3, 40);
     for (int i = 0; i < 40; ++i) {
         const std::vector<double> numbers{1.5, double(count(random)), double(count(random))};
-        const geometry::Mesh mesh = test::meshOf(CommandId::sphere, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Sphere"), numbers);
         const double inside =
             test::farthest(mesh, [](const MeshPoint& p) { return std::abs(1.5 - glm::length(p.place)); });
         // With an odd number of stacks a row of quads straddles the equator: there the bound is exact. The
-        // centre of a quad is no point of the grid on its triangles, and with few slices not on the quad.
-        expectTight(inside, model(CommandId::sphere, numbers, Fidelity::shape), .75, text(numbers));
+        // centre of a quad is not a point of the grid on its triangles, and with few slices not on the quad.
+        expectTight(inside, model(glib::commandOf("Sphere"), numbers, Fidelity::shape), .75, text(numbers));
     }
 }
 
@@ -53,11 +54,11 @@ TEST(SurfaceModel, BoundsHowFarAPatternMovesOnASphere) {
     std::uniform_int_distribution<int> count(6, 60);
     for (int i = 0; i < 30; ++i) {
         const std::vector<double> numbers{1.5, double(count(random)), double(count(random))};
-        const geometry::Mesh mesh = test::meshOf(CommandId::sphere, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Sphere"), numbers);
         const double moved = test::farthest(mesh, [](const MeshPoint& p) {
             return glm::length(p.place - test::spherePoint(1.5, p.texCoord.x, p.texCoord.y));
         });
-        expectTight(moved, model(CommandId::sphere, numbers, Fidelity::pattern), .55, text(numbers));
+        expectTight(moved, model(glib::commandOf("Sphere"), numbers, Fidelity::pattern), .55, text(numbers));
     }
 }
 
@@ -66,7 +67,7 @@ TEST(SurfaceModel, BoundsCylindersAndCones) {
     std::uniform_int_distribution<int> slices(3, 50), stacks(1, 12);
     for (const bool narrows : {false, true})
         for (int i = 0; i < 20; ++i) {
-            const CommandId command = narrows ? CommandId::cone : CommandId::cylinder;
+            const CommandId command = narrows ? glib::commandOf("Cone") : glib::commandOf("Cylinder");
             const std::vector<double> numbers{1.2, 2, double(slices(random)), double(stacks(random))};
             geometry::Mesh mesh = test::meshOf(command, numbers);
             // The side alone, which comes first: caps are flat.
@@ -89,47 +90,47 @@ TEST(SurfaceModel, BoundsTori) {
     std::uniform_int_distribution<int> count(5, 60);
     for (int i = 0; i < 30; ++i) {
         const std::vector<double> numbers{.4, 1, double(count(random)), double(count(random))};
-        const geometry::Mesh mesh = test::meshOf(CommandId::torus, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Torus"), numbers);
         const double inside =
             test::farthest(mesh, [](const MeshPoint& p) { return test::torusDistance(1, .4, p.place); });
-        expectTight(inside, model(CommandId::torus, numbers, Fidelity::shape), .7, text(numbers));
+        expectTight(inside, model(glib::commandOf("Torus"), numbers, Fidelity::shape), .7, text(numbers));
         const double moved = test::farthest(mesh, [](const MeshPoint& p) {
             return glm::length(p.place - test::torusPoint(1, .4, p.texCoord.x, p.texCoord.y));
         });
-        expectTight(moved, model(CommandId::torus, numbers, Fidelity::pattern), .45, text(numbers));
+        expectTight(moved, model(glib::commandOf("Torus"), numbers, Fidelity::pattern), .45, text(numbers));
     }
 }
 
 TEST(SurfaceModel, BoundsTheRimOfADisk) {
     for (const double slices : {3., 7., 36., 200.}) {
         const std::vector<double> numbers{-.5, 2, slices, 3};
-        // Places on the rim against the mesh: the middle of a slice is where it is cut off most.
+        // The rim is cut off most in the middle of a slice.
         const double cut = 2 - 2 * std::cos(std::numbers::pi / slices);
-        EXPECT_NEAR(model(CommandId::diskXY, numbers, Fidelity::shape), cut, 1e-12);
-        const Bounds bounds = surfaceModel(CommandId::diskXY)->bounds(numbers);
-        EXPECT_EQ(bounds.low, glm::dvec3(-2, -2, -.5));
-        EXPECT_EQ(bounds.high, glm::dvec3(2, 2, -.5));
+        EXPECT_NEAR(model(glib::commandOf("DiskXY"), numbers, Fidelity::shape), cut, 1e-12);
+        const geometry::Extent extent = surfaceModel(glib::commandOf("DiskXY"))->extent(numbers);
+        EXPECT_EQ(extent.low, glm::dvec3(-2, -2, -.5));
+        EXPECT_EQ(extent.high, glm::dvec3(2, 2, -.5));
     }
 }
 
 TEST(SurfaceModel, BoundsArrows) {
     for (const double sides : {3., 8., 24., 60.}) {
         const std::vector<double> numbers{40, sides};
-        const geometry::Mesh mesh = test::meshOf(CommandId::xarrow, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Xarrow"), numbers);
         const double inside = test::farthest(mesh, [](const MeshPoint& p) {
             const double radius = std::hypot(p.place.y, p.place.z);
             if (p.place.x >= .6 - 1e-6) return std::abs(radius - std::min(.1, .1 * (1 - p.place.x) / .4));
             return p.place.x > -1 + 1e-6 ? std::abs(radius - .05) : 0.;
         });
         // The back ring is flat and lies at x = .6, where radii from .05 to .1 are all on it.
-        EXPECT_GE(model(CommandId::xarrow, numbers, Fidelity::shape) * 1.000001 + kFloat,
+        EXPECT_GE(model(glib::commandOf("Xarrow"), numbers, Fidelity::shape) * 1.000001 + kFloat,
                   .1 * (1 - std::cos(std::numbers::pi / sides)));
         EXPECT_GT(inside, 0);
     }
 }
 
-/// The surface point that the interpolated texture coordinates of a soccer ball name: they are linear on the
-/// flat faces, so the flat point is interpolated, too.
+/// Returns the surface point that has the interpolated texture coordinates. They are linear on the flat faces
+/// of a soccer ball, so the flat point is also interpolated.
 glm::dvec3 ballPoint(const geometry::Mesh& mesh, const MeshPoint& p, const glm::dvec3& faceNormal) {
     glm::dvec3 flat(0);
     for (int c = 0; c < 3; ++c) {
@@ -142,7 +143,7 @@ glm::dvec3 ballPoint(const geometry::Mesh& mesh, const MeshPoint& p, const glm::
 TEST(SurfaceModel, BoundsSoccerballs) {
     for (int cuts = 1; cuts <= 24; cuts += cuts < 4 ? 1 : 5) {
         const std::vector<double> numbers{1, double(cuts)};
-        const geometry::Mesh mesh = test::meshOf(CommandId::soccerball, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Soccerball"), numbers);
         std::map<float, glm::dvec3> normals;  // by face: the vertex with p = 0
         const geometry::Attribute& faces = *mesh.attribute(geometry::kFaceIndex);
         for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i)
@@ -151,15 +152,16 @@ TEST(SurfaceModel, BoundsSoccerballs) {
         ASSERT_EQ(normals.size(), 32U);
         const double inside = test::farthest(
             mesh, [](const MeshPoint& p) { return 1 - glm::length(p.place); }, 7);
-        expectTight(inside, model(CommandId::soccerball, numbers, Fidelity::shape), cuts < 3 ? .5 : .8,
-                    text(numbers));
+        expectTight(inside, model(glib::commandOf("Soccerball"), numbers, Fidelity::shape),
+                    cuts < 3 ? .5 : .8, text(numbers));
         const double moved = test::farthest(
             mesh,
             [&](const MeshPoint& p) {
                 return glm::length(p.place - ballPoint(mesh, p, normals[faces.values[p.corners[0]]]));
             },
             7);
-        expectTight(moved, model(CommandId::soccerball, numbers, Fidelity::pattern), .35, text(numbers));
+        expectTight(moved, model(glib::commandOf("Soccerball"), numbers, Fidelity::pattern), .35,
+                    text(numbers));
     }
 }
 
@@ -179,15 +181,14 @@ TEST(SurfaceModel, BoundsTeapots) {
     const auto patches = geometry::teapotPatches();
     for (const int cells : {2, 5, 9, 16, 30}) {
         const std::vector<double> numbers{double(cells)};
-        const geometry::Mesh mesh = test::meshOf(CommandId::teapot, numbers);
+        const geometry::Mesh mesh = test::meshOf(glib::commandOf("Teapot"), numbers);
         const auto stride = static_cast<std::uint32_t>((cells + 1) * (cells + 1));
         const auto off = [&](const MeshPoint& p) {
             return p.place - patchPoint(patches[p.corners[0] / stride], p.texCoord.x, p.texCoord.y);
         };
         const double moved = test::farthest(mesh, [&](const MeshPoint& p) { return glm::length(off(p)); });
-        expectTight(moved, model(CommandId::teapot, numbers, Fidelity::pattern), .6, text(numbers));
-        // The distance from the surface is no more than the part of that along the surface's normal, but for
-        // its bend.
+        expectTight(moved, model(glib::commandOf("Teapot"), numbers, Fidelity::pattern), .6, text(numbers));
+        // Except for the bend of the surface, the distance from it is at most the part along its normal.
         const double inside = test::farthest(mesh, [&](const MeshPoint& p) {
             constexpr double kStep = 1e-4;
             const geometry::Patch& patch = patches[p.corners[0] / stride];
@@ -199,7 +200,7 @@ TEST(SurfaceModel, BoundsTeapots) {
             const double length = glm::length(normal);
             return length > 1e-14 ? std::abs(glm::dot(off(p), normal)) / length : 0.;
         });
-        expectTight(inside, model(CommandId::teapot, numbers, Fidelity::shape), .7, text(numbers));
+        expectTight(inside, model(glib::commandOf("Teapot"), numbers, Fidelity::shape), .7, text(numbers));
     }
 }
 
@@ -208,8 +209,8 @@ TEST(SurfaceModel, TeapotsOfAnyCellsMeetAlongTheirSeams) {
         const geometry::Mesh mesh = geometry::teapot(cells);
         EXPECT_EQ(mesh.vertexCount(), geometry::teapotCounts(cells).vertices);
         EXPECT_EQ(mesh.indices.size(), 3 * geometry::teapotCounts(cells).primitives);
-        // Edges by the bits of their ends: an edge used once is a border. The pot has its rims as borders, as
-        // many segments as the cells along them.
+        // Edges are identified by the bits of their ends; an edge that is used once is a border. The borders
+        // are the rims of the pot, with one segment per cell.
         using Ends = std::array<float, 6>;
         std::map<Ends, int> edges;
         const auto& places = mesh.attribute(geometry::kPosition)->values;
@@ -231,14 +232,15 @@ TEST(SurfaceModel, TeapotsOfAnyCellsMeetAlongTheirSeams) {
 }
 
 TEST(SurfaceModel, DoesNotRiseWithAnyCount) {
-    for (const CommandId command : {CommandId::sphere, CommandId::cylinder, CommandId::cone, CommandId::torus,
-                                    CommandId::diskXY, CommandId::xarrow})
+    for (const CommandId command :
+         {glib::commandOf("Sphere"), glib::commandOf("Cylinder"), glib::commandOf("Cone"),
+          glib::commandOf("Torus"), glib::commandOf("DiskXY"), glib::commandOf("Xarrow")})
         for (const Fidelity fidelity : {Fidelity::shape, Fidelity::pattern}) {
             const SurfaceModel& row = *surfaceModel(command);
             for (const CountArgument& count : row.usedCounts()) {
                 std::vector<double> numbers{1, .5, 12, 12};
-                if (command == CommandId::sphere) numbers = {1, 12, 12};
-                if (command == CommandId::xarrow) numbers = {12, 12};
+                if (command == glib::commandOf("Sphere")) numbers = {1, 12, 12};
+                if (command == glib::commandOf("Xarrow")) numbers = {12, 12};
                 double last = 1e9;
                 for (int n = std::max(count.least, 2); n < 200; ++n) {
                     numbers[count.index] = n;
@@ -252,7 +254,8 @@ TEST(SurfaceModel, DoesNotRiseWithAnyCount) {
 
 TEST(SurfaceModel, HasNoRowForWhatItsCountsShow) {
     for (const CommandId command :
-         {CommandId::box, CommandId::wireSphere, CommandId::quadBox, CommandId::pointCloud, CommandId::obj})
+         {glib::commandOf("Box"), glib::commandOf("WireSphere"), glib::commandOf("QuadBox"),
+          glib::commandOf("PointCloud"), CommandId::obj})
         EXPECT_EQ(surfaceModel(command), nullptr);
 }
 

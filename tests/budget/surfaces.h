@@ -1,6 +1,6 @@
 #pragma once
-// The surfaces that meshes stand for, written from the language's section 4 and apart from the factories, and
-// how far a mesh is from them.
+// The surfaces that meshes approximate, written after language, 4, independently of the shapes' own code; and
+// the distance of a mesh from them.
 
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ inline geometry::Mesh meshOf(glib::CommandId command, const std::vector<double>&
     return *scene::makeMesh(scene, 0);
 }
 
-/// A point of a triangle: place and texture coordinates, interpolated linearly as the rasteriser does.
+/// A point of a triangle. Place and texture coordinates are interpolated linearly, as the rasteriser does.
 struct MeshPoint {
     glm::dvec3 place, texCoord;
     std::array<std::uint32_t, 3> corners;
@@ -59,7 +59,7 @@ inline void eachPoint(const geometry::Mesh& mesh, std::size_t stride,
     }
 }
 
-/// The largest value of `distance` over points of the mesh.
+/// Returns the largest value of `distance` over points of the mesh.
 inline double farthest(const geometry::Mesh& mesh, const std::function<double(const MeshPoint&)>& distance,
                        std::size_t stride = 1) {
     double most = 0;
@@ -70,7 +70,7 @@ inline double farthest(const geometry::Mesh& mesh, const std::function<double(co
 inline double turn(double part) {
     return 2 * std::numbers::pi * part;
 }
-/// Section 4.2.
+/// The point of a sphere (language, 4.2).
 inline glm::dvec3 spherePoint(double radius, double s, double t) {
     const double f = std::numbers::pi * (t - .5);
     return radius *

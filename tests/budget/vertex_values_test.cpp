@@ -1,6 +1,7 @@
-// Counts for what programs make of vertices, with pictures of a known error in place of drawn ones.
+// Counts for values that programs compute at vertices, with pictures of known error instead of drawn ones.
 
 #include "budget/vertex_values.h"
+#include "glib/command_table.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ image::Image picture(const std::function<double(double x)>& grey) {
     return made;
 }
 
-/// A gentle slope that light of that strength is added to.
+/// A gentle slope to which light of that strength is added.
 image::Image slope(double light) {
     return picture([&](double x) { return .2 + .005 * x + light; });
 }
@@ -40,7 +41,7 @@ image::Image waves(double shift) {
 VertexDraw sphere(int program, double slices, bool isFree = true) {
     return {.pass = 0,
             .step = static_cast<std::size_t>(program),
-            .model = surfaceModel(glib::CommandId::sphere),
+            .model = surfaceModel(glib::commandOf("Sphere")),
             .numbers = {1, slices, slices / 2},
             .isFree = {isFree, isFree},
             .program = program,
@@ -48,7 +49,7 @@ VertexDraw sphere(int program, double slices, bool isFree = true) {
             .scale = .1};
 }
 
-/// Light that is off by `error` of the slices, the largest over the draws.
+/// Light that is off by `error`(slices), the largest over the draws.
 class Pictures {
   public:
     explicit Pictures(std::function<double(std::size_t step, double slices)> error)
@@ -72,7 +73,7 @@ class Pictures {
     std::function<double(std::size_t step, double slices)> error_;
 };
 
-/// Off by 8/255 with that many slices, and less with the square of more.
+/// Off by 8/255 with that many slices; the error falls with the square of the slices.
 std::function<double(std::size_t, double)> visibleBelow(double slices) {
     return [slices](std::size_t, double n) { return 8. / 255 * slices * slices / (n * n); };
 }
@@ -123,7 +124,7 @@ TEST(VertexValues, StatedCountsAreToldAndKept) {
 }
 
 TEST(VertexValues, EndWhereFinerMeshesDoNotHelp) {
-    // The picture changes with every count, by as much.
+    // The picture changes by the same amount with every count.
     Pictures pictures([](std::size_t, double n) { return std::fmod(n, 2) < 1 ? .1 : 0; });
     const VertexRequest request = pictures.request({sphere(0, 50)});
     const auto found = vertexValues(request);
@@ -151,7 +152,7 @@ TEST(VertexValues, WithoutPicturesNothingIsTold) {
 }
 
 TEST(VertexValues, AShapeOwnShareIsNotTheirs) {
-    // The whole picture moves by what the sphere with 20 x 10 cells is off.
+    // The whole picture moves by the error of the sphere with 20 x 10 cells.
     VertexRequest request;
     request.draws = {sphere(0, 20)};
     request.draws[0].scale = 20;

@@ -28,9 +28,9 @@ TEST(BenchCommand, SuggestsASubject) {
     const Folder folder;
     const Finished run = glibra(folder.path(), "bench ray-shpere xyzzy");
     EXPECT_EQ(run.status, 2);
-    EXPECT_TRUE(contains(run.err, "there is no subject 'ray-shpere'; did you mean 'ray-sphere'? [bench-E01]"))
+    EXPECT_TRUE(contains(run.err, "unknown subject 'ray-shpere'; did you mean 'ray-sphere'? [bench-E01]"))
         << run.err;
-    EXPECT_TRUE(contains(run.err, "there is no subject 'xyzzy'; --list names them")) << run.err;
+    EXPECT_TRUE(contains(run.err, "unknown subject 'xyzzy'; --list names them")) << run.err;
     EXPECT_EQ(run.out, "");
 }
 
@@ -63,7 +63,7 @@ TEST(BenchCommand, RejectsAFileThatIsNoEarlierRun) {
     folder.write("broken.json", "{\n  \"format\": }");
     const Finished broken = glibra(folder.path(), "bench --quick ray-sphere --against broken.json");
     EXPECT_EQ(broken.status, 2);
-    EXPECT_TRUE(contains(broken.err, "broken.json:2:13: error: no JSON:")) << broken.err;
+    EXPECT_TRUE(contains(broken.err, "broken.json:2:13: error: not valid JSON:")) << broken.err;
     EXPECT_EQ(glibra(folder.path(), "bench --quick ray-sphere --against none.json").status, 2);
     EXPECT_EQ(glibra(folder.path(), "bench --quick --time-factor .5").status, 2);
 }

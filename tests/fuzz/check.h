@@ -1,5 +1,6 @@
 #pragma once
-// What a fuzzed input has to keep true, told like an assertion of the sanitizers: the process ends.
+// Conditions that every fuzzed input must satisfy. A broken one ends the process, as an error of a sanitizer
+// does.
 
 #include <glibra/diagnostic.h>
 
@@ -18,7 +19,7 @@ inline void check(bool holds, std::string_view what) {
     std::abort();
 }
 
-/// Every message has an id and a text without line ends, and counts lines and columns from 1.
+/// Every message has an id, a text without line ends, and lines and columns that count from 1.
 inline void checkMessages(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics) {
         check(!each.text.empty(), "a message has a text");
@@ -34,5 +35,5 @@ inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace glibra::fuzz
 
-/// The entry point of libFuzzer (llvm.org/docs/LibFuzzer.html), which the driver beside calls as well.
+/// The entry point of libFuzzer (llvm.org/docs/LibFuzzer.html); driver.cpp calls it too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

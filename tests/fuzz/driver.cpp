@@ -1,10 +1,10 @@
-// Runs a fuzz target without libFuzzer: first every file of the corpus, then a number of changed ones, the
-// same on every machine. Coverage guides nothing here; with clang, -DGLIBRA_FUZZ=ON links libFuzzer in its
-// place.
+// Runs a fuzz target without libFuzzer: first on every file of the corpus, then on a number of changed files,
+// the same on every machine. Coverage does not guide it. With clang, -DGLIBRA_FUZZ=ON links libFuzzer
+// instead.
 //
 //     fuzz_TARGET [-runs=N] [-seed=N] [-keep=FILE] FILE|FOLDER...
 //
-// -keep writes every input to FILE before it is tried, so that it is there after a crash.
+// -keep writes every input to FILE before it is tried, so that it exists after a crash.
 
 #include <algorithm>
 #include <charconv>
@@ -33,14 +33,14 @@ class Random {
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
         return z ^ (z >> 31);
     }
-    /// 0 .. count - 1; 0 if there is nothing to choose from.
+    /// 0 .. count - 1; 0 if count is 0.
     std::size_t below(std::size_t count) { return count ? static_cast<std::size_t>(next() % count) : 0; }
 
   private:
     std::uint64_t state_;
 };
 
-/// Numbers at the borders of what programs think of.
+/// Numbers at the limits of common types and sizes.
 constexpr std::string_view kNumbers[] = {
     "0",   "-1",    "1e38", "-1e-45", "1e999", "nan",        "inf",
     "255", "65536", ".",    "1e-400", "0x7f",  "2147483648", "99999999999999999999"};
@@ -74,7 +74,7 @@ void insert(Bytes& bytes, std::size_t at, const std::uint8_t* begin, std::size_t
     bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), begin, begin + count);
 }
 
-/// One change: a bit, a byte, a number, a piece taken out, doubled or taken from another input, an early end.
+/// One change: a bit, a byte, a number; a piece removed, doubled or copied from another input; an early end.
 void change(Bytes& bytes, const Bytes& other, Random& random) {
     const std::size_t at = random.below(bytes.size() + 1);
     const std::size_t rest = bytes.size() - at;

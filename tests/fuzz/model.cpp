@@ -1,4 +1,4 @@
-// Any bytes as an OBJ model and as a shapefile; what becomes a mesh is a sound one.
+// Any bytes as an OBJ model and as a shapefile; a mesh that results is valid.
 
 #include <cmath>
 #include <span>

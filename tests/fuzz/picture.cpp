@@ -1,4 +1,5 @@
-// Any bytes as a PNG, a BMP or a raw texture. Other formats are OpenImageIO's, which is fuzzed elsewhere.
+// Any bytes as a PNG, a BMP or a raw texture. OpenImageIO reads the other formats and is fuzzed by its own
+// project.
 
 #include <array>
 #include <span>

@@ -1,4 +1,4 @@
-// Any bytes as a scene: parsed and interpreted, twice with the same result.
+// Any bytes as a scene: parsed and interpreted twice, with equal results.
 
 #include <algorithm>
 

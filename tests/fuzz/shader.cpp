@@ -1,4 +1,4 @@
-// Any bytes as the text of one stage, and as a driver's log about it.
+// Any bytes as the source of one shader stage, and as a driver's log about it.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace glibra::glsl;
     using glibra::fuzz::check;
     if (size == 0) return 0;
-    // The first byte chooses the stage and how it is translated.
+    // The first byte chooses the stage and the translation.
     const unsigned choice = data[0];
     const std::string text(glibra::fuzz::textOf(data + 1, size - 1));
     ProgramRequest request;

@@ -1,4 +1,4 @@
-// Model files with random damage: any answer is right, as long as it is one, and sound.
+// Model files with random damage: the reader must always give an answer, and a valid one.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace glibra::geometry {
 namespace {
 
-/// Overwrites, inserts, removes and doubles stretches of the text, as the seed says.
+/// Overwrites, inserts, removes and doubles parts of the text, depending on the seed.
 std::string damaged(std::string text, std::uint32_t seed) {
     std::uint32_t counter = 0;
     const auto random = [&](std::size_t below) {

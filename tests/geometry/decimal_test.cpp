@@ -1,4 +1,4 @@
-// Decimal numbers read several digits at a time, beside std::from_chars.
+// Decimal numbers that are read several digits at a time, compared with std::from_chars.
 
 #include "geometry/obj/decimal.h"
 
@@ -64,7 +64,7 @@ TEST(Decimal, IsTheNearestFloatAsTheStandardLibraryReadsIt) {
 }
 
 TEST(Decimal, HalfWayBetweenTwoFloatsIsLeftToTheStandardLibrary) {
-    // 2^24 + 1 tenths of tenths: the double is exact and lies in the middle of two floats.
+    // 2^24 + 1 with decimals: the double is exact and lies half way between two floats.
     EXPECT_FALSE(read("2097152.125").isRead);
     EXPECT_FALSE(read("4194304.250").isRead);
     EXPECT_TRUE(read("4194304.251").isRead);

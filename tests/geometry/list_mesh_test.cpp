@@ -1,4 +1,4 @@
-// glBegin lists: topology words, splitting, dropped vertices, normals, and what is left out.
+// glBegin lists: topology words, splitting, dropped vertices, normals, and omitted attributes.
 
 #include "geometry/list_mesh.h"
 
@@ -56,7 +56,7 @@ TEST(ListMesh, StripsLoopsAndFansAreSplit) {
 }
 
 TEST(ListMesh, TriangleStripsWithAdjacencyFollowTheTableOfOpenGL) {
-    // OpenGL 4.6 core, table 10.1, its vertices counted from 1: only, first and last, first middle last.
+    // OpenGL 4.6 core, table 10.1, with vertices counted from 1: strips of one, two and three triangles.
     EXPECT_EQ(list("triangle_strip_adjacency", 6).mesh.indices, (Indices{0, 1, 2, 5, 4, 3}));
     EXPECT_EQ(list("triangle_strip_adjacency", 8).mesh.indices,
               (Indices{0, 1, 2, 6, 4, 3, 4, 0, 2, 5, 6, 7}));

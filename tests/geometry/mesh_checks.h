@@ -1,5 +1,5 @@
 #pragma once
-// What every mesh of this room must keep, measured from its arrays alone.
+// Checks for every mesh of this room, which use only its arrays.
 
 #include <gtest/gtest.h>
 
@@ -47,13 +47,13 @@ inline Counts countsOf(const Mesh& mesh) {
                                                           mesh.topology, mesh.patchVertices))};
 }
 
-/// Counts worked out by hand.
+/// Returns counts that were computed by hand.
 inline Counts stated(int vertices, int primitives) {
     return {static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(primitives)};
 }
 
-/// Arrays of one length, indices in range, finite numbers, unit normals and tangents at right angles, s and t
-/// in 0..1.
+/// Expects arrays of equal length, indices in range, finite numbers, unit normals and tangents at right
+/// angles, and s and t in 0..1.
 inline void expectSound(const Mesh& mesh, bool texCoordsInRange = true) {
     const std::size_t count = mesh.vertexCount();
     for (const Attribute& attribute : mesh.attributes) {
@@ -83,14 +83,15 @@ inline void expectSound(const Mesh& mesh, bool texCoordsInRange = true) {
     }
 }
 
-/// The vertices of a triangle in order, for each triangle.
+/// Calls use(a, b, c) with the vertices of each triangle in order.
 template <class Use>
 void forEachTriangle(const Mesh& mesh, Use use) {
     for (std::size_t i = 0; i + 3 <= mesh.indices.size(); i += 3)
         use(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
-/// How many triangles are not counter-clockwise seen from the side of all their normals, or have no area.
+/// Counts the triangles that have no area or are not counter-clockwise seen from the side of all their
+/// normals.
 inline std::size_t wronglyWound(const Mesh& mesh) {
     std::size_t wrong = 0;
     forEachTriangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -105,7 +106,7 @@ inline std::size_t wronglyWound(const Mesh& mesh) {
 
 using PositionBits = std::array<std::uint32_t, 3>;
 
-/// Vertices with the same bits get the same number.
+/// Numbers the vertices so that those with equal bits have the same number.
 inline std::vector<std::uint32_t> weldedByBits(const Mesh& mesh) {
     std::map<PositionBits, std::uint32_t> known;
     std::vector<std::uint32_t> welded;
@@ -119,7 +120,7 @@ inline std::vector<std::uint32_t> weldedByBits(const Mesh& mesh) {
     return welded;
 }
 
-/// Edges, by the bits of their ends, that do not have exactly one triangle on each side.
+/// Counts the edges, by the bits of their ends, that do not have exactly one triangle on each side.
 inline std::size_t openEdges(const Mesh& mesh) {
     const std::vector<std::uint32_t> welded = weldedByBits(mesh);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> uses;
@@ -135,7 +136,7 @@ inline std::size_t openEdges(const Mesh& mesh) {
     }));
 }
 
-/// By the divergence theorem; positive where triangles are counter-clockwise from outside.
+/// Computes the volume by the divergence theorem; positive if triangles are counter-clockwise from outside.
 inline double volume(const Mesh& mesh) {
     double sum = 0;
     forEachTriangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -174,7 +175,7 @@ inline void expectNear(const glm::dvec3& a, const glm::dvec3& b, double toleranc
         << a.x << ' ' << a.y << ' ' << a.z << " is not " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-/// The vertex nearest to a place.
+/// Returns the vertex nearest to a place.
 inline std::uint32_t nearestVertex(const Mesh& mesh, const glm::dvec3& place) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < mesh.vertexCount(); ++i)

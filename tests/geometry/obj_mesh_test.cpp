@@ -21,7 +21,7 @@ ObjModel model(std::string_view text) {
 
 constexpr const char* kQuad = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";
 
-/// The text of a mesh whose vertices become v, vt and vn of the same number.
+/// Returns an OBJ text for a mesh. Each vertex becomes v, vt and vn with the same number.
 std::string textOf(const Mesh& mesh, bool withNormals, bool withTexCoords) {
     std::string text;
     const auto line = [&](const char* word, const glm::dvec3& v) {
@@ -72,7 +72,7 @@ TEST(ObjMesh, MissingNormalsAreTheAreaWeightedMeanAtThePosition) {
     const Mesh mesh =
         obj(model("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -2\nvt 0 0\nvt 1 1\nvn 0 1 0\n"
                   "f 1/1 2/1 3/1\nf 1/2 3/1 4/1\nf 1//1 2//1 3//1\n"));
-    // The third face counts for the mean, too: area 1/2 toward +z again.
+    // The third face is also part of the mean: area 1/2 toward +z again.
     const glm::dvec3 mean = glm::normalize(glm::dvec3(-2, 0, 2));
     expectNear(normalAt(mesh, 0), mean);
     expectNear(normalAt(mesh, 1), {0, 0, 1});
@@ -126,8 +126,8 @@ TEST(ObjMesh, TangentsAndNormalsOfASphereComeBack) {
     const Mesh original = sphere(1, 64, 64);
     const Mesh mesh = obj(model(textOf(original, false, true)));
     expectSound(mesh);
-    // Vertices are numbered by first use: found again by position and texture coordinate, which are those of
-    // the file.
+    // Vertices are numbered by first use. They are found again by position and texture coordinate, which are
+    // those of the file.
     int compared = 0;
     for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i) {
         const glm::dvec3 st = texCoordAt(mesh, i), p = positionAt(mesh, i);
@@ -161,7 +161,7 @@ TEST(ObjAdj, NamesTheFarCornersOfTheNeighbours) {
 }
 
 TEST(ObjAdj, FindsNeighboursAcrossSeamsByPosition) {
-    // The second triangle repeats positions as own vertices, one of them with a negative zero.
+    // The second triangle has vertices of its own at the same positions, one of them with a negative zero.
     const Mesh mesh =
         objAdj(model("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 -0 0\nv 0 1 -0\nv -1 0 0\nf 1 2 3\nf 4 5 6\n"));
     EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 0, 1, 1, 2, 5, 3, 1, 4, 4, 5, 5}));
@@ -175,7 +175,7 @@ TEST(ObjAdj, EdgesOfThreeFacesTakeTheFirstOtherInFileOrder) {
     EXPECT_EQ(mesh.indices[13], 2U);
 }
 
-/// Far corner across side `side` of triangle `triangle`, by trying all others.
+/// Finds the far corner across side `side` of triangle `triangle` by trying all other triangles.
 std::uint32_t bruteForceNeighbour(const Mesh& mesh, std::size_t triangle, std::size_t side) {
     const auto corner = [&](std::size_t t, std::size_t c) { return mesh.indices[6 * t + 2 * (c % 3)]; };
     const auto place = [&](std::size_t t, std::size_t c) { return positionAt(mesh, corner(t, c)); };
@@ -193,7 +193,7 @@ std::uint32_t bruteForceNeighbour(const Mesh& mesh, std::size_t triangle, std::s
 
 TEST(ObjAdj, AgreesWithBruteForceOnTangledModels) {
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
-        // Triangles among a few places: many borders, many edges of three faces and more, some without area.
+        // Triangles among a few places: many borders, many edges with three faces or more, some without area.
         const std::uint32_t places = 4 + seed * 3;
         const auto random = [&](std::uint32_t i) { return mix(mix(i) + seed * 7919); };
         std::string text;
@@ -212,7 +212,7 @@ TEST(ObjAdj, AgreesWithBruteForceOnTangledModels) {
             for (std::size_t side = 0; side < 3; ++side) {
                 const std::uint32_t expected = bruteForceNeighbour(mesh, triangle, side);
                 const std::uint32_t found = mesh.indices[6 * triangle + 2 * side + 1];
-                // Which of the equal edges of one degenerate neighbour is taken is open; its place is not.
+                // A degenerate neighbour has two equal edges. Either may be used; both give the same place.
                 EXPECT_EQ(positionAt(mesh, found), positionAt(mesh, expected))
                     << seed << ' ' << triangle << ' ' << side;
             }

@@ -1,4 +1,4 @@
-// Our OBJ reader against tinyobjloader, on generated files.
+// The OBJ reader compared with tinyobjloader on generated files.
 
 #include <gtest/gtest.h>
 #include <tiny_obj_loader.h>
@@ -35,7 +35,7 @@ std::string generatedFile(std::uint32_t seed) {
     const std::string end = random(2) ? "\n" : "\r\n";
     std::string text = "# generated" + end;
     std::uint32_t v = 0, vt = 0, vn = 0;
-    // Statement by statement, so that the numbers come in one order whatever the compiler.
+    // One statement each, so that the numbers come in the same order with every compiler.
     const auto putLine = [&](const char* word, int numbers) {
         text += word;
         for (; numbers > 0; --numbers) {
@@ -54,7 +54,7 @@ std::string generatedFile(std::uint32_t seed) {
         for (std::uint32_t i = 0, n = random(30); i < n; ++i) {
             const std::uint32_t form = random(4);
             text += "f";
-            // Corners are different: the other reader may drop others.
+            // The corners of a face are different, since the other reader may drop equal ones.
             const std::uint32_t first = random(v);
             for (std::uint32_t c = 0, corners = 3 + random(v >= 7 ? 4 : 1); c < corners; ++c) {
                 const auto index = [&](std::uint32_t at, std::uint32_t count) {

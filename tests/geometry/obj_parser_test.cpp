@@ -1,4 +1,4 @@
-// Reading OBJ text: every rule of the table in the specification, and its messages.
+// Reading OBJ text: every rule of the language, 8, and its messages.
 
 #include <algorithm>
 
@@ -82,7 +82,7 @@ TEST(ObjParser, DropsFacesWithIndicesOutOfRange) {
     EXPECT_EQ(model.diagnostics[1].text, "face dropped: vertex -4 does not exist");
     EXPECT_EQ(model.diagnostics[3].text, "face dropped: texture coordinate 7 does not exist");
     EXPECT_EQ(model.diagnostics[4].text, "face dropped: normal 2 does not exist");
-    EXPECT_EQ(model.diagnostics[5].text, "face dropped: 'x' is no index");
+    EXPECT_EQ(model.diagnostics[5].text, "face dropped: 'x' is not an index");
 }
 
 TEST(ObjParser, DropsFacesOfFewerThanThreeCorners) {

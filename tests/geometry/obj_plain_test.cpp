@@ -1,4 +1,4 @@
-// The usual OBJ file read in pieces, beside the reader of any file.
+// The reader of usual OBJ files compared with the line-by-line reader.
 
 #include "geometry/obj/obj_plain.h"
 
@@ -12,7 +12,7 @@
 namespace glibra::geometry {
 namespace {
 
-/// A word that means nothing to either, but takes a text to the other reader.
+/// A word that both ignore, but with which parseObj uses the line-by-line reader.
 constexpr const char* kUnknown = "unknown\n";
 
 void expectEqual(const ObjModel& a, const ObjModel& b) {
@@ -23,7 +23,7 @@ void expectEqual(const ObjModel& a, const ObjModel& b) {
     EXPECT_EQ(a.faceStarts, b.faceStarts);
 }
 
-/// Lines as exporters write them, in any order: faces point up and down in the file.
+/// Lines as exporters write them, in any order: faces refer to vertices above and below them.
 std::string randomModel(unsigned seed, int lines) {
     std::mt19937 random(seed);
     const auto below = [&](unsigned count) { return random() % count; };

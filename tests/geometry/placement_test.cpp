@@ -1,4 +1,4 @@
-// Where the specification's tables put things: orientation, texture coordinates, normals and order.
+// Orientation, texture coordinates, normals and order, as in the tables of language, 4.
 
 #include <numbers>
 
@@ -15,7 +15,7 @@
 namespace glibra::geometry {
 namespace {
 
-/// The vertex with these texture coordinates.
+/// Returns the vertex with these texture coordinates.
 std::uint32_t vertexAt(const Mesh& mesh, double s, double t, std::uint32_t from = 0) {
     for (std::uint32_t i = from; i < mesh.vertexCount(); ++i)
         if (glm::length(texCoordAt(mesh, i) - glm::dvec3{s, t, 0}) < 1e-6) return i;

@@ -106,7 +106,7 @@ TEST(Clouds, PointsRunXFastestThenYThenZ) {
 }
 
 TEST(Clouds, MixIsTheStatedHash) {
-    // Values of the five steps worked out by a program in another language.
+    // The values of the five steps, computed by a program in another language.
     EXPECT_EQ(mix(0), 0U);
     EXPECT_EQ(mix(1), 0x688990c0U);
     EXPECT_EQ(mix(0x9e3779b9U), 0x01fce552U);
@@ -139,7 +139,8 @@ TEST(Clouds, JitterStaysWithinHalfACellAndWithinTheCube) {
 }
 
 TEST(Clouds, JitterIsReflectedAtTheBorder) {
-    // Reflected, the distances from the border are even within half a cell; limited, half of them would be 0.
+    // With reflection the distances from the border are evenly distributed over half a cell; with clamping
+    // half of them would be 0.
     const Mesh plain = pointCloud(30, 30, 30), mesh = jitterCloud(30, 30, 30, 5);
     for (const double side : {-1., 1.}) {
         double sum = 0;

@@ -1,4 +1,4 @@
-// Shapefiles, written here byte by byte from the format's description.
+// Shapefiles that are written here byte by byte after the format's description.
 
 #include "geometry/obj/shapefile.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Writes shapefiles for the tests, straight from the format's description.
+// Writes shapefiles for the tests, following the format's description.
 
 #include <algorithm>
 #include <bit>
@@ -78,7 +78,7 @@ inline std::string multipatchRecord() {
     return bytes + std::string(60, '\1');
 }
 
-/// The whole file: header, and each record with its own.
+/// Returns the whole file: its header, and each record with its header.
 inline std::string shapefile(std::uint32_t type, const std::vector<std::string>& records) {
     std::string body;
     std::uint32_t number = 1;

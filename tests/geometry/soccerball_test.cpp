@@ -1,4 +1,4 @@
-// The soccer ball against the numbering and the placement that the specification gives.
+// The soccer ball compared with the numbering and placement of language, 4.2.
 
 #include "geometry/shapes/soccerball.h"
 
@@ -15,7 +15,7 @@ int faceOf(const Mesh& mesh, std::uint32_t vertex) {
     return static_cast<int>(mesh.attribute(kFaceIndex)->values[vertex]);
 }
 
-/// The places of the faces' centres, where p is 0.
+/// Returns the centres of the faces, where p is 0.
 std::vector<glm::dvec3> centres(const Mesh& mesh) {
     std::vector<glm::dvec3> all(32, glm::dvec3(0));
     for (std::uint32_t i = 0; i < mesh.vertexCount(); ++i)
@@ -23,7 +23,7 @@ std::vector<glm::dvec3> centres(const Mesh& mesh) {
     return all;
 }
 
-/// The faces that share an edge with each face.
+/// Returns for each face the faces that share an edge with it.
 std::vector<std::set<int>> neighbours(const Mesh& mesh) {
     const std::vector<std::uint32_t> welded = weldedByBits(mesh);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> faceLeftOf;
@@ -151,7 +151,7 @@ TEST(Soccerball, CornersLieOnTheInscribedCircleAndPicturesStandUpright) {
 }
 
 TEST(Soccerball, TextureCoordinatesAreLinearOnTheFlatFaces) {
-    // Pushing along the ray keeps the flat point: p / (p . n) scaled to the face's plane.
+    // A point moves along its ray, so the flat point is p / (p . n), scaled to the plane of the face.
     const Mesh mesh = soccerball(2);
     const std::vector<glm::dvec3> centre = centres(mesh);
     std::vector<double> scale(32, 0);

@@ -4,6 +4,7 @@
 
 #include "geometry/shapes/arrow.h"
 #include "geometry/shapes/box.h"
+#include "geometry/shapes/clouds.h"
 #include "geometry/shapes/cone.h"
 #include "geometry/shapes/cylinder.h"
 #include "geometry/shapes/disk.h"

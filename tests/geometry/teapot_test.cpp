@@ -1,4 +1,4 @@
-// The teapot against what is known of the original and against de Casteljau's construction.
+// The teapot compared with known facts about the original and with de Casteljau's construction.
 
 #include "geometry/shapes/teapot.h"
 
@@ -30,7 +30,7 @@ glm::dvec3 upright(const glm::dvec3& p) {
     return {.5 * p.x, .5 * (p.z - 1.5), -.5 * p.y};
 }
 
-/// The triangles of some of the patches.
+/// Returns the triangles of some of the patches.
 Mesh partOf(const Mesh& mesh, int firstPatch, int patches) {
     Mesh part = mesh;
     part.indices.clear();
@@ -125,7 +125,7 @@ TEST(Teapot, PatchesMeetBitForBit) {
     Mesh body = partOf(mesh, 0, kTeapotLid);
     const Mesh bottom = partOf(mesh, kTeapotBottom, 4);
     body.indices.insert(body.indices.end(), bottom.indices.begin(), bottom.indices.end());
-    // What stays open: the rim's inside, the lid's edge, both ends of handle and spout.
+    // These edges stay open: the inside of the rim, the edge of the lid, both ends of handle and spout.
     EXPECT_EQ(openEdges(body), 64U);
     EXPECT_EQ(openEdges(partOf(mesh, kTeapotLid, 8)), 64U);
     EXPECT_EQ(openEdges(partOf(mesh, kTeapotHandle, 4)), 64U);
@@ -174,7 +174,7 @@ TEST(Teapot, SurfacesOfRevolutionAreFourfold) {
 TEST(Teapot, HandleAndSpoutAreMirroredAcrossThePlaneZZero) {
     const Mesh mesh = teapot();
     for (std::uint32_t i = kTeapotHandle * kPatchVertices; i < mesh.vertexCount(); ++i) {
-        // Halves come in pairs of patches; s runs the other way on the second.
+        // Each half is one patch of a pair; s runs the other way on the second.
         const std::uint32_t patch = i / kPatchVertices, row = i % kPatchVertices / 17;
         const std::uint32_t column = i % kPatchVertices % 17;
         const std::uint32_t twin = (patch ^ 1U) * kPatchVertices + row * 17 + 16 - column;
@@ -214,7 +214,7 @@ TEST(Teapot, TRunsAlongTheProfileAndTheLength) {
     EXPECT_EQ(corner(kTeapotLid, 1), glm::dvec3(0, .825F, 0));
     EXPECT_GT(corner(kTeapotHandle, 0).y, corner(kTeapotHandle + 2, 1).y);
     EXPECT_LT(corner(kTeapotSpout, 0).y, corner(kTeapotSpout + 2, 1).y);
-    // The rim goes on where the body ends, from the outside to the inside.
+    // The rim continues where the body ends, from the outside to the inside.
     EXPECT_EQ(corner(kTeapotRim, 0), corner(kTeapotBody, 1));
 }
 

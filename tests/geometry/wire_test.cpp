@@ -1,4 +1,4 @@
-// Wire forms: how many segments, each once, on the vertices of the solid forms.
+// Wire forms: the number of segments, that each occurs once, and that their vertices are those of the solids.
 
 #include <set>
 

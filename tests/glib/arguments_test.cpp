@@ -1,4 +1,4 @@
-// Language, 1.7 arguments, and the numbers of each command of section 3.
+// Arguments (language, 1.7) and the numbers of each command (language, 3).
 
 #include <gtest/gtest.h>
 

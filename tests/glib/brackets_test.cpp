@@ -1,4 +1,4 @@
-// Language, 1.6 brackets, and the point groups of LinesAdjacency and Triangles.
+// Brackets (language, 1.6), and the point groups of LinesAdjacency and Triangles.
 
 #include <gtest/gtest.h>
 

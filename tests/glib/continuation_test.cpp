@@ -1,4 +1,4 @@
-// Language, 1.3 statements and continuation.
+// Statements and continuation (language, 1.3).
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// Language, 1.1 characters and lines, 1.2 comments, 1.4 tokens.
+// Characters and lines, comments, tokens (language, 1.1, 1.2, 1.4).
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "glib/command_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {
@@ -94,7 +95,7 @@ TEST(Characters, NoBreakSpaceInACommentIsNotReported) {
 }
 
 TEST(Characters, CommandsAreMatchedWithoutCase) {
-    EXPECT_EQ(read("sPHERE").commands.at(0).id, CommandId::sphere);
+    EXPECT_EQ(read("sPHERE").commands.at(0).id, glib::commandOf("Sphere"));
     EXPECT_EQ(read("texture2d 5 a.bmp").commands.at(0).id, CommandId::texture2D);
     EXPECT_EQ(read("glend").commands.at(0).id, CommandId::glEnd);
 }

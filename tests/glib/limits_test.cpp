@@ -1,4 +1,4 @@
-// Language, 11: limits of the text, and the number of messages that are kept (10).
+// Limits of the text (language, 11), and the number of messages that are kept (language, 10).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Language, 1.5 numbers.
+// Numbers (language, 1.5).
 
 #include "glib/number.h"
 
@@ -61,7 +61,7 @@ TEST(Number, MagnitudesBeyondFloatAreNotFinite) {
 }
 
 TEST(Number, EdgeOfFloatAgreesWithTheConversion) {
-    // The conversion to float rounds to nearest even; the last double that stays finite lies below the
+    // The conversion to float rounds to nearest even, so the last double that stays finite lies below the
     // middle.
     for (const char* text : {"3.4028234e38", "3.40282350e38", "340282356779733661637539395458142568447.9",
                              "340282356779733661637539395458142568448"}) {

@@ -1,5 +1,4 @@
-// Whatever the bytes, the parser ends, keeps its promises about places and ranges, and gives the same answer
-// twice.
+// For any bytes the parser ends, its places and ranges are valid, and it gives the same answer twice.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,7 @@
 namespace glibra::glib::test {
 namespace {
 
-/// Values that depend on (seed, count) alone.
+/// Random values that depend only on (seed, count).
 class Hash {
   public:
     explicit Hash(std::uint32_t seed) : seed_(mix(seed)) {}
@@ -56,7 +55,7 @@ void checkPromises(const std::string& text) {
         if (!each.id.empty()) {
             const CatalogueRow* row = findDiagnostic(each.id);
             ASSERT_TRUE(row) << each.id;
-            ASSERT_EQ(row->severity, each.severity) << each.id;
+            ASSERT_EQ(row->severity(), each.severity) << each.id;
         }
     }
     const Script again = read(text);

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of this room say about a scene in one line.
+// Short functions with which the tests of this room ask about a scene.
 
 #include <initializer_list>
 #include <string>

@@ -1,4 +1,4 @@
-// Near names where every name begins with the same letter, which tells nothing.
+// Near names among names that all begin with the same letter.
 
 #include "glib/suggest.h"
 

@@ -1,4 +1,4 @@
-// Language, 3.3 to 3.5: files, textures, targets, topologies, switches.
+// Files, textures, targets, topologies, switches (language, 3.3 to 3.5).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Language, 5.1 reading the Program statement, 5.2 forms, and what of the counts in 5.3 needs no type.
+// The Program statement (language, 5.1), the forms of values (5.2), and the counts in 5.3 that need no type.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Counted calls against calls made by hand.
+// Compares counted calls with calls made by hand.
 
 #include "gpu/call_counter.h"
 

@@ -98,8 +98,7 @@ TEST(OpenContext, CubeMapsAreSeamlessAndNothingIsDithered) {
 }
 
 TEST(OpenContext, LlvmpipeIsToldToFilterInFloatUnlessTheUserSaysOtherwise) {
-    // The driver reads it once: at the first context of the process, which is to have it whatever test comes
-    // first.
+    // The driver reads the variable once, at the first context of the process, whichever test opens it.
     (void)openContext();
     ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
     (void)openContext({.floatFiltering = false});
@@ -137,7 +136,7 @@ TEST(OpenContext, ALibraryThatIsSomethingElseIsRefused) {
     EXPECT_NE(egl.diagnostics[0].text.find("no EGL library"), std::string::npos) << egl.diagnostics[0].text;
     const auto osmesa = openContext({.driver = Driver::osmesa, .osmesaLibraries = {"libm.so.6"}});
     ASSERT_FALSE(osmesa);
-    EXPECT_NE(osmesa.diagnostics[0].text.find("no OSMesa library"), std::string::npos)
+    EXPECT_NE(osmesa.diagnostics[0].text.find("not an OSMesa library"), std::string::npos)
         << osmesa.diagnostics[0].text;
 }
 
@@ -172,38 +171,6 @@ TEST(OpenContext, AMovedContextIsTheSameContext) {
     EXPECT_FALSE(trianglePicture(second).empty());
 }
 
-TEST(ContextOpening, GivesTheSameContextAsOpeningItHere) {
-    for (const Driver driver : {Driver::egl, Driver::eglDevice, Driver::osmesa}) {
-        std::vector<std::byte> expected;
-        {
-            const auto here = openContext({.driver = driver});
-            if (!here) continue;
-            expected = trianglePicture(*here);
-        }
-        ContextOpening opening({.driver = driver});
-        const auto context = opening.finish();
-        ASSERT_TRUE(context) << text(context.diagnostics);
-        EXPECT_EQ(context->driver(), driver);
-        EXPECT_EQ(trianglePicture(*context), expected) << word(driver);
-        EXPECT_TRUE(context->debugLog().takeDiagnostics().empty());
-    }
-}
-
-TEST(ContextOpening, FailsWithTheSameWords) {
-    const ContextOptions options{.driver = Driver::egl, .eglLibrary = "libnosuchthing.so.1"};
-    const auto here = openContext(options);
-    ContextOpening opening(options);
-    const auto there = opening.finish();
-    ASSERT_FALSE(here || there);
-    EXPECT_EQ(text(there.diagnostics), text(here.diagnostics));
-}
-
-TEST(ContextOpening, CanBeGivenUp) {
-    { const ContextOpening opening; }
-    { const ContextOpening opening; }
-    EXPECT_TRUE(openContext());
-}
-
 TEST(Adopt, TakesOverACurrentContextAndLeavesItAlive) {
     const auto owner = openContext();
     ASSERT_TRUE(owner);
@@ -235,10 +202,7 @@ TEST(DriverWords, NameEachDriverAndNothingElse) {
         ASSERT_TRUE(found);
         EXPECT_EQ(*found, driver);
     }
-    const auto wrong = driverOfWord("direct3d");
-    ASSERT_FALSE(wrong);
-    ASSERT_EQ(wrong.diagnostics.size(), 1U);
-    EXPECT_NE(wrong.diagnostics[0].text.find("egl-device"), std::string::npos);
+    EXPECT_FALSE(driverOfWord("direct3d"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// One context for all tests of a suite, and the shortest way from a shader to pixels.
+// One context for all tests of a suite, and helpers from a shader to pixels.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 namespace glibra::gpu::test {
 
-/// Every message on a line of its own.
+/// One message per line.
 std::string text(const Diagnostics& diagnostics);
 
 using Rgba = std::array<float, 4>;
@@ -34,16 +34,16 @@ class GpuTest : public testing::Test {
     static void SetUpTestSuite();
     static void TearDownTestSuite();
     void SetUp() override;
-    /// No test leaves an error behind that it has not looked at.
+    /// Fails the test if it leaves a GL error unchecked.
     void TearDown() override;
 
     static Context& context() { return *opened; }
     static const Capabilities& driver() { return opened->capabilities(); }
 
-    /// Fails the test if it does not link.
+    /// Builds a program; fails the test if it does not link.
     static std::optional<Program> build(std::string_view vertex, std::string_view fragment);
-    /// A fragment stage for every pixel of a new RGBA32F target of that size; its `out vec4 fColor`s are read
-    /// back.
+    /// Runs a fragment stage for every pixel of a new RGBA32F target of that size and reads back its `out
+    /// vec4 fColor`.
     static std::vector<Rgba> shade(const Program& program, int width = 1, int height = 1);
 
   private:

@@ -1,4 +1,4 @@
-// Whether a graphics card may draw, told from folders that stand for /dev.
+// Whether a graphics card may draw, decided from folders that stand for /dev.
 
 #include "gpu/hardware.h"
 

@@ -12,7 +12,7 @@ class LoopLimitTest : public test::GpuTest {};
 TEST_F(LoopLimitTest, IsWhereLoopsOfAnotherShapeEndToo) {
     const int limit = measureLoopLimit(context());
     ASSERT_GE(limit, 0);
-    // Two loops, one with a condition that no compiler knows.
+    // Two loops, one with a condition that the compiler cannot evaluate.
     const std::optional<Program> program =
         build(test::kCoverAll,
               "#version 410 core\nuniform int uFirst, uSecond;\nout vec4 fColor;\nvoid main() {\n"

@@ -15,7 +15,7 @@ using test::text;
 
 class TargetTest : public test::GpuTest {
   protected:
-    /// A fragment stage over all pixels of the bound target.
+    /// Runs a fragment stage over all pixels of the bound target.
     void cover(const Program& program) {
         const VertexArray nothing({});
         nothing.bind();
@@ -101,7 +101,7 @@ TEST_F(TargetTest, ClearedBytesAreRoundedToNearest) {
 }
 
 TEST_F(TargetTest, ThreeComponentsAreTheFirstOfFour) {
-    // Every pixel has its own colour. The larger size takes several parts.
+    // Every pixel has its own colour. The larger size is read in several parts.
     constexpr const char* kNumbered = R"(#version 410 core
 out vec4 fColor;
 void main() {
@@ -175,7 +175,7 @@ TEST_F(TargetTest, ResolvingAveragesTheSamplesOfAPixel) {
     const auto target = Target::window(driver(), 4, 4, TexelFormat::rgba32f, 4);
     ASSERT_TRUE(target) << text(target.diagnostics);
     if (target->samples() == 1) GTEST_SKIP() << "no multisampling here";
-    // The half plane x < 1.5 pixels: whole pixels on either side, samples of one column between.
+    // The half plane x < 1.5 pixels covers whole pixels on its side, and samples of one column at its edge.
     const auto program = build(R"(#version 410 core
 void main() {
     vec2 corner = vec2(gl_VertexID / 2, gl_VertexID % 2);

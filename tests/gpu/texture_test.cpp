@@ -22,7 +22,7 @@ std::uint32_t hash(std::uint32_t value) {
     return value ^ (value >> 16);
 }
 
-/// Texels of any input type and the numbers they stand for.
+/// Texels of any input type and the numbers that they represent.
 struct Input {
     std::vector<std::byte> data;
     std::vector<double> numbers;
@@ -57,7 +57,7 @@ Input makeInput(std::size_t count, TexelType type) {
     return input;
 }
 
-/// How far a kept number may be from the one given: half a step of the format.
+/// How far a stored number may be from the given one: half a step of the format.
 double tolerance(TexelFormat format) {
     switch (format) {
         case TexelFormat::rgba8:
@@ -247,7 +247,7 @@ void main() { fColor = texture(uTexture, uS); }
 }
 
 TEST_F(TextureTest, BytesAreFilteredLinearlyBetweenTexelCentres) {
-    // Against the formula of OpenGL 4.1, section 3.8.11 (GL_LINEAR, REPEAT), in the shader's own float
+    // Compares with the formula of OpenGL 4.1, section 3.8.11 (GL_LINEAR, REPEAT), in the shader's float
     // arithmetic.
     const Input input = makeInput(std::size_t{16} * 16 * 4, TexelType::u8);
     const auto texture =
@@ -282,9 +282,8 @@ void main() {
     for (std::size_t i = 0; i < filtered.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c)
             worst = std::max(worst, static_cast<double>(std::fabs(filtered[i][c] - expected[i][c])));
-    // Hardware has weights of 8 bits. llvmpipe is told to compute in float; without that it is off
-    // by 1.6/255.
-    const bool inFloat = driver().family.find("pipe") != std::string::npos;
+    // Hardware has weights of 8 bits. llvmpipe is set to compute in float; otherwise its error is 1.6/255.
+    const bool inFloat = driver().isSoftware;
     EXPECT_LT(worst, inFloat ? 1e-5 : 1. / 250);
 }
 

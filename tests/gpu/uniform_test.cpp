@@ -8,6 +8,7 @@
 #include "fixture.h"
 #include "gpu/buffer.h"
 #include "gpu/number.h"
+#include "gpu/value_type.h"
 
 namespace glibra::gpu {
 namespace {
@@ -21,8 +22,8 @@ class UniformTest : public test::GpuTest {
                                           "void main() { fColor = vec4(u[uPick] == " +
                                           type + "(1)); }");
     }
-    static ActiveUniform find(const Program& program, std::string_view name) {
-        for (const ActiveUniform& each : reflect(program).uniforms)
+    static base::ActiveUniform find(const Program& program, std::string_view name) {
+        for (const base::ActiveUniform& each : reflect(program).uniforms)
             if (each.name == name) return each;
         ADD_FAILURE() << "no uniform " << name;
         return {};
@@ -39,18 +40,18 @@ TEST_F(UniformTest, EveryTypeReadsBackWhatWasSet) {
     for (const char* word : kNumericTypes) {
         const auto program = withArrayOf(word);
         ASSERT_TRUE(program) << word;
-        const ActiveUniform uniform = find(*program, "u");
+        const base::ActiveUniform uniform = find(*program, "u");
         ASSERT_EQ(uniform.type.word, word);
         const auto components = static_cast<std::size_t>(uniform.type.components());
         std::vector<double> values;
         for (std::size_t i = 0; i < 4 * components; ++i) {
-            // Not representable in float, so that single and double precision are told apart.
+            // Not representable in float, so that single and double precision differ.
             const double fraction = 1 + static_cast<double>(i) + 1. / 3;
-            const bool isWhole =
-                uniform.type.base == BaseType::integer || uniform.type.base == BaseType::unsignedInteger;
-            values.push_back(uniform.type.base == BaseType::boolean ? static_cast<double>(i % 2)
-                             : isWhole                              ? static_cast<double>(i + 1)
-                                                                    : fraction);
+            const bool isWhole = uniform.type.base == base::BaseType::integer ||
+                                 uniform.type.base == base::BaseType::unsignedInteger;
+            values.push_back(uniform.type.base == base::BaseType::boolean ? static_cast<double>(i % 2)
+                             : isWhole                                    ? static_cast<double>(i + 1)
+                                                                          : fraction);
         }
         EXPECT_EQ(setUniform(*program, uniform, values), 4) << word;
         for (int element = 0; element < 4; ++element) {
@@ -58,7 +59,7 @@ TEST_F(UniformTest, EveryTypeReadsBackWhatWasSet) {
             ASSERT_EQ(read.size(), components);
             for (std::size_t c = 0; c < components; ++c) {
                 double expected = values[static_cast<std::size_t>(element) * components + c];
-                if (uniform.type.base == BaseType::floating)
+                if (uniform.type.base == base::BaseType::floating)
                     expected = static_cast<double>(static_cast<float>(expected));
                 EXPECT_EQ(read[c], expected) << word << " element " << element << " component " << c;
             }
@@ -81,7 +82,7 @@ void main() { fColor = vec4(uMatrix[0][0], uMatrix[0][2], uMatrix[1][0], uMatrix
 TEST_F(UniformTest, ElementsCanBeSetFromAnyPlaceOn) {
     const auto program = withArrayOf("vec2");
     ASSERT_TRUE(program);
-    const ActiveUniform uniform = find(*program, "u");
+    const base::ActiveUniform uniform = find(*program, "u");
     const std::array<double, 8> all{1, 2, 3, 4, 5, 6, 7, 8};
     setUniform(*program, uniform, all);
     const std::array<double, 3> part{20, 30, 40};
@@ -103,7 +104,7 @@ out vec4 fColor;
 void main() { fColor = texture(uPictures[0], vec2(0)) + texture(uPictures[1], vec2(0)); }
 )");
     ASSERT_TRUE(program);
-    const ActiveUniform pictures = find(*program, "uPictures");
+    const base::ActiveUniform pictures = find(*program, "uPictures");
     const std::array<double, 2> units{3, 7};
     EXPECT_EQ(setUniform(*program, pictures, units), 2);
     EXPECT_EQ(getUniform(*program, pictures, 0), (std::vector<double>{3}));
@@ -113,7 +114,7 @@ void main() { fColor = texture(uPictures[0], vec2(0)) + texture(uPictures[1], ve
 TEST_F(UniformTest, IntegersAreCutAndLimited) {
     const auto program = withArrayOf("int");
     ASSERT_TRUE(program);
-    const ActiveUniform uniform = find(*program, "u");
+    const base::ActiveUniform uniform = find(*program, "u");
     const std::array<double, 4> wild{-2.9, 1e300, -1e300, std::nan("")};
     setUniform(*program, uniform, wild);
     EXPECT_EQ(getUniform(*program, uniform, 0).at(0), -2);
@@ -145,7 +146,7 @@ void main() {
 }
 )");
     ASSERT_TRUE(program);
-    const ProgramInterface interface = reflect(*program);
+    const base::ActiveResources interface = reflect(*program);
     ASSERT_EQ(interface.blocks.size(), 1U);
     std::vector<std::byte> memory(static_cast<std::size_t>(interface.blocks[0].bytes));
     const auto write = [&](std::string_view name, const std::vector<double>& values) {
@@ -177,7 +178,7 @@ void main() {
 }
 
 TEST_F(UniformTest, NothingIsWrittenOutsideABlocksMemory) {
-    ActiveUniform member;
+    base::ActiveUniform member;
     member.type = valueType(GL_FLOAT_VEC4);
     member.block = 0;
     member.offset = 8;
@@ -189,38 +190,6 @@ TEST_F(UniformTest, NothingIsWrittenOutsideABlocksMemory) {
     float second = 0;
     std::memcpy(&second, &memory[12], 4);
     EXPECT_EQ(second, 2.F);
-}
-
-TEST_F(UniformTest, SubroutinesAreChosenByFunction) {
-    const auto program = build(test::kCoverAll, R"(#version 410 core
-subroutine float Number();
-subroutine uniform Number uFirst;
-subroutine uniform Number uSecond;
-subroutine(Number) float three() { return 3.; }
-subroutine(Number) float eight() { return 8.; }
-out vec4 fColor;
-void main() { fColor = vec4(uFirst(), uSecond(), 0, 1); }
-)");
-    ASSERT_TRUE(program);
-    const ProgramInterface interface = reflect(*program);
-    ASSERT_EQ(interface.subroutines.size(), 2U);
-    std::vector<std::pair<int, GLuint>> choices;
-    for (const SubroutineUniform& each : interface.subroutines)
-        for (const SubroutineUniform::Function& function : each.functions)
-            if (function.name == (each.name == "uFirst" ? "eight" : "three"))
-                choices.emplace_back(each.location, function.index);
-    ASSERT_EQ(choices.size(), 2U);
-    const auto target = Target::window(driver(), 1, 1, TexelFormat::rgba32f);
-    ASSERT_TRUE(target);
-    GLuint vertexArray = 0;
-    glGenVertexArrays(1, &vertexArray);
-    glBindVertexArray(vertexArray);
-    target->bind();
-    program->use();
-    useSubroutines(interface, GL_FRAGMENT_SHADER, choices);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    EXPECT_EQ(test::pixels(context(), *target).at(0), (test::Rgba{8, 3, 0, 1}));
-    glDeleteVertexArrays(1, &vertexArray);
 }
 
 TEST(Numbers, FloatsRoundLikeTheHardware) {

@@ -4,6 +4,7 @@
 
 #include "fixture.h"
 #include "gpu/timer.h"
+#include "gpu/value_type.h"
 
 namespace glibra::gpu {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(VertexArrayTest, ConstantsReachInputsOfEveryKind) {
         const auto program =
             reading(std::string("layout(location = 2) in ") + each.type + " aValue;\n", each.color);
         ASSERT_TRUE(program) << each.type;
-        setConstantAttribute(2, each.glType, each.value);
+        setConstantAttribute(2, valueType(each.glType), each.value);
         EXPECT_EQ(point(*program, nothing), each.expected) << each.type;
     }
 }

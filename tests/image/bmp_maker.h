@@ -1,5 +1,5 @@
 #pragma once
-// BMP files of any form for tests, put together byte by byte.
+// Builds BMP files of any form for tests, byte by byte.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace glibra::image::testing {
 
-/// Any BMP file, also wrong ones. The fields mean what the format's descriptions say.
+/// Any BMP file, including invalid ones. The fields have the meaning of the format's descriptions.
 struct BmpMaker {
     std::uint32_t headerSize = 40;
     std::int32_t width = 1, height = 1;
@@ -17,8 +17,8 @@ struct BmpMaker {
     std::vector<std::uint32_t> masks{};         ///< after a 40-byte header, inside longer ones
     std::vector<std::array<int, 3>> palette{};  ///< red, green, blue
     std::vector<int> pixels{};
-    std::size_t gap = 0;           ///< unused bytes in front of the pixels
-    std::int64_t dataOffset = -1;  ///< as it is, if not given
+    std::size_t gap = 0;           ///< unused bytes before the pixels
+    std::int64_t dataOffset = -1;  ///< -1: the correct one
 
     [[nodiscard]] std::vector<std::byte> file() const {
         std::vector<std::byte> header;
@@ -47,7 +47,7 @@ struct BmpMaker {
         }
         header.resize(header.size() + gap);
         std::vector<std::byte> bytes = bytesOf({'B', 'M'});
-        putLittle(bytes, 0, 4);  // file size: nobody keeps to it
+        putLittle(bytes, 0, 4);  // file size, which readers ignore
         putLittle(bytes, 0, 4);
         putLittle(bytes,
                   static_cast<std::uint32_t>(dataOffset < 0 ? 14 + static_cast<std::int64_t>(header.size())

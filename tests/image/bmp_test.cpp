@@ -1,5 +1,5 @@
-// BMP in every form of the language reference, 8.2: hand-made bytes, and OpenImageIO as second reader where
-// it knows the form.
+// BMP in every form of language, 8.2: bytes made by hand, and OpenImageIO as a second reader if it knows the
+// form.
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ TEST(Bmp, ReadsPalettesOf1And4And8Bits) {
                        .palette = noisyPalette(1U << bits),
                        .pixels = noise((13 * bits + 31) / 32 * 4 * 3)};
         const Image image = decoded(maker);
-        // Pixel x of the bottom row, by arithmetic on the whole row as one number string.
+        // Pixel x of the bottom row, computed from the whole row as one string of bits.
         for (std::size_t x = 0; x < 13; ++x) {
             const std::size_t bit = x * bits;
             const auto index =
@@ -163,7 +163,7 @@ TEST(Bmp, TheFourthByteOfPlain32BitsIsIgnored) {
     BmpMaker longer = maker;
     longer.headerSize = 124;
     longer.masks = {0xff0000, 0xff00, 0xff,
-                    0xff000000};  // in the header, but the pixels are not said to follow them
+                    0xff000000};  // in the header, but nothing says that the pixels use them
     EXPECT_EQ(testing::pixelAt(decoded(longer), 0, 0), (Rgba{3, 2, 1, 255}));
 }
 
@@ -202,7 +202,7 @@ TEST(Bmp, ThreeMasksMeanNoAlpha) {
 }
 
 TEST(Bmp, WideAndNarrowMasksAreScaledToBytes) {
-    // 10 bits of red, 1 of green, none of blue.
+    // 10 bits of red, 1 bit of green, no blue.
     const Image image = decoded({.width = 1,
                                  .height = 1,
                                  .bits = 32,
@@ -213,8 +213,7 @@ TEST(Bmp, WideAndNarrowMasksAreScaledToBytes) {
 }
 
 TEST(Bmp, DecodesRunsAndLiteralsOfRle8) {
-    // Rows from the bottom: 3 x colour 1, then 2 literal pixels would be short of 3, so 3 literals padded to
-    // 4 bytes.
+    // Rows from the bottom: 3 x colour 1; then 3 literals padded to 4 bytes.
     const BmpMaker maker{.width = 6,
                          .height = 2,
                          .bits = 8,
@@ -229,7 +228,7 @@ TEST(Bmp, DecodesRunsAndLiteralsOfRle8) {
 }
 
 TEST(Bmp, DecodesRunsAndLiteralsOfRle4) {
-    // A run alternates its two colours; 5 literals take 3 bytes and one of padding.
+    // A run alternates between its two colours; 5 literals take 3 bytes and one byte of padding.
     const BmpMaker maker{.width = 10,
                          .height = 1,
                          .bits = 4,
@@ -318,14 +317,14 @@ TEST(Bmp, AgreesWithAnotherReaderForRle8) {
     expectSameElsewhere(maker);
 }
 
-TEST(Bmp, CutPixelsSayHowManyRowsAreThere) {
+TEST(Bmp, CutPixelsReportTheNumberOfCompleteRows) {
     const BmpMaker maker{.width = 3, .height = 5, .pixels = noise(12 * 5)};
     const auto file = maker.file();
     const auto cut = decodeBmp(std::span(file).first(file.size() - 30), kLabel);
     ASSERT_EQ(testing::idsOf(cut.diagnostics), "file-E04");
     EXPECT_EQ(cut.diagnostics[0].text, "'a.bmp': pixel data end after row 2 of 5");
     EXPECT_EQ(cut.diagnostics[0].place, kLabel.place);
-    // The padding of the last row may be missing, a pixel may not.
+    // The padding of the last row may be missing, but not a pixel.
     EXPECT_TRUE(decodeBmp(std::span(file).first(file.size() - 3), kLabel));
     EXPECT_FALSE(decodeBmp(std::span(file).first(file.size() - 4), kLabel));
 }
@@ -373,7 +372,7 @@ TEST(Bmp, EveryCutOfEveryFormGivesOneMessage) {
     }
 }
 
-TEST(Bmp, HeadersThatLieAreRefused) {
+TEST(Bmp, WrongHeadersAreRejected) {
     EXPECT_EQ(idFor({.width = 0, .pixels = {0}}), "file-E04");
     EXPECT_EQ(idFor({.width = -5, .pixels = {0}}), "file-E04");
     EXPECT_EQ(idFor({.height = 0, .pixels = {0}}), "file-E04");
@@ -401,8 +400,8 @@ TEST(Bmp, AWrappedPngIsRead) {
     EXPECT_TRUE(compare(*read, inner).identical);
 }
 
-TEST(Bmp, AWrapperAroundSomethingElseIsRefused) {
-    // A BMP inside a BMP could go on for ever.
+TEST(Bmp, AWrapperAroundSomethingElseIsRejected) {
+    // Nested BMP files could continue without end.
     BmpMaker maker{.width = 1, .height = 1, .bits = 0, .compression = 5};
     for (const std::byte each : BmpMaker{.pixels = {1, 2, 3, 0}}.file())
         maker.pixels.push_back(std::to_integer<int>(each));

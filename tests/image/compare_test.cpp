@@ -1,4 +1,4 @@
-// Measures of difference, looks at single pictures, conversions: against numbers worked out by hand.
+// Measures of difference, checks of single pictures, and conversions: against numbers computed by hand.
 
 #include "image/compare/compare.h"
 

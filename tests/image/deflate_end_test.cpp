@@ -1,4 +1,4 @@
-// Streams of libdeflate that become one, which libdeflate's own decoder reads.
+// Streams of libdeflate that are joined, and read by libdeflate's decoder.
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -25,7 +25,7 @@ Bytes packed(const Bytes& bytes, int level) {
     return stream;
 }
 
-/// What the stream holds, if it ends with its last byte.
+/// The content of the stream, if it ends with its last byte.
 std::optional<Bytes> unpacked(const Bytes& stream, std::size_t size) {
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
@@ -39,7 +39,8 @@ std::optional<Bytes> unpacked(const Bytes& stream, std::size_t size) {
     return bytes;
 }
 
-/// Texts of many kinds: none, few and many different bytes, repeated and not, up to several blocks.
+/// Texts of many kinds: empty, with few and many different bytes, with and without repetitions, up to several
+/// blocks.
 std::vector<Bytes> texts() {
     std::vector<Bytes> all{{}, Bytes(1, std::byte{7}), Bytes(100'000, std::byte{0})};
     for (std::uint32_t i = 0; i < 40; ++i) {
@@ -51,7 +52,7 @@ std::vector<Bytes> texts() {
         }
         all.push_back(std::move(text));
     }
-    // Few bytes often and many seldom: words of all lengths.
+    // Few bytes occur often and many rarely: words of all lengths.
     Bytes skewed(300'000);
     for (std::size_t at = 0; at < skewed.size(); ++at) {
         const std::uint32_t random = testing::hash(static_cast<std::uint32_t>(at));
@@ -59,7 +60,7 @@ std::vector<Bytes> texts() {
             static_cast<std::byte>(random % 1500 == 0 ? random >> 24U : std::countr_zero(random | 1U << 20U));
     }
     all.push_back(std::move(skewed));
-    // The same of lengths and distances: each half as often as the one before.
+    // The same for lengths and distances: each occurs half as often as the one before.
     Bytes repeated(40'000);
     for (std::uint32_t i = 0; repeated.size() < 700'000; ++i) {
         const std::uint32_t random = testing::hash(i), other = testing::hash(~i);
@@ -77,7 +78,7 @@ TEST(DeflateEnd, IsTheEndOfTheStream) {
         for (const int level : {0, 1, 4, 6, 9, 12}) {
             Bytes stream = packed(text, level);
             const std::size_t size = stream.size();
-            stream.resize(size + 9, std::byte{0x5a});  // something else behind it
+            stream.resize(size + 9, std::byte{0x5a});  // other bytes after it
             const auto found = findDeflateEnd(stream);
             ASSERT_TRUE(found) << text.size() << ' ' << level;
             EXPECT_EQ((found->end + 7) / 8, size) << text.size() << ' ' << level;
@@ -85,8 +86,8 @@ TEST(DeflateEnd, IsTheEndOfTheStream) {
         }
 }
 
-TEST(DeflateEnd, AnotherStreamGoesOnBehindIt) {
-    std::set<std::size_t> places;  // in the byte where streams end
+TEST(DeflateEnd, AnotherStreamCanFollowIt) {
+    std::set<std::size_t> places;  // the bits of the last byte at which streams end
     const auto all = texts();
     for (const int level : {0, 1, 4, 9})
         for (std::size_t i = 0; i + 2 < all.size(); ++i) {

@@ -1,4 +1,4 @@
-// Whole files: read with limits, written so that nobody ever sees half of one.
+// Whole files: read with limits, and written so that nobody sees an incomplete one.
 
 #include "image/file.h"
 
@@ -29,7 +29,7 @@ TEST_F(WholeFile, IsReadByteForByte) {
     EXPECT_EQ(*read, bytes);
 }
 
-TEST_F(WholeFile, WhatCannotBeReadIsToldApart) {
+TEST_F(WholeFile, DifferentProblemsOfReadingHaveDifferentIds) {
     EXPECT_EQ(idsOf(readFile(folder / "none", kLabel).diagnostics), "file-E01");
     EXPECT_EQ(idsOf(readFile(put("empty", {}), kLabel).diagnostics), "file-E02");
     const auto inFolder = readFile(folder, kLabel);
@@ -39,23 +39,23 @@ TEST_F(WholeFile, WhatCannotBeReadIsToldApart) {
     EXPECT_EQ(idsOf(readFile(put("file", testing::bytesOf({1})) / "inside", kLabel).diagnostics), "file-E01");
 }
 
-TEST_F(WholeFile, APipeIsNotWaitedFor) {
+TEST_F(WholeFile, APipeDoesNotBlock) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     EXPECT_EQ(idsOf(readFile(folder / "pipe", kLabel).diagnostics), "file-E02");
     EXPECT_EQ(idsOf(readFile("/dev/zero", kLabel).diagnostics), "file-E02");
 }
 
-TEST_F(WholeFile, BeyondTheLimitIsRefusedBeforeReading) {
+TEST_F(WholeFile, BeyondTheLimitIsRejectedBeforeReading) {
     put("large", testing::bytesOf({1, 2, 3, 4}));
     EXPECT_TRUE(readFile(folder / "large", kLabel, 4));
     EXPECT_EQ(idsOf(readFile(folder / "large", kLabel, 3).diagnostics), "file-E09");
-    fs::resize_file(folder / "large", 3 * kGiB);  // takes no room on the disk
+    fs::resize_file(folder / "large", 3 * kGiB);  // needs no space on the disk
     const auto read = readFile(folder / "large", kLabel);
     ASSERT_EQ(idsOf(read.diagnostics), "file-E09");
     EXPECT_EQ(read.diagnostics[0].text, "'a' has 3 GiB, the limit is 2 GiB");
 }
 
-TEST(ReadableBytes, AreRoundedUpSoThatALimitIsNotShownAsKept) {
+TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
     EXPECT_EQ(readableBytes(17), "17 bytes");
     EXPECT_EQ(readableBytes(kGiB), "1 GiB");
     EXPECT_EQ(readableBytes(kGiB + 1), "1.1 GiB");
@@ -88,7 +88,7 @@ TEST_F(WholeFile, ALongNameIsNoObstacle) {
     EXPECT_EQ(fileCount(), 1U);
 }
 
-TEST_F(WholeFile, ThroughALinkChangesWhatItPointsTo) {
+TEST_F(WholeFile, ThroughALinkChangesTheTargetOfTheLink) {
     put("real", testing::bytesOf({1}));
     fs::create_symlink("real", folder / "link");
     EXPECT_TRUE(writeFileAtomically(folder / "link", testing::bytesOf({2})).empty());
@@ -124,7 +124,7 @@ TEST_F(WholeFile, AFullDiskIsReported) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(WholeFile, ATemporaryFileGoesAwayWithoutCommit) {
+TEST_F(WholeFile, ATemporaryFileIsRemovedWithoutCommit) {
     {
         const TemporaryFile temporary(folder / "out.exr");
         EXPECT_EQ(temporary.path().extension(), ".exr");
@@ -158,15 +158,15 @@ TEST_F(WriteImage, FloatsBecome16BitsInPng) {
     }
 }
 
-TEST_F(WriteImage, WithoutTheModuleOtherFormatsAreRefusedAndNothingIsLeft) {
+TEST_F(WriteImage, WithoutTheModuleOtherFormatsAreRejectedAndNothingIsLeft) {
     const auto problems = writeImage(testing::smoothImage(4, 4), folder / "a.exr", {{}, {}});
     ASSERT_EQ(idsOf(problems), "file-E03");
-    EXPECT_NE(problems[0].text.find("an EXR picture and the image module is not installed"),
+    EXPECT_NE(problems[0].text.find("an EXR picture, but the image module that reads it is not installed"),
               std::string::npos);
     EXPECT_EQ(fileCount(), 0U);
 }
 
-TEST_F(WriteImage, AnUnknownSuffixOrAnEmptyPictureIsRefused) {
+TEST_F(WriteImage, AnUnknownSuffixOrAnEmptyPictureIsRejected) {
     EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.xyz")), "file-E10");
     EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a")), "file-E10");
     EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.tex")), "file-E10");
@@ -180,7 +180,7 @@ TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
     const std::vector<std::string> suffixes{".exr", ".tif", ".tga", ".hdr"};
     for (const std::string& suffix : suffixes)
         EXPECT_TRUE(writeImage(image, folder / ("first" + suffix)).empty()) << suffix;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates count whole seconds
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates have a resolution of one second
     for (const std::string& suffix : suffixes) {
         EXPECT_TRUE(writeImage(image, folder / ("second" + suffix)).empty()) << suffix;
         const auto first = readFile(folder / ("first" + suffix), kLabel);
@@ -190,7 +190,7 @@ TEST_F(WriteImage, EqualPicturesAreEqualFilesWheneverTheyAreWritten) {
     }
 }
 
-TEST_F(WriteImage, AFormatThatCanOnlyBeReadIsRefusedAndNothingIsLeft) {
+TEST_F(WriteImage, AFormatThatCanOnlyBeReadIsRejectedAndNothingIsLeft) {
     GLIBRA_NEED_MODULE();
     EXPECT_EQ(idsOf(writeImage(testing::smoothImage(4, 4), folder / "a.psd", {{}, testing::moduleFolders()})),
               "file-E10");

@@ -1,5 +1,4 @@
-// FLIP: against a direct evaluation of the definition in double, and against figures of the authors' own
-// program.
+// FLIP: against a direct evaluation of the definition in double, and against results of the authors' program.
 
 #include "image/compare/flip.h"
 
@@ -21,7 +20,7 @@ constexpr double kPi = std::numbers::pi;
 
 using Triple = std::array<double, 3>;
 
-/// Planes of doubles, with the edge's pixels beyond the edge.
+/// Planes of doubles; the edge pixels continue beyond the edge.
 struct Field {
     int width, height;
     std::vector<Triple> values;
@@ -40,7 +39,8 @@ Triple multiply(const double (&m)[3][3], const Triple& v) {
     return result;
 }
 
-/// Linear RGB to XYZ relative to the white point, by sRGB's primaries and D65 in the definition's fractions.
+/// Linear RGB to XYZ relative to the white point, for sRGB's primaries and D65, with the fractions of the
+/// definition.
 Triple toXyz(const Triple& rgb) {
     constexpr double kMatrix[3][3] = {{10135552. / 24577794, 8788810. / 24577794, 4435075. / 24577794},
                                       {2613072. / 12288897, 8788810. / 12288897, 887015. / 12288897},
@@ -67,7 +67,7 @@ Triple toYCxCz(const Triple& rgb) {
     return {116 * t[1] - 16, 500 * (t[0] - t[1]), 200 * (t[1] - t[2])};
 }
 
-/// L*a*b* with a* and b* after Hunt.
+/// L*a*b* with Hunt's adjustment of a* and b*.
 Triple toHuntLab(const Triple& rgb) {
     Triple t = toXyz(rgb);
     for (double& each : t) {
@@ -108,7 +108,7 @@ double contrastWeight(std::size_t plane, int x, int y, double ppd) {
     return part(kA1[plane], kB1[plane]) + part(kA2[plane], kB2[plane]);
 }
 
-/// The picture seen by the eye, limited to what a screen shows, as L*a*b* after Hunt.
+/// The picture as the eye sees it, limited to the colours of a screen, as L*a*b* with Hunt's adjustment.
 Triple seen(const Field& field, int x, int y, double ppd) {
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(.04 / (2 * kPi * kPi)) * ppd));
     Triple sum{}, weights{};
@@ -130,7 +130,8 @@ Triple seen(const Field& field, int x, int y, double ppd) {
 std::array<double, 2> features(const Field& field, int x, int y, double ppd) {
     const double deviation = .5 * .082 * ppd;
     const int radius = static_cast<int>(std::ceil(3 * deviation));
-    // Per filter: weighted sums with positive and with negative weights, and the sums of these weights.
+    // Per filter: weighted sums with the positive and with the negative weights, and the sums of these
+    // weights.
     std::array<std::array<double, 4>, 4> sums{};
     for (int dy = -radius; dy <= radius; ++dy)
         for (int dx = -radius; dx <= radius; ++dx) {
@@ -166,7 +167,7 @@ struct Pair {
     Image reference, test;
 };
 
-/// 96 x 80 pixels: noise; a smooth picture with a change of color; a disc moved by a pixel; saturated
+/// 96 x 80 pixels: noise; a smooth picture with a change of colour; a disc moved by one pixel; saturated
 /// squares.
 std::vector<Pair> pairs(int width = 96, int height = 80) {
     const Image empty{width, height, 3, Component::u8, {}};
@@ -256,11 +257,11 @@ TEST(Flip, EqualPicturesHaveNoError) {
 TEST(Flip, IsTheSameForAnyNumberOfThreadsAndAcrossTiles) {
     const Image a = testing::noisyImage(300, 150, 3, Component::u8);
     Image b = a;
-    b.data[3 * (std::size_t{300} * 66 + 130)] ^= std::byte{0x80};  // beside the corner where four tiles meet
+    b.data[3 * (std::size_t{300} * 66 + 130)] ^= std::byte{0x80};  // near the corner where four tiles meet
     const FlipResult one = flip(a, b, {.threads = 1}), four = flip(a, b, {.threads = 4});
     EXPECT_EQ(one.errors, four.errors);
     EXPECT_GT(one.mean, 0);
-    // Only pixels within the filters' reach differ, and those on all sides of it.
+    // Only pixels within the reach of the filters differ, on all sides.
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 300; ++x) {
             const float error = errorOf(one, x, y);

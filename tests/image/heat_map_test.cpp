@@ -1,4 +1,4 @@
-// The picture of differences: its colors and its scale.
+// The picture of differences: its colours and its scale.
 
 #include "image/compare/heat_map.h"
 

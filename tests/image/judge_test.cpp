@@ -1,4 +1,4 @@
-// The verdict over two pictures: each rung of the ladder, at its limit and just beyond.
+// The verdict on two pictures: each measure at its limit and just beyond.
 
 #include "image/compare/judge.h"
 
@@ -33,7 +33,7 @@ Image floats(int width, int height, const std::vector<float>& values) {
     return image;
 }
 
-/// No limits but those that a test sets.
+/// No limits except those that a test sets.
 Tolerance loose() {
     Tolerance tolerance;
     tolerance.fraction = 1;
@@ -61,7 +61,7 @@ TEST(Judge, OtherSizesDifferAndSayHow) {
     const Judgement result = judge(grey(1), testing::noisyImage(9, 7, 3, Component::u8), loose());
     EXPECT_FALSE(result.same);
     EXPECT_EQ(result.decidedBy, Rung::size);
-    EXPECT_EQ(result.reason, "the sizes differ: 64 x 64 expected, 9 x 7 got");
+    EXPECT_EQ(result.reason, "the sizes differ: expected 64 x 64, found 9 x 7");
     EXPECT_FALSE(result.comparison.sameSize);
     EXPECT_FALSE(judge({}, {}, loose()).same) << "pictures without pixels are no pictures";
 }
@@ -113,7 +113,8 @@ TEST(Judge, PixelsThatTouchAreAShape) {
     Tolerance tolerance = loose();
     tolerance.cluster = 4;
     Image b = grey(100);
-    // A diagonal through the corner of the picture's right edge; (0, y + 1) is no neighbour of (63, y).
+    // A diagonal through the corner at the right edge of the picture; (0, y + 1) is not a neighbour of (63,
+    // y).
     for (const auto& [x, y] : {std::pair{60, 10}, {61, 11}, {62, 12}, {63, 13}, {0, 14}, {0, 13}})
         change(b, x, y, 90);
     EXPECT_EQ(judge(grey(100), b, tolerance).cluster, 4U);
@@ -177,7 +178,7 @@ TEST(Judge, SinglePixelsBeyondTheLimitDoNotDecideTheBias) {
     EXPECT_NEAR(result.bias, 6 * 3. / 256, 1e-12) << "six of them in the first block, 3 each";
 }
 
-TEST(Judge, BlocksAtTheEdgesTakeWhatIsLeft) {
+TEST(Judge, BlocksAtTheEdgesIncludeTheRemainder) {
     Image a{40, 20, 1, Component::u8, std::vector<std::byte>(800, std::byte{50})};
     Image b = a;
     change(b, 39, 19, 2);
@@ -208,7 +209,7 @@ TEST(Judge, NanAndInfinityEqualThemselvesAndAreReported) {
     const Judgement equal = judge(a, a, exactTolerance());
     EXPECT_TRUE(equal.same);
     EXPECT_EQ(equal.comparison.nonFinite, 2U);
-    EXPECT_EQ(equal.reason, "equal, but 2 components are no finite numbers");
+    EXPECT_EQ(equal.reason, "equal, but 2 components are NaN or infinite");
     Tolerance tolerance = loose();
     tolerance.fraction = 0;
     EXPECT_TRUE(judge(a, floats(3, 1, {nan, infinity, 1.00001F}), tolerance).same);
@@ -230,7 +231,7 @@ Image square(int shift, int side = 24) {
     return image;
 }
 
-TEST(Judge, StructurePassesAMovedEdgeAndRefusesAMissingShape) {
+TEST(Judge, StructurePassesAMovedEdgeAndFailsAMissingShape) {
     Tolerance tolerance;
     EXPECT_FALSE(judge(square(0), square(1), tolerance).same);
     tolerance.structure = 0.05;
@@ -243,7 +244,7 @@ TEST(Judge, StructurePassesAMovedEdgeAndRefusesAMissingShape) {
     EXPECT_FALSE(shrunk.flip.has_value());
 }
 
-TEST(Judge, FlipDecidesWhereItIsAskedFor) {
+TEST(Judge, FlipDecidesIfItIsRequested) {
     Tolerance tolerance;
     const double mean = *judge(square(0), square(1), tolerance, true).flip;
     tolerance.flip = mean * 1.01;
@@ -268,9 +269,9 @@ TEST(Judge, EverythingIsComputedForAReport) {
     EXPECT_FALSE(judge(grey(100), b, Tolerance{}).flip.has_value());
 }
 
-// What a person sees, at the default tolerance.
+// Changes that a person sees, at the default tolerance.
 
-/// A lit ball before a dark ground, as a scene might draw it; `brightness` scales the light.
+/// A lit ball in front of a dark background, as in a scene; `brightness` scales the light.
 Image ball(double brightness, double gamma) {
     Image image{200, 200, 3, Component::u8, {}};
     for (int y = 0; y < 200; ++y)

@@ -15,7 +15,7 @@ namespace {
 
 using Text = std::vector<std::uint8_t>;
 
-/// `count` bytes of so many kinds, the small ones most often; every `period` they start again.
+/// `count` bytes with `kinds` different values, small ones most often; they repeat after `period` bytes.
 Text text(std::size_t count, std::uint32_t kinds, std::size_t period) {
     Text result(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -39,24 +39,26 @@ double packed(const Text& text) {
         libdeflate_deflate_compress(compressor.get(), text.data(), text.size(), to.data(), to.size()));
 }
 
-TEST(PackedSize, IsNearWhatLibdeflateNeeds) {
+TEST(PackedSize, IsCloseToTheSizeByLibdeflate) {
     for (const std::uint32_t kinds : {40U, 100U, 256U})
         for (const std::size_t period : {1500U, 5000U, 31'000U, 200'000U}) {
             const Text each = text(60'000, kinds, period);
             const double ratio =
-                (estimated(each) + 60) / (packed(each) + 60);  // short ones: descriptions of codes
+                (estimated(each) + 60) /
+                (packed(each) +
+                 60);  // 60 bytes for the descriptions of the codes, which count in short texts
             EXPECT_GT(ratio, .75) << kinds << ' ' << period;
             EXPECT_LT(ratio, 1.3) << kinds << ' ' << period;
         }
 }
 
-TEST(PackedSize, OfOneByteRepeatedIsNearlyNothing) {
+TEST(PackedSize, OfOneByteRepeatedIsAlmostZero) {
     EXPECT_LT(estimated(Text(100'000, 7)), 400);
     EXPECT_EQ(estimated({}), 0);
     EXPECT_EQ(estimated(Text(7, 1)), 0);
 }
 
-TEST(PackedSize, WhatStoodBeforeTheCountIsRepeatedForLittle) {
+TEST(PackedSize, BytesBeforeTheCountCanBeRepeatedCheaply) {
     const Text twice = text(40'000, 256, 20'000);
     PackedSize size;
     size.readTo(twice.data(), 20'000);
@@ -67,7 +69,7 @@ TEST(PackedSize, WhatStoodBeforeTheCountIsRepeatedForLittle) {
     EXPECT_LT(size.bits() / 8, 500);
 }
 
-TEST(PackedSize, WhatIsTooFarBackIsNotRepeated) {
+TEST(PackedSize, BytesTooFarBackAreNotRepeated) {
     EXPECT_LT(estimated(text(64'000, 256, 32'000)), 1.2 * 32'000);
     EXPECT_GT(estimated(text(66'000, 256, 33'000)), 1.8 * 33'000);
 }

@@ -1,4 +1,4 @@
-// PNG's filters, undone as the specification says, and the choice among them.
+// PNG's filters, reversed by the formulas of the specification, and the choice among them.
 
 #include "image/png/png_filter.h"
 
@@ -21,7 +21,7 @@ Row noisyRow(std::size_t count, std::uint32_t seed) {
     return row;
 }
 
-/// What a reader makes of a filtered row (PNG specification, 9.2).
+/// The row that a reader reconstructs from a filtered row (PNG specification, 9.2).
 Row unfiltered(const Row& filtered, const Row& above, std::size_t pixel) {
     Row row;
     for (std::size_t i = 0; i + 1 < filtered.size(); ++i) {

@@ -1,5 +1,5 @@
-// The fast way of the usual PNG: files of libspng's encoder, with every filter, and files it must leave
-// alone.
+// The fast reader of the most common PNG files: files of libspng's encoder with every filter, and files that
+// it must leave to the general reader.
 
 #include "image/png/png_quick_reader.h"
 
@@ -16,7 +16,7 @@
 namespace glibra::image {
 namespace {
 
-/// The image as libspng writes it, with one filter for all rows.
+/// The image as written by libspng, with one filter for all rows.
 std::vector<std::byte> bySpng(const Image& image, int filter) {
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER),
                                                                  spng_ctx_free);
@@ -70,7 +70,7 @@ TEST(PngQuickReader, LeavesOtherKindsAlone) {
     EXPECT_FALSE(decodeUsualPng({}));
 }
 
-TEST(PngQuickReader, EveryCutAndEveryChangedByteIsFound) {
+TEST(PngQuickReader, EveryCutAndEveryChangedByteIsDetected) {
     const auto whole = encodePng(testing::noisyImage(5, 4, 4, Component::u8));
     ASSERT_TRUE(decodeUsualPng(whole));
     ASSERT_TRUE(pngChunks(whole));

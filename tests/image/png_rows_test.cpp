@@ -1,4 +1,4 @@
-// How a picture's rows are filtered, against what libdeflate then makes of them.
+// The filters that are chosen for the rows of a picture, against the sizes that libdeflate packs them to.
 
 #include "image/png/png_rows.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSide = 300;
 
-/// Grey, each pixel as `value` says of its place.
+/// A grey picture; `value` gives each pixel.
 template <class Value>
 Image picture(Value value) {
     Image image{kSide, kSide, 1, Component::u8, {}};
@@ -28,7 +28,7 @@ std::uint32_t noise(int x, int y) {
     return testing::hash(static_cast<std::uint32_t>(1000 * y + x)) >> 8U;
 }
 
-/// The same twelve grey levels in ever new order, a few pixels each: differences only spread them.
+/// Twelve grey levels in ever new order, a few pixels each: differences only spread the values.
 Image steps() {
     return picture([](int x, int y) { return noise(x / 3, y / 3) % 12 * 21; });
 }

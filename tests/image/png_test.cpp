@@ -1,4 +1,4 @@
-// PNG, written here and read by two decoders, and written by libspng's encoder and read here.
+// PNG files written here and read by two decoders, and files written by libspng and read here.
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -18,7 +18,7 @@ namespace {
 
 using testing::Rgba;
 
-/// Puts together any PNG file, also wrong ones.
+/// Builds any PNG file, including invalid ones.
 class PngMaker {
   public:
     PngMaker() { file_ = testing::bytesOf({0x89, 'P', 'N', 'G', 13, 10, 26, 10}); }
@@ -39,7 +39,7 @@ class PngMaker {
             content.push_back(static_cast<std::byte>(each));
         return chunk("IHDR", content);
     }
-    /// `rows` with the filter byte of each row in it.
+    /// `rows` include the filter byte of each row.
     PngMaker& pixels(const std::vector<int>& rows) {
         const auto raw = testing::bytesOf(rows);
         const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
@@ -109,7 +109,7 @@ TEST(PngWriter, LargePicturesReachEveryReaderWhole) {
     for (const int components : {1, 3, 4})
         for (const Component type : {Component::u8, Component::u16})
             for (const int level : {0, 1, 4}) {
-                // Several stripes; the last is shorter than the others.
+                // Several stripes; the last one is shorter.
                 const Image image = components == 3 ? testing::smoothImage(1111, 977)
                                                     : testing::noisyImage(1111, 977, components, type);
                 const auto png = encodePng(image, {.level = level, .text = {}});
@@ -150,7 +150,7 @@ TEST(PngWriter, TextReachesAnotherReader) {
     EXPECT_EQ(texts[1].type, SPNG_ITXT);
 }
 
-TEST(PngWriter, RefusesWhatPngCannotHold) {
+TEST(PngWriter, RejectsImagesThatPngCannotHold) {
     EXPECT_TRUE(encodePng(testing::noisyImage(3, 3, 4, Component::f32)).empty());
     EXPECT_TRUE(encodePng({}).empty());
     EXPECT_TRUE(encodePng({4, 4, 5, Component::u8, std::vector<std::byte>(80)}).empty());
@@ -190,7 +190,7 @@ TEST(PngReader, ReadsPalettesWithTransparency) {
     EXPECT_EQ(testing::pixelAt(*read, 2, 0), (Rgba{70, 80, 90, 255}));
 }
 
-TEST(PngReader, ReadsAColorThatStandsForTransparent) {
+TEST(PngReader, ReadsATransparentColor) {
     const auto read = decodePng(PngMaker()
                                     .header(2, 1, 8, 2)
                                     .chunk("tRNS", testing::bytesOf({0, 1, 0, 2, 0, 3}))
@@ -215,8 +215,8 @@ TEST(PngReader, IgnoresGammaAndSignificantBits) {
 }
 
 TEST(PngReader, ReadsInterlacedPictures) {
-    // Adam7 of a 3 x 2 picture: pass 1 holds pixel (0, 0), pass 6 (1, 0), pass 5 (2, 0) among others, pass 7
-    // row 1.
+    // Adam7 of a 3 x 2 picture: pass 1 holds pixel (0, 0), pass 6 (1, 0), pass 5 (2, 0) among others, and
+    // pass 7 row 1.
     const auto read = decodePng(
         PngMaker().header(3, 2, 8, 0, 1).pixels({0, 11, 0, 13, 0, 12, 0, 21, 22, 23}).end(), kLabel);
     ASSERT_TRUE(read);
@@ -228,7 +228,7 @@ TEST(PngReader, ReadsInterlacedPictures) {
 
 TEST(PngReader, EveryCutGivesOneMessage) {
     const auto png = encodePng(testing::noisyImage(20, 20, 4, Component::u8));
-    const std::size_t pixelsEnd = png.size() - 12 - 4;  // IEND and the check sum of the pixels
+    const std::size_t pixelsEnd = png.size() - 12 - 4;  // IEND and the checksum of the pixels
     for (std::size_t length = 0; length < pixelsEnd; length += 7) {
         const auto read = decodePng(std::span(png).first(length), kLabel);
         EXPECT_FALSE(read) << length;
@@ -237,13 +237,13 @@ TEST(PngReader, EveryCutGivesOneMessage) {
     }
 }
 
-TEST(PngReader, AChangedByteInThePixelsIsFound) {
+TEST(PngReader, AChangedByteInThePixelsIsDetected) {
     auto png = encodePng(testing::noisyImage(20, 20, 4, Component::u8));
     png[png.size() / 2] ^= std::byte{0x10};
     EXPECT_EQ(testing::idsOf(decodePng(png, kLabel).diagnostics), "file-E04");
 }
 
-TEST(PngReader, AHeaderThatLiesAboutTheSizeIsFound) {
+TEST(PngReader, AHeaderWithAWrongSizeIsDetected) {
     EXPECT_EQ(testing::idsOf(
                   decodePng(PngMaker().header(16384, 16385, 8, 0).pixels({0}).end(), kLabel).diagnostics),
               "file-E09");
@@ -266,7 +266,7 @@ TEST(PngReader, AHeaderThatLiesAboutTheSizeIsFound) {
               "file-E04");
 }
 
-TEST(PngReader, APaletteIndexWithoutAnEntryIsFound) {
+TEST(PngReader, APaletteIndexWithoutAnEntryIsDetected) {
     const auto read = decodePng(
         PngMaker().header(1, 1, 8, 3).chunk("PLTE", testing::bytesOf({1, 2, 3})).pixels({0, 200}).end(),
         kLabel);

@@ -19,7 +19,7 @@ using testing::idsOf;
 
 const Place kPlace{"scene.glib", 5, 1};
 
-TEST(PictureFormat, IsToldByTheFirstBytes) {
+TEST(PictureFormat, IsRecognisedByTheFirstBytes) {
     using testing::bytesOf;
     const struct {
         Format format;
@@ -86,11 +86,12 @@ TEST_F(ReadImage, WithoutTheModuleTheFormatIsNamed) {
     const auto read = readImage(put("wood.bmp", testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0})), kPlace,
                                 testing::withoutModule());
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
-    EXPECT_EQ(read.diagnostics[0].text, "'wood.bmp' is a TIFF picture and the image module is not installed");
+    EXPECT_EQ(read.diagnostics[0].text,
+              "'wood.bmp' is a TIFF picture, but the image module that reads it is not installed");
     EXPECT_EQ(read.diagnostics[0].place, kPlace);
 }
 
-TEST_F(ReadImage, AFileThatIsNoModuleIsNotUsed) {
+TEST_F(ReadImage, AFileThatIsNotAModuleIsIgnored) {
     put("glibra_openimageio.so", testing::bytesOf({'n', 'o'}));
     ReadOptions options;
     options.moduleFolders = {folder};
@@ -99,7 +100,7 @@ TEST_F(ReadImage, AFileThatIsNoModuleIsNotUsed) {
         "file-E03");
 }
 
-TEST_F(ReadImage, TextIsNoPicture) {
+TEST_F(ReadImage, TextIsNotAPicture) {
     const auto read = readImage(put("a.png", testing::bytesOf({'h', 'e', 'l', 'l', 'o'})), kPlace);
     ASSERT_EQ(idsOf(read.diagnostics), "file-E03");
     EXPECT_EQ(read.diagnostics[0].text, "'a.png' is neither a picture nor a raw texture");
@@ -119,7 +120,7 @@ TEST_F(ReadImage, LimitsAreTheCallers) {
     EXPECT_EQ(idsOf(readImage(path, kPlace, options).diagnostics), "file-E09");
 }
 
-/// Formats that the module writes and reads, and how far a value may be off.
+/// Formats that the module writes and reads, and the allowed error of a value.
 struct ByModule {
     const char* suffix;
     Component type;  ///< as written
@@ -201,7 +202,7 @@ TEST_F(ReadImage, LimitsHoldBeforeTheModuleReads) {
     EXPECT_EQ(idsOf(readImage(folder / "a.tif", kPlace, options).diagnostics), "file-E09");
 }
 
-/// A JPEG with another segment right after the start of the image.
+/// A JPEG with an additional segment after the start of the image.
 std::vector<std::byte> withSegment(std::span<const std::byte> jpeg, int marker, const std::string& content) {
     std::vector<std::byte> file(jpeg.begin(), jpeg.begin() + 2);
     const auto length = static_cast<int>(content.size() + 2);
@@ -212,7 +213,7 @@ std::vector<std::byte> withSegment(std::span<const std::byte> jpeg, int marker, 
     return file;
 }
 
-TEST(JpegSegments, MetadataAreTakenOutAndNothingElse) {
+TEST(JpegSegments, OnlyMetadataAreRemoved) {
     const auto plain = testing::bytesOf({0xff, 0xd8, 0xff, 0xe0, 0, 4,    1,    2, 0xff, 0xff, 0xee, 0, 3, 9,
                                          0xff, 0xdb, 0,    3,    7, 0xff, 0xda, 0, 2,    0xff, 0xe1, 0, 2});
     EXPECT_EQ(withoutMetadata(plain), plain);
@@ -231,9 +232,9 @@ TEST(JpegSegments, DamageIsPassedOnAsItIs) {
         EXPECT_EQ(withoutMetadata(file), file);
 }
 
-TEST(JpegSegments, TheEndOfTheImageIsFoundBehindThePixels) {
-    // A table, a scan with a stuffed ff and a restart marker, another scan, the end; an end marker inside a
-    // segment is none.
+TEST(JpegSegments, TheEndOfTheImageIsFoundAfterThePixels) {
+    // A table, a scan with a stuffed ff and a restart marker, another scan, the end. An end marker inside a
+    // segment does not count.
     const auto whole =
         testing::bytesOf({0xff, 0xd8, 0xff, 0xdb, 0, 4,    0xff, 0xd9, 0xff, 0xda, 0,    2,    1,   0xff,
                           0,    2,    0xff, 0xd3, 3, 0xff, 0xda, 0,    2,    4,    0xff, 0xff, 0xd9});
@@ -242,13 +243,13 @@ TEST(JpegSegments, TheEndOfTheImageIsFoundBehindThePixels) {
         EXPECT_FALSE(hasEndOfImage(std::span(whole).first(length))) << length;
 }
 
-TEST_F(ReadImage, ExifNeitherTurnsAPictureNorStopsTheProgram) {
+TEST_F(ReadImage, ExifNeitherRotatesAPictureNorStopsTheProgram) {
     GLIBRA_NEED_MODULE();
     const Image image = testing::smoothImage(24, 16);
     ASSERT_TRUE(writeImage(image, folder / "a.jpg", {{}, testing::moduleFolders()}).empty());
     const auto jpeg = readFile(folder / "a.jpg", {"a.jpg", {}});
     ASSERT_TRUE(jpeg);
-    // Orientation 6 (turned by 90 degrees); then the same with a count that is negative as a 32-bit number.
+    // Orientation 6 (rotated by 90 degrees), then the same with a count that is negative as a 32-bit number.
     std::string exif("Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0", 32);
     for (const int highByteOfCount : {0, 0xdd}) {
         exif[23] = static_cast<char>(highByteOfCount);

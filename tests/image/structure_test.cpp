@@ -1,4 +1,5 @@
-// The structural difference: what it forgives, what it sees, and its figure where it can be worked out.
+// The structural difference: what it ignores, what it detects, and its value where it can be computed by
+// hand.
 
 #include "image/compare/structure.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kSide = 128;
 
-/// Grey, of a function of the place.
+/// A grey picture; a function gives each pixel.
 template <class Value>
 Image picture(Value value, int width = kSide, int height = kSide) {
     Image image{width, height, 1, Component::u8, {}};
@@ -51,7 +52,7 @@ TEST(Structure, EdgesMayMoveByAPixelInAnyDirection) {
     EXPECT_GT(structure(disc(0, 0), disc(4, 0)).difference, .1);
 }
 
-TEST(Structure, WhatIsMissingIsSeenInPicturesOfAnySize) {
+TEST(Structure, MissingShapesAreDetectedInPicturesOfAnySize) {
     for (const int side : {64, 128, 512}) {
         const auto empty = [](int, int) { return 90; };
         const auto triangle = [](int x, int y) { return y > 20 && y < 30 && x > 20 && x < y ? 180 : 90; };
@@ -62,7 +63,7 @@ TEST(Structure, WhatIsMissingIsSeenInPicturesOfAnySize) {
     }
 }
 
-TEST(Structure, OtherNoiseIsSeen) {
+TEST(Structure, OtherNoiseIsDetected) {
     for (const int cell : {1, 2, 4, 8})
         EXPECT_GT(structure(noise(1, cell), noise(9, cell)).difference, .5) << cell;
 }
@@ -74,8 +75,8 @@ TEST(Structure, BrightnessLosesTheSquareOfItsChangeInSixteenths) {
 }
 
 TEST(Structure, IsContrastAndStructureOfSsimWhereNoShiftHelps) {
-    // Stripes of one value against stripes of another contrast: shifts are the same or opposite in phase, so
-    // the formula can be worked out. Variances 100 and 900, covariance 300, equal means.
+    // Stripes of one contrast against stripes of another: shifts keep or reverse the phase, so the formula
+    // can be evaluated by hand. Variances 100 and 900, covariance 300, equal means.
     const auto stripes = [](int amplitude) {
         return picture([=](int x, int) { return 128 + (x / 2 % 2 == 0 ? amplitude : -amplitude); });
     };
@@ -98,7 +99,7 @@ TEST(Structure, NanAgainstANumberLosesTheWindowsAroundIt) {
     Image b = a;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(&b.data[4 * (std::size_t{8} * 16 + 8)], &nan, 4);
-    // Of 7 x 7 windows one has it inside; the three others that hold it can step aside.
+    // Only one of 7 x 7 windows has it inside; the three others that hold it can move aside.
     EXPECT_NEAR(structure(a, b).difference, 1. / 49, 1e-6);
     EXPECT_EQ(structure(b, b).difference, 0);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What several tests of this room share: pictures with known pixels, a folder that goes away, the module's
-// place.
+// Shared by several tests of this room: pictures with known pixels, a temporary folder, the place of the
+// module.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ inline Image noisyImage(int width, int height, int components, Component type, s
     return image;
 }
 
-/// A smooth RGB picture, which lossy formats keep well.
+/// A smooth RGB picture, which lossy formats preserve well.
 inline Image smoothImage(int width, int height) {
     Image image{width, height, 3, Component::u8, {}};
     for (int y = 0; y < height; ++y)
@@ -56,7 +56,7 @@ inline Image smoothImage(int width, int height) {
     return image;
 }
 
-/// The pixel's first components as numbers.
+/// The first components of a pixel as numbers.
 inline std::vector<int> pixelAt(const Image& image, int x, int y) {
     std::vector<int> values;
     const auto row = image.row(y);
@@ -76,7 +76,7 @@ inline std::vector<int> pixelAt(const Image& image, int x, int y) {
 
 using Rgba = std::vector<int>;
 
-/// The built module; a packaged one can be tested by GLIBRA_TEST_MODULE_DIR.
+/// The module that was built; GLIBRA_TEST_MODULE_DIR names a packaged one to test instead.
 inline std::vector<std::filesystem::path> moduleFolders() {
     const char* elsewhere = std::getenv("GLIBRA_TEST_MODULE_DIR");
     return {elsewhere != nullptr ? elsewhere : GLIBRA_BINARY_DIR};
@@ -85,7 +85,7 @@ inline bool hasModule() {
     return std::filesystem::exists(moduleFolders()[0] / "glibra_openimageio.so");
 }
 
-/// Where a test needs the module, which a build without OpenImageIO does not have.
+/// Skips a test that needs the module, which a build without OpenImageIO does not have.
 #define GLIBRA_NEED_MODULE() \
     if (!testing::hasModule()) GTEST_SKIP() << "the OpenImageIO module was not built"
 
@@ -100,7 +100,7 @@ inline ReadOptions withoutModule() {
     return options;
 }
 
-/// A second decoder, written by somebody else: OpenImageIO's.
+/// An independent decoder: OpenImageIO's.
 inline Result<Image> decodeElsewhere(Format format, std::span<const std::byte> file) {
     const auto folders = moduleFolders();
     return readByModule(format, file, {}, {"elsewhere", {}}, {}, folders);

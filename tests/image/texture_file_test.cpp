@@ -1,4 +1,4 @@
-// Files as texels: raw textures, pictures as textures, cube maps (language reference, 3.4 and 8.3).
+// Files as texels: raw textures, pictures as textures, cube maps (language, 3.4 and 8.3).
 
 #include "image/texture_file.h"
 
@@ -73,7 +73,7 @@ TEST(RawTexture, SeveralReadingsAreReportedAndTheFirstTaken) {
     ASSERT_TRUE(read);
     ASSERT_EQ(idsOf(read.diagnostics), "file-W07");
     EXPECT_EQ(read.diagnostics[0].text,
-              "36 bytes fit 2 float texels (1D) and 2 x 1 x 3 byte texels (3D); 1D taken");
+              "36 bytes match 2 float texels (1D) and 2 x 1 x 3 byte texels (3D); read as 1D");
     EXPECT_EQ(read->dimensions, 1);
     EXPECT_EQ(read->type, Component::f32);
     const auto asked = decodeRawTexture(rawFile({2, 1, 3}, 36), 3, kLabel);
@@ -95,7 +95,8 @@ TEST(RawTexture, OnlyTheLengthsOfTheReferenceAreAmbiguous) {
 TEST(RawTexture, AWrongLengthNamesTheRightOnes) {
     const auto two = decodeRawTexture(rawFile({4, 4}, 17), 2, kLabel);
     ASSERT_EQ(idsOf(two.diagnostics), "file-E05");
-    EXPECT_EQ(two.diagnostics[0].text, "'a.tex': 17 bytes fit no raw 2D texture; 4 x 4 would need 72 or 264");
+    EXPECT_EQ(two.diagnostics[0].text,
+              "'a.tex': 17 bytes match no raw 2D texture; 4 x 4 would need 72 or 264");
     EXPECT_EQ(two.diagnostics[0].place, kPlace);
     const auto any = decodeRawTexture(rawFile({4, 4}, 17), 0, kLabel);
     ASSERT_EQ(idsOf(any.diagnostics), "file-E05");
@@ -111,7 +112,7 @@ TEST(RawTexture, EveryCutGivesOneMessage) {
             << length;
 }
 
-TEST(RawTexture, SizesThatLieAreRefused) {
+TEST(RawTexture, WrongSizesAreRejected) {
     EXPECT_EQ(idsOf(decodeRawTexture(rawFile({0, 4}, 8), 2, kLabel).diagnostics), "file-E05");
     EXPECT_EQ(idsOf(decodeRawTexture(rawFile({0x80000000U, 0x80000000U, 4}, 12), 3, kLabel).diagnostics),
               "file-E05");  // product 2^64
@@ -124,7 +125,7 @@ TEST(RawTexture, SizesThatLieAreRefused) {
 
 class TextureFile : public testing::InFolder {
   protected:
-    /// A 2 x 3 picture whose red is 10 * row from the top + column.
+    /// A 2 x 3 picture; red is 10 * row (from the top) + column.
     fs::path picture(const std::string& name) {
         Image image{2, 3, 4, Component::u8, {}};
         for (int y = 0; y < 3; ++y)
@@ -190,7 +191,7 @@ TEST_F(TextureFile, TheContentDecidesNotTheSuffix) {
     EXPECT_EQ(raw.diagnostics[0].text, "'b.bmp' is a raw texture");
 }
 
-TEST_F(TextureFile, AFileOfAnotherKindIsNoTexture) {
+TEST_F(TextureFile, AFileOfAnotherKindIsNotATexture) {
     const std::string text = "Sphere 1 20 20\nTeapot\n";
     const auto bytes = std::as_bytes(std::span(text));
     EXPECT_EQ(idsOf(readTexture(put("a.glib", bytes), 2, kPlace).diagnostics), "file-E03");
@@ -232,7 +233,7 @@ TEST_F(CubeMapFiles, HoldSixFacesTopRowFirst) {
     EXPECT_EQ(cube->data, expected);
 }
 
-TEST_F(CubeMapFiles, CountTheLastRowOfARawFileAsTop) {
+TEST_F(CubeMapFiles, UseTheLastRowOfARawFileAsTheTopRow) {
     auto paths = faces(2, 2);
     const auto raw = rawFile({2, 2}, 8 + 16);
     paths[2] = put("raw.tex", raw);
@@ -242,7 +243,7 @@ TEST_F(CubeMapFiles, CountTheLastRowOfARawFileAsTop) {
     EXPECT_TRUE(std::equal(raw.begin() + 8, raw.begin() + 16, cube->data.begin() + 40));
 }
 
-TEST_F(CubeMapFiles, TakeTheWidestTypeOfTheFaces) {
+TEST_F(CubeMapFiles, HaveTheWidestTypeOfTheirFaces) {
     auto paths = faces();
     paths[5] = put("wide.png", encodePng(testing::noisyImage(4, 4, 4, Component::u16)));
     const auto cube = readCubeMap(paths, kPlace);
@@ -260,7 +261,8 @@ TEST_F(CubeMapFiles, MustBeSquareAndEqual) {
     paths[3] = put("negy.png", encodePng(testing::noisyImage(5, 4, 4, Component::u8)));
     const auto oblong = readCubeMap(paths, kPlace);
     ASSERT_EQ(idsOf(oblong.diagnostics), "file-E06");
-    EXPECT_EQ(oblong.diagnostics[0].text, "CubeMap: 'negy.png' is 5 x 4, all faces must be square and equal");
+    EXPECT_EQ(oblong.diagnostics[0].text,
+              "CubeMap: 'negy.png' is 5 x 4, all faces must be squares of equal size");
     paths[3] = put("negy.png", encodePng(testing::noisyImage(5, 5, 4, Component::u8)));
     EXPECT_EQ(idsOf(readCubeMap(paths, kPlace).diagnostics), "file-E06");
     paths.pop_back();

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Does a golden picture catch a mistake? Makes mutants of the example scenes, each with one small change, and holds
-them against the originals' goldens at the default tolerance (never by the exact hash).
+"""Does a golden picture catch a mistake? Makes mutants of the example scenes, each with one small change, and compares
+them with the goldens of the originals at the default tolerance (an equal hash does not count).
 
 usage: tests/mutation/mutate.py GLIBRA [--floor SHARE] [--least COUNT] [--keep FOLDER] [--write]
 
-Mutants whose pictures equal the originals' bit for bit are no mutants and are left out. Prints how many are caught, a
-line for each that is not, with its figures; --write puts that into README.md beside this file. The exit status is 1 if
-fewer than SHARE of those that a person could see in any way are caught, or if there are fewer than COUNT mutants.
+Mutants whose pictures equal the originals bit for bit are left out. Prints how many are caught, and one line with
+figures for each that is not; --write puts that into README.md beside this file. The exit status is 1 if
+fewer than SHARE of the visible mutants are caught, or if there are fewer than COUNT mutants.
 """
 import argparse
 import collections
@@ -37,7 +37,7 @@ def write(path, text):
 
 
 class Scene:
-    """An example, and the shaders it uses."""
+    """An example and its shaders."""
 
     def __init__(self, path):
         self.path = path
@@ -55,7 +55,7 @@ class Scene:
 
 
 class Mutant:
-    """One change: of the scene's text, of files beside it, of a uniform, or of the golden."""
+    """One change of the scene's text, of files beside it, of a uniform, or of the golden."""
 
     def __init__(self, kind, scene, what, files=None, copies=None, sets=None, golden=None):
         self.kind, self.scene, self.what, self.golden = kind, scene, what, golden
@@ -63,7 +63,7 @@ class Mutant:
 
 
 def uniform_mutants(scene):
-    """Each <min current max> moved by 2 % of its range, inwards where it stands at an end."""
+    """Each <min current max> moved by 2 % of its range, inwards if it is at an end."""
     for name, *texts in re.findall(rf"(\w+)\s*<\s*({NUMBER})\s+({NUMBER})\s+({NUMBER})\s*>", scene.code):
         low, now, high = (float(each) for each in texts)
         step = .02 * (high - low)
@@ -74,13 +74,13 @@ def uniform_mutants(scene):
 
 
 def light_mutants(scene):
-    """Each constant light turned by one degree about the vertical."""
+    """Each constant light rotated by one degree around the vertical axis."""
     turn = math.radians(1)
     for name, text in scene.shaders.items():
         for match in re.finditer(rf"(const vec3 kLight\w*\s*=\s*vec3\()({NUMBER}),\s*({NUMBER}),\s*({NUMBER})\)", text):
             x, y, z = (float(each) for each in match.groups()[1:])
             turned = (x * math.cos(turn) + z * math.sin(turn), y, z * math.cos(turn) - x * math.sin(turn))
-            if math.hypot(x, z) < 1e-6:  # straight above: it has to leave the axis
+            if math.hypot(x, z) < 1e-6:  # straight above: it must leave the axis
                 turned = (y * math.sin(turn), y * math.cos(turn), z)
             changed = text[:match.start()] + match.group(1) + ", ".join(f"{v:.9f}" for v in turned) + ")" + \
                 text[match.end():]
@@ -99,7 +99,7 @@ def texture_mutants(scene, folder):
 
 
 def triangle_mutants(scene):
-    """One face of a model left out, at eight places in its file."""
+    """One face of a model removed, at eight places in its file."""
     for name in sorted(set(re.findall(r"^\s*Obj(?:Adj)?\s+(\w+\.obj)", scene.code, re.M))):
         lines = read(os.path.join(ROOT, "scenes", "models", name)).splitlines(keepends=True)
         faces = [i for i, line in enumerate(lines) if line.startswith("f ")]
@@ -122,7 +122,7 @@ def precision_mutants(scene):
 
 
 def noise_mutants(scene):
-    """Other noise: each look-up at another place."""
+    """Each noise texture sampled at another place."""
     for name, text in scene.shaders.items():
         for match in re.finditer(r"texture\(\s*Noise([23])\s*,", text):
             offset = "vec3(.371, .173, .713) + " if match.group(1) == "3" else "vec2(.371, .173) + "
@@ -131,7 +131,7 @@ def noise_mutants(scene):
 
 
 def shift_row(pixels, width, height):
-    """The busiest of three rows, one pixel to the right."""
+    """The most detailed of three rows, shifted one pixel to the right."""
     rows = [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
     y = max((height // 3, height // 2, 2 * height // 3), key=lambda each: len(set(rows[each])))
     rows[y] = rows[y][:3] + rows[y][:-3]
@@ -169,7 +169,7 @@ def results_of(folder):
 
 
 def place(mutant, folder):
-    """Writes the mutant's scene and files; the path of the scene."""
+    """Writes the mutant's scene and files, and returns the path of the scene."""
     path = os.path.join(folder, mutant.scene.topic, mutant.scene.name + ".glib")
     write(path, mutant.scene.text)
     for name, content in mutant.files.items():
@@ -239,8 +239,8 @@ def test(glibra, folder, options):
 
 
 def could_be_seen(result):
-    """Where no value moves by more than three steps of 255 and no block by one, nobody sees it. Single pixels that jump
-    are seen by whoever switches between the two pictures."""
+    """A change is not visible if no value changes by more than 3/255 and no block by 1/255. Single pixels that change more
+    are visible to somebody who switches between the two pictures."""
     return result["judgement"]["beyond"] > 0
 
 
@@ -260,13 +260,13 @@ def tell(mutants, results, options):
     visible = sum(could_be_seen(results[each.name]) for each in missed)
     all_caught = sum(caught.values())
     share = all_caught / (all_caught + visible)
-    text = [f"{all_caught + len(missed)} mutants, {all_caught} caught. Of the {len(missed)} others nobody sees",
-            f"{len(missed) - visible}, and {visible} are seen only by switching between the pictures. Of those that can be",
-            f"seen in any way {100 * share:.1f} % are caught. ({same} more changed no pixel.)", "",
+    text = [f"{all_caught + len(missed)} mutants, {all_caught} caught. Of the other {len(missed)}, {len(missed) - visible} cannot",
+            f"be seen and {visible} are visible only by switching between the pictures. {100 * share:.1f} % of the mutants that are visible",
+            f"in any way are caught. ({same} more changed no pixel.)", "",
             "| kind | mutants | caught |", "|---|---|---|"]
     text += [f"| {kind} | {caught[kind] + of_kind[kind]} | {caught[kind]} |"
              for kind in dict.fromkeys(each.kind for each in mutants)]
-    text += ["", "Not caught, first those that are seen by switching:", "",
+    text += ["", "Not caught, those that are visible by switching first:", "",
              "| kind | scene | change | pixels that differ | largest | pixels beyond 3/255 | bias of a block |",
              "|---|---|---|---|---|---|---|"]
     for mutant in sorted(missed, key=lambda each: not could_be_seen(results[each.name])):

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "glib/command_table.h"
 #include "plan/frame_plan.h"
 
 namespace glibra::plan::test {
@@ -84,7 +85,7 @@ inline ProgramInterface interfaceWith(std::initializer_list<std::pair<std::strin
         result.uniforms.push_back(uniform(name, word));
         result.facts.uniforms[name.substr(0, name.find_first_of(".["))] = {};
     }
-    result.inputs.push_back({"aVertex", 0, false});
+    result.inputs.push_back({"aVertex", 0});
     return result;
 }
 
@@ -182,8 +183,8 @@ class SceneByHand {
         scene.passes.back().steps.emplace_back(result);
         return std::get<scene::Draw>(scene.passes.back().steps.back());
     }
-    scene::Draw& sphere() { return draw("Sphere", shape(glib::CommandId::sphere, {1, 60, 60})); }
-    scene::Draw& teapot() { return draw("Teapot", shape(glib::CommandId::teapot)); }
+    scene::Draw& sphere() { return draw("Sphere", shape(glib::commandOf("Sphere"), {1, 60, 60})); }
+    scene::Draw& teapot() { return draw("Teapot", shape(glib::commandOf("Teapot"))); }
     void clear() { scene.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
 
     int currentProgram = scene::kNone;
@@ -216,7 +217,7 @@ struct Programs {
         builtin.usable = true;
         builtin.isBuiltin = true;
         builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
-        builtin.inputs = {{"aVertex", 0, false}, {"aColor", 1, false}};
+        builtin.inputs = {{"aVertex", 0}, {"aColor", 1}};
     }
     FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {}) {
         return planFrame(

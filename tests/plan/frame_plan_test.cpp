@@ -101,7 +101,7 @@ struct Feedback : testing::Test {
         hand.scene.programs.back().uniforms.push_back(number("uTex", 6));
         programs.byIndex[program] = interfaceWith({{"uTex", word}});
         passLine = hand.target({target}).place.line;
-        hand.draw("QuadXY", hand.shape(glib::CommandId::quadXY));
+        hand.draw("QuadXY", hand.shape(glib::commandOf("QuadXY")));
         hand.window();
         hand.sphere();
         return programs.plan(hand.scene);
@@ -130,9 +130,8 @@ TEST(VertexInput, ThatNobodyKnowsIsReported) {
     Programs programs;
     const int program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
-    programs.byIndex[program].inputs = {{"aVertex", 0, false},       {"glibra_Normal", 1, false},
-                                        {"aPos", 2, false},          {"glibra_sample", 3, false},
-                                        {"gl_InstanceID", -1, true}, {"glibra_unnamed", 4, false}};
+    programs.byIndex[program].inputs = {{"aVertex", 0},       {"glibra_Normal", 1},  {"aPos", 2},
+                                        {"glibra_sample", 3}, {"gl_InstanceID", -1}, {"glibra_unnamed", 4}};
     programs.byIndex[program].facts.userNames["glibra_sample"] = "sample";
     hand.sphere();
     hand.sphere();
@@ -150,7 +149,7 @@ TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.writesPointSize = true;
     hand.sphere();
-    hand.draw("PointCloud", hand.shape(glib::CommandId::pointCloud));
+    hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
     EXPECT_EQ(textOf(programs.plan(hand.scene).diagnostics, "draw-W05"),
               "points.vert writes gl_PointSize, but PointSizeMode is 0");
 }
@@ -161,7 +160,7 @@ TEST(WrongSubmission, LeavesTheDrawOutAndKeepsTheRest) {
     const int program = hand.program("silh", {Stage::vertex, Stage::geometry, Stage::fragment});
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.geometryInput = "triangles";
-    hand.draw("PointCloud", hand.shape(glib::CommandId::pointCloud));
+    hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(ids(plan.diagnostics), "draw-E02");

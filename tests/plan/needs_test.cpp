@@ -130,10 +130,10 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
     hand.teapot();
     plain(hand, programs, "C");
     hand.target({c});
-    hand.draw("Torus", hand.shape(glib::CommandId::torus));
+    hand.draw("Torus", hand.shape(glib::commandOf("Torus")));
     const int last = sampling(hand, programs, "Final", 11);
     hand.window();
-    hand.draw("QuadXY", hand.shape(glib::CommandId::quadXY));
+    hand.draw("QuadXY", hand.shape(glib::commandOf("QuadXY")));
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
     EXPECT_EQ(programs.askedPrograms(), (std::vector<int>{last, second, first}));
@@ -260,7 +260,7 @@ TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
-    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    hand.draw("Sphere", hand.shape(glib::commandOf("Sphere"), {0, 60, 60}));
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), "");
     EXPECT_TRUE(programs.asked.empty());
@@ -307,8 +307,7 @@ TEST(Needs, AttributesThatNoProgramReadsAreNotMade) {
     Programs programs;
     const int program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
-    programs.byIndex[program].inputs = {
-        {"aVertex", 0, false}, {"glibra_Normal", 1, false}, {"gl_VertexID", -1, true}};
+    programs.byIndex[program].inputs = {{"aVertex", 0}, {"glibra_Normal", 1}, {"gl_VertexID", -1}};
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);
@@ -323,7 +322,7 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     plain(hand, programs, "Position");
     hand.sphere();
     const int program = plain(hand, programs, "Tangents");
-    programs.byIndex[program].inputs.push_back({"Tangent", 1, false});
+    programs.byIndex[program].inputs.push_back({"Tangent", 1});
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);
@@ -357,7 +356,7 @@ TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindI
     hand.teapot();
     hand.currentProgram = scene::kNone;
     hand.sphere();
-    Blinkers blinkers{glib::CommandId::teapot};
+    Blinkers blinkers{glib::commandOf("Teapot")};
     const FramePlan plan = programs.plan(hand.scene, blinkers.options(hand.scene));
     EXPECT_EQ(drawn(plan), " | Sphere");
     EXPECT_EQ(programs.askedPrograms(), std::vector<int>{scene::kNone});
@@ -372,7 +371,7 @@ TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
     SceneByHand hand;
     Programs programs;
     hand.teapot();
-    Blinkers blinkers{glib::CommandId::teapot};
+    Blinkers blinkers{glib::commandOf("Teapot")};
     PlanOptions options = blinkers.options(hand.scene);
     options.everything = true;
     EXPECT_EQ(drawn(programs.plan(hand.scene, options)), "Teapot");
@@ -400,7 +399,7 @@ TEST(Needs, CheckSkipsNothing) {
     plain(hand, programs, "Dots");
     hand.teapot();
     hand.clear();
-    hand.draw("Sphere", hand.shape(glib::CommandId::sphere, {0, 60, 60}));
+    hand.draw("Sphere", hand.shape(glib::commandOf("Sphere"), {0, 60, 60}));
     hand.target({c});
     hand.sphere();
     PlanOptions options;

@@ -51,9 +51,9 @@ void expectError(const Result<Submission>& result, const char* id, const char* t
 }
 
 TEST(Submitting, WithoutTessellationIsTheShapesOwnKind) {
-    expectSubmission(Case(kPlain).submit("Sphere", CommandId::sphere), Topology::triangles, 0);
+    expectSubmission(Case(kPlain).submit("Sphere", glib::commandOf("Sphere")), Topology::triangles, 0);
     expectSubmission(Case(kPlain).submit("ObjAdj", CommandId::objAdj), Topology::trianglesAdjacency, 0);
-    expectSubmission(Case(kPlain).submit("PointCloud", CommandId::pointCloud), Topology::points, 0);
+    expectSubmission(Case(kPlain).submit("PointCloud", glib::commandOf("PointCloud")), Topology::points, 0);
 }
 TEST(Submitting, PatchesWithoutAnEvaluationStageFails) {
     Case one(kPlain);
@@ -70,30 +70,30 @@ TEST(Submitting, PatchesWithTheBuiltinProgramFails) {
 }
 
 TEST(Tessellating, TrianglesNeedsAPatchSizeOfThree) {
-    expectSubmission(Case(kTessellated).submit("Teapot", CommandId::teapot, 3), Topology::patches, 3);
-    expectError(Case(kTessellated).submit("Teapot", CommandId::teapot, 16), "draw-E03",
+    expectSubmission(Case(kTessellated).submit("Teapot", glib::commandOf("Teapot"), 3), Topology::patches, 3);
+    expectError(Case(kTessellated).submit("Teapot", glib::commandOf("Teapot"), 16), "draw-E03",
                 "Teapot delivers triangles, but the patch size is 16; write 'NumPatchVertices 3'");
 }
 TEST(Tessellating, TrianglesIsAllowedByAControlStageOfThreeVertices) {
     Case one(kTessellated);
     one.interface.facts.patchVertices = 3;
-    expectSubmission(one.submit("Teapot", CommandId::teapot, 16), Topology::patches, 3);
+    expectSubmission(one.submit("Teapot", glib::commandOf("Teapot"), 16), Topology::patches, 3);
 }
 TEST(Tessellating, LinesIsNotAllowedByAControlStage) {
     Case one(kTessellated);
     one.interface.facts.patchVertices = 2;
-    EXPECT_EQ(one.submit("WireSphere", CommandId::wireSphere, 3).diagnostics.at(0).id, "draw-E03");
+    EXPECT_EQ(one.submit("WireSphere", glib::commandOf("WireSphere"), 3).diagnostics.at(0).id, "draw-E03");
 }
 TEST(Tessellating, OtherKindsNeedTheirOwnPatchSize) {
-    const std::vector<std::pair<CommandId, int>> kinds{{CommandId::wireSphere, 2},
-                                                       {CommandId::pointCloud, 1},
+    const std::vector<std::pair<CommandId, int>> kinds{{glib::commandOf("WireSphere"), 2},
+                                                       {glib::commandOf("PointCloud"), 1},
                                                        {CommandId::objAdj, 6},
                                                        {CommandId::linesAdjacency, 4}};
     for (const auto& [command, vertices] : kinds) {
         expectSubmission(Case(kTessellated).submit("X", command, vertices), Topology::patches, vertices);
         EXPECT_EQ(Case(kTessellated).submit("X", command, 3).diagnostics.at(0).id, "draw-E03");
     }
-    expectError(Case(kTessellated).submit("WireSphere", CommandId::wireSphere, 3), "draw-E03",
+    expectError(Case(kTessellated).submit("WireSphere", glib::commandOf("WireSphere"), 3), "draw-E03",
                 "WireSphere delivers lines, but the patch size is 3; write 'NumPatchVertices 2'");
 }
 TEST(Tessellating, PatchesStayAsTheyAre) {
@@ -105,7 +105,7 @@ TEST(Tessellating, PatchesStayAsTheyAre) {
 TEST(GeometryStage, TakesItsOwnKind) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "triangles";
-    expectSubmission(one.submit("Sphere", CommandId::sphere), Topology::triangles, 0);
+    expectSubmission(one.submit("Sphere", glib::commandOf("Sphere")), Topology::triangles, 0);
     expectSubmission(one.submit("glBegin", one.hand.list(Topology::triangles)), Topology::triangles, 0);
 }
 TEST(GeometryStage, ThatWantsAdjacencyRecommendsObjAdj) {
@@ -118,9 +118,9 @@ TEST(GeometryStage, ThatWantsAdjacencyRecommendsObjAdj) {
 TEST(GeometryStage, ThatWantsLinesRecommendsTheWireForm) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "lines";
-    expectError(one.submit("Sphere", CommandId::sphere), "draw-E02",
+    expectError(one.submit("Sphere", glib::commandOf("Sphere")), "draw-E02",
                 "Sphere delivers triangles, but silh.geom wants lines; use WireSphere");
-    expectError(one.submit("Soccerball", CommandId::soccerball), "draw-E02",
+    expectError(one.submit("Soccerball", glib::commandOf("Soccerball")), "draw-E02",
                 "Soccerball delivers triangles, but silh.geom wants lines");
 }
 TEST(GeometryStage, ThatWantsTrianglesRefusesAdjacency) {
@@ -133,9 +133,9 @@ TEST(GeometryStage, AfterTessellationTakesWhatThatDelivers) {
     Case one(kEverything);
     one.interface.facts.geometryInput = "triangles";
     one.interface.facts.tessellationOutput = "triangles";
-    expectSubmission(one.submit("Teapot", CommandId::teapot), Topology::patches, 3);
+    expectSubmission(one.submit("Teapot", glib::commandOf("Teapot")), Topology::patches, 3);
     one.interface.facts.tessellationOutput = "lines";
-    expectError(one.submit("Teapot", CommandId::teapot), "draw-E02",
+    expectError(one.submit("Teapot", glib::commandOf("Teapot")), "draw-E02",
                 "Teapot delivers lines after tessellation, but silh.geom wants triangles");
 }
 
@@ -150,21 +150,21 @@ struct PointSizeCase : Case {
     }
 };
 TEST(PointSize, OfPointsIsIgnoredInModeZeroOnly) {
-    EXPECT_TRUE(PointSizeCase(kPlain).ignores(CommandId::pointCloud));
-    EXPECT_FALSE(PointSizeCase(kPlain).ignores(CommandId::pointCloud, true));
+    EXPECT_TRUE(PointSizeCase(kPlain).ignores(glib::commandOf("PointCloud")));
+    EXPECT_FALSE(PointSizeCase(kPlain).ignores(glib::commandOf("PointCloud"), true));
 }
 TEST(PointSize, DoesNotMatterForTriangles) {
-    EXPECT_FALSE(PointSizeCase(kPlain).ignores(CommandId::sphere));
+    EXPECT_FALSE(PointSizeCase(kPlain).ignores(glib::commandOf("Sphere")));
 }
 TEST(PointSize, MattersAfterAStageThatDeliversPoints) {
     PointSizeCase tessellated(kTessellated);
     tessellated.interface.facts.tessellationOutput = "points";
-    EXPECT_TRUE(tessellated.ignores(CommandId::sphere));
+    EXPECT_TRUE(tessellated.ignores(glib::commandOf("Sphere")));
     PointSizeCase geometry(kGeometry);
     geometry.interface.facts.geometryOutput = "triangle_strip";
-    EXPECT_FALSE(geometry.ignores(CommandId::pointCloud));
+    EXPECT_FALSE(geometry.ignores(glib::commandOf("PointCloud")));
     geometry.interface.facts.geometryOutput = "points";
-    EXPECT_TRUE(geometry.ignores(CommandId::sphere));
+    EXPECT_TRUE(geometry.ignores(glib::commandOf("Sphere")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The first table of the language's section 5.3, a test a row and form.
+// The first table of language, 5.3: one test per row and form.
 #include "plan/type_table.h"
 
 #include <gtest/gtest.h>

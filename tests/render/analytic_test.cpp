@@ -1,5 +1,5 @@
-// Pictures against closed forms: where edges, rows and depths must lie, computed here from the projection
-// alone.
+// Compares pictures with closed forms: where edges, rows and depths must lie, computed here from the
+// projection alone.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// Shaders that colour by an expression of the fragment stage; vST and vEC are given.
+/// Shaders that colour by an expression in the fragment stage; vST and vEC are available.
 std::map<std::string, std::string> shaded(const std::string& expression) {
     return {
         {"a.vert",
@@ -50,7 +50,7 @@ TEST(AnalyticPicture, SphereSilhouetteHasItsPerspectiveRadius) {
 }
 
 TEST(AnalyticPicture, QuadCoversExactlyThePixelsWhoseCentresItHolds) {
-    // Ortho -1..1 on 64 pixels: a half width of .5 covers pixel centres within 16..47, exactly 32 a side.
+    // Ortho -1..1 on 64 pixels: a half width of .5 covers pixel centres within 16..47, exactly 32 per side.
     const Picture seen = picture(
         "WindowSize 64 64\nBackground 0\nOrtho -1 1 -1 1\nLookAt 0 0 1 0 0 0 0 1 0\nColor 1 1 1\nQuadXY 0 .5 "
         "3 5\n");
@@ -62,8 +62,8 @@ TEST(AnalyticPicture, QuadCoversExactlyThePixelsWhoseCentresItHolds) {
 }
 
 TEST(AnalyticPicture, ALineHalfWayBetweenTwoWidthsIsTheWider) {
-    // Four edges of a square of 32 pixels a side: of width w they cover 4 * 32 * w pixels, but for the
-    // corners.
+    // The four edges of a square of 32 pixels per side: with width w they cover 4 * 32 * w pixels, except for
+    // the corners.
     const auto coverage = [](const std::string& width) {
         return countPixels(
             picture("WindowSize 64 64\nBackground 0\nOrtho -1 1 -1 1\nLookAt 0 0 1 0 0 0 0 1 0\n"
@@ -95,8 +95,7 @@ TEST(AnalyticPicture, CheckerboardRowsLieWhereThePerspectiveFormulaPutsThem) {
                 shaded("vec3(mod(floor(-vEC.z), 2.))"), {.view = ViewPolicy::glman});
     int checked = 0;
     for (int z = 2; z <= 9; ++z) {
-        // Going up from below: from z to z + 1 all rows strictly between the two edges have the colour of z's
-        // stripe.
+        // From the bottom up: all rows strictly between the edges z and z + 1 have the colour of stripe z.
         const double lower = 200 + 200.0 / z;
         const double upper = 200 + 200.0 / (z + 1);
         for (int row = static_cast<int>(std::ceil(upper)); row + 1 <= lower; ++row) {

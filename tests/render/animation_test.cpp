@@ -1,4 +1,5 @@
-// Whether an animation is worth dividing, told without a context, and what its parts say, put together.
+// Whether an animation is worth dividing, decided without a context, and how the diagnostics of its parts are
+// joined.
 
 #include "render/animation.h"
 
@@ -22,7 +23,7 @@ const std::map<std::string, std::string> kFiles{
     {"still.glsl", "#include \"including.frag\"\n"},
     {"wave.glsl", "float wave() { return sin(Timer); }\n"}};
 
-/// Of 100 frames, ten a second, no more than 60 being counted.
+/// 100 frames, ten per second, of which at most 60 are counted.
 int differentFrames(const std::string& scene, bool skip = true) {
     const SceneFolder folder(scene, kFiles);
     RenderOptions options;

@@ -1,4 +1,4 @@
-// RenderOptions::maxError, seen in pictures: outlines against rays, and what it must not touch.
+// RenderOptions::maxError in pictures: compares outlines with rays, and checks what it must not change.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr int kWidth = 480, kHeight = 360;
 constexpr double kFieldOfView = 40;
 
-/// An ellipsoid before an eye; its outline is known by rays.
+/// An ellipsoid in front of an eye; rays give its exact outline.
 struct View {
     glm::dvec3 eye, up, axes;
 
@@ -54,8 +54,8 @@ struct View {
     }
 };
 
-/// Pixels that are drawn otherwise than the ray through their middle says, and so though the outline is
-/// further away than `bound`.
+/// The number of pixels that contradict the ray through their centre although the outline is further away
+/// than `bound`.
 int pixelsBeyond(const View& view, const Picture& picture, double bound) {
     int count = 0;
     for (int y = 0; y < kHeight; ++y)
@@ -96,11 +96,12 @@ TEST(Budget, OutlinesLieWithinTheBoundInEveryView) {
             distance(random) * direction(), direction(), {size(random), size(random), size(random)}};
         for (const double bound : {2., .5, .15}) {
             const Picture picture = test::picture(view.scene(), {}, bounded(bound));
-            // The driver's own rasteriser places vertices on a grid of 1/256 pixel.
+            // The driver's rasteriser snaps vertices to a grid of 1/256 pixel.
             EXPECT_EQ(pixelsBeyond(view, picture, bound + .01), 0) << view.scene() << bound;
             seen += countPixels(picture, {255, 255, 255}) > 1000 ? 1 : 0;
         }
-        // Eight times coarser than that is too coarse: the counts are not far finer than they must be.
+        // A bound that is eight times larger gives a visible error, so the counts are not much finer than
+        // necessary.
         EXPECT_GT(pixelsBeyond(view, test::picture(view.scene(), {}, bounded(2)), .25), 0) << view.scene();
     }
     EXPECT_EQ(seen, 36);
@@ -124,7 +125,7 @@ TEST(Budget, TouchesNothingOfASceneThatStatesItsNumbers) {
 }
 
 TEST(Budget, TheEyeDoesNotMoveWithTheCounts) {
-    // Without LookAt the eye stands where the vertices tell it to: those that the scene has.
+    // Without LookAt the vertices of the scene decide where the eye is.
     const auto moved = [](double maxError) {
         const Result<Picture> seen =
             tryPicture("Rotate 20 1 2 3\nSphere\nTorus 1.2 .3\n", {}, bounded(maxError));
@@ -159,7 +160,7 @@ TEST(Budget, SaysThatTheDriverHasTooFewSamples) {
     EXPECT_FALSE(tryPicture("LookAt 0 0 4 0 0 0 0 1 0\nBox\n", {}, options));
 }
 
-/// A curve of one piece that its tessellation makes a parabola, white and thick.
+/// A single patch that tessellation turns into a parabola, drawn as a thick white line.
 const std::map<std::string, std::string> kCurve{
     {"a.vert", "#version 400\nvoid main() { gl_Position = aVertex; }\n"},
     {"a.tcs",
@@ -178,8 +179,7 @@ std::string curve(const std::string& pieces) {
            pieces + "\nNumPatchVertices 2\nglBegin gl_patches\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\n";
 }
 
-/// Pixels of the curve that are further from the parabola than the bound and half a pixel of the line's
-/// width.
+/// The pixels of the curve that are further from the parabola than the bound plus half the line's width.
 int pixelsBesideTheParabola(const Picture& picture, double bound) {
     int count = 0;
     for (int y = 0; y < kHeight; ++y)
@@ -230,7 +230,7 @@ TEST(Budget, SaysWhichStatedLevelsAreTooLow) {
     EXPECT_FALSE(has(tryPicture(curve("40"), kCurve, bounded(.25)).diagnostics, "draw-N03"));
 }
 
-/// Stripes that noise bends.
+/// Stripes that noise distorts.
 const std::map<std::string, std::string> kStripes{
     {"a.vert",
      "#version 330 core\nout vec3 vPlace;\nvoid main() { vPlace = aVertex.xyz; gl_Position = "
@@ -243,7 +243,7 @@ const std::map<std::string, std::string> kStripes{
 TEST(Budget, TakesLargerNoiseWhereAProgramStretchesIt) {
     const std::string scene =
         "Ortho -1 1 -1 1\nLookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\nFragment a.frag\nProgram P uScale ";
-    // Shares of pixels that are not as in a much finer picture.
+    // The shares of pixels that differ from a much finer picture.
     const auto differing = [&](const std::string& scale, double maxError, const std::string& size) {
         RenderOptions options = bounded(maxError);
         const Picture seen = picture(size + scene + scale + "\nQuadXY 0 1\n", kStripes, options);

@@ -1,4 +1,4 @@
-// Where NaN comes from: the draws that are named against the draws that were written to make it.
+// The search for NaN: compares the draws that it names with the draws that were written to make NaN.
 
 #include "render/nan_search.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene beside its files in a folder of their own, and a context.
+/// A scene with its files in a temporary folder, and a context.
 class NanSearchTest : public testing::Test {
   protected:
     NanSearchTest() {
@@ -25,7 +25,7 @@ class NanSearchTest : public testing::Test {
         folder = ::mkdtemp(name);
         write("p.vert",
               "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
-        // The square root of a negative number is NaN where the left half of the picture is.
+        // The square root of a negative number makes NaN in the left half of the picture.
         write("p.frag",
               "#version 330 core\nuniform float uLeft;\nout vec4 fColor;\n"
               "void main() { fColor = vec4(sqrt((gl_FragCoord.x < 16. ? uLeft : 1.)), 0., 0., 1.); }\n");
@@ -69,7 +69,7 @@ TEST_F(NanSearchTest, FinitePicturesAreNotMentioned) {
 }
 
 TEST_F(NanSearchTest, NamesTheOneDrawOfMany) {
-    // Line 5 on: good draws, but for one in the middle.
+    // From line 5 on: good draws, except one in the middle.
     for (const int bad : {0, 1, 36, 62, 63}) {
         std::string text = "Program Good uLeft 1.\n";
         for (int i = 0; i < 64; ++i)
@@ -112,7 +112,7 @@ TEST_F(NanSearchTest, ATextureIsTracedToTheDrawIntoIt) {
     EXPECT_EQ(linesOf(found), (std::vector<int>{8, 12}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_NE(found[0].text.find("of the texture of unit 6"), std::string::npos) << found[0].text;
-    EXPECT_NE(found[1].text.find("samples what line 8 has drawn"), std::string::npos) << found[1].text;
+    EXPECT_NE(found[1].text.find("samples what line 8 drew"), std::string::npos) << found[1].text;
 }
 
 TEST_F(NanSearchTest, EveryWayToNotANumberLeadsToItsLine) {
@@ -143,10 +143,10 @@ TEST_F(NanSearchTest, EveryWayToNotANumberLeadsToItsLine) {
           Way{"st.vert", "power.frag"}, Way{"broken.vert", "good.frag"}}) {
         const std::string bad =
             "Vertex " + way.vertex + "\nFragment " + way.fragment + "\nProgram Bad uZero 0\n";
-        // Four lines of the folder's own, four of a good draw, three of the program: the quad is line 12.
+        // Four lines of the header, four of a good draw, three of the program: the quad is line 12.
         EXPECT_EQ(linesOf(search(scene(good + bad + "QuadXY 0 .5\n" + good))), std::vector<int>{12})
             << way.vertex << " " << way.fragment;
-        // In a float texture that is shown, and then in the window: two lines further, and where it is shown.
+        // In a float texture that is shown, and then in the window: two lines later, and where it is shown.
         EXPECT_EQ(linesOf(search(scene(good + "Texture2D 6 32 32 RGBA16F\nRenderToTexture 6\n" + bad +
                                        "QuadXY 0 5\nRenderToTexture\nVertex p.vert\nFragment tex.frag\n"
                                        "Program Show uTex 6\nQuadXY 0 5\n"))),
@@ -164,7 +164,7 @@ std::vector<std::string> told(const Diagnostics& diagnostics, const std::string&
 using Told = std::vector<std::string>;
 
 TEST_F(NanSearchTest, VerticesPlacedAtNanAreTold) {
-    // Those to the right of uRight are lost. The ball's triangles are two a cell but at the poles.
+    // Vertices to the right of uRight are lost. The ball has two triangles per cell, except at the poles.
     write("lost.vert",
           "#version 330 core\nuniform float uRight, uZero;\nvoid main() {\n"
           "  gl_Position = uModelViewProjectionMatrix * aVertex;\n"
@@ -176,13 +176,13 @@ TEST_F(NanSearchTest, VerticesPlacedAtNanAreTold) {
         "0\nglVertex 0 1 0\nglEnd\n"
         "glBegin lines\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\n"
         "glBegin points\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 1 0 0\nglEnd\n";
-    // A list stands where it ends.
+    // A list's line is where it ends.
     EXPECT_EQ(told(search(scene(start + "Program P uRight .8 uZero 0\n" + lists)), "draw-W09"),
               (Told{"15 triangles: gl_Position is NaN or infinite in 1 of 2 triangles, which is lost",
                     "19 lines: gl_Position is NaN or infinite in 1 of 1 lines, which is lost",
                     "24 points: gl_Position is NaN or infinite in 2 of 3 points, which are lost"}));
     EXPECT_TRUE(search(scene(start + "Program P uRight 9 uZero 0\n" + lists)).empty());
-    // Every triangle of the ball once.
+    // Every triangle of the ball, once.
     EXPECT_EQ(told(search(scene(start + "Program P uRight -9 uZero 0\nSphere 1 40 40\n")), "draw-W09"),
               Told{"8 Sphere: gl_Position is NaN or infinite in 3,120 of 3,120 triangles, which are lost"});
 }
@@ -207,7 +207,7 @@ TEST_F(NanSearchTest, VerticesPlacedAtNanByLaterStagesAreTold) {
                           "0\nglEnd\n")),
              "draw-W09"),
         Told{"13 patches: gl_Position is NaN or infinite in 8 of 32 triangles, which are lost"});
-    // Three lines a point, the last of which ends at infinity.
+    // Three lines per point; the last one ends at infinity.
     EXPECT_EQ(told(search(scene("Vertex plain.vert\nGeometry fan.geom\nFragment one.frag\nProgram P uZero 0\n"
                                 "glBegin points\nglVertex 0 0 0\nglVertex 0 0 .5\nglEnd\n")),
                    "draw-W09"),
@@ -239,7 +239,7 @@ TEST_F(NanSearchTest, TiledPicturesAreSearchedToo) {
 }
 
 TEST_F(NanSearchTest, AJobTellsItOfABytePicture) {
-    // Bytes cannot hold NaN: without the search nobody would know.
+    // Bytes cannot hold NaN, so only the search can find it.
     Result<gpu::Context> context = gpu::openContext();
     ASSERT_TRUE(context);
     Job job;

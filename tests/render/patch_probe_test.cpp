@@ -1,4 +1,4 @@
-// Patches of a scene as they are captured for the choice of tessellation levels.
+// The patches of a scene that are captured for the choice of tessellation levels.
 
 #include "render/patch_probe.h"
 
@@ -14,7 +14,7 @@ namespace glibra::test {
 namespace {
 
 TEST(PatchProbe, GivesEachPatchItsNumberWithinTheWholeDraw) {
-    // The stages place all patches of every draw by their number alone.
+    // The stages place the patches of every draw by their number alone.
     std::string text =
         "WindowSize 64 64\nOrtho -1 1 -1 1 -1 1\nVertex v.vert\nTessEvaluation e.tese\nFragment f.frag\n"
         "Program P\nNumPatchVertices 1\nglBegin patches\n";

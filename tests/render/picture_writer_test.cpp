@@ -1,4 +1,4 @@
-// Frames written by several threads while others are drawn.
+// Several threads write frames while others are drawn.
 
 #include "render/picture_writer.h"
 
@@ -32,7 +32,7 @@ class PictureWriterTest : public testing::Test {
         ("glibra-writer-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-/// Large enough that encoding takes longer than making it.
+/// A picture large enough that encoding takes longer than making it.
 image::Image picture(int shade) {
     image::Image made{300, 200, 3, image::Component::u8, {}};
     made.data.assign(made.rowBytes() * 200, static_cast<std::byte>(shade));
@@ -52,7 +52,7 @@ TEST_F(PictureWriterTest, EveryFrameIsInItsFile) {
         const std::function<void(int)> written = [&](int count) { counts.push_back(count); };
         PictureWriter writer(written, threads);
         for (int i = 0; i < 60; ++i) {
-            // Every third is a copy of the one before, which may still be on its way.
+            // Every third frame is a copy of the one before, which may not be written yet.
             const bool added =
                 i % 3 == 2 ? writer.addCopy(file(i - 1), file(i)) : writer.add(picture(i), file(i));
             ASSERT_TRUE(added);

@@ -1,5 +1,5 @@
-// A scene prepared on a thread of its own, beside one that draws: the same picture, the same messages, the
-// same work as without.
+// A scene that is prepared on another thread while one is drawn gives the same picture, messages and work as
+// without.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes given as text in a test: written to a folder of their own, rendered, and the folder removed.
+// Renders scenes that a test gives as text: writes them to a temporary folder and removes it afterwards.
 
 #include <glibra/render.h>
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@
 
 namespace glibra::test {
 
-/// Renders with one context that all tests of the program share; fails the test with the diagnostics if there
+/// Renders with a context that all tests of the program share. Fails the test with the diagnostics if there
 /// is no picture.
 Picture picture(const std::string& scene, const std::map<std::string, std::string>& files = {},
                 const RenderOptions& options = {});
 
-/// The same, with the diagnostics instead of a failure.
+/// The same, but returns the diagnostics instead of failing the test.
 Result<Picture> tryPicture(const std::string& scene, const std::map<std::string, std::string>& files = {},
                            const RenderOptions& options = {});
 
-/// Red, green, blue of the pixel, counted from the top left; bytes.
+/// The red, green and blue bytes of a pixel, counted from the top left.
 inline std::array<int, 3> pixel(const Picture& picture, int x, int y) {
     const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                             static_cast<std::size_t>(x)) *
@@ -29,13 +29,13 @@ inline std::array<int, 3> pixel(const Picture& picture, int x, int y) {
             std::to_integer<int>(picture.data[at + 2])};
 }
 
-/// Number of pixels whose red, green and blue are all equal to the given ones.
+/// The number of pixels of that colour.
 int countPixels(const Picture& picture, std::array<int, 3> color);
 
-/// True if the diagnostics hold one with that id.
+/// True if the diagnostics contain that id.
 bool has(const Diagnostics& diagnostics, const std::string& id);
 
-/// All messages in one text, for failure output.
+/// All messages as one text, for failure output.
 std::string text(const Diagnostics& diagnostics);
 
 }  // namespace glibra::test

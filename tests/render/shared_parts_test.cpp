@@ -1,5 +1,5 @@
 // What scenes drawn one after another share, and frames that cannot differ: nothing is made twice, and every
-// picture is the one that a process of its own draws.
+// picture equals that of a separate process.
 
 #include "render/shared_parts.h"
 
@@ -29,7 +29,7 @@ const std::map<std::string, std::string> kFiles{
      "}\n"}};
 const std::string kStart = "WindowSize 64 48\nLookAt 0 0 4  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\n";
 
-/// The same folder with another scene in it: the files keep their names.
+/// The same folder with another scene: the files keep their names.
 Drawing drawText(const SceneFolder& folder, const std::string& scene, SharedParts* shared,
                  const RenderOptions& options = {}) {
     folder.write("scene.glib", scene);
@@ -47,8 +47,8 @@ TEST(SharedParts, ASecondSceneMakesNothingThatTheFirstHas) {
     EXPECT_EQ(after.calls.programsLinked, 0U);
     EXPECT_EQ(after.calls.bytesUploaded, 0U);
     EXPECT_EQ(after.count("programs kept") + after.count("meshes kept") + after.count("textures kept"), 3U);
-    EXPECT_EQ(after.skipped("program"), std::vector<std::string>{"'P': it is there already"});
-    EXPECT_EQ(after.skipped("mesh").front(), "Teapot: it is there already");
+    EXPECT_EQ(after.skipped("program"), std::vector<std::string>{"'P': already linked"});
+    EXPECT_EQ(after.skipped("mesh").front(), "Teapot: already on the device");
     EXPECT_TRUE(after.pixels == drawText(folder, second, nullptr).pixels);
     EXPECT_TRUE(drawText(folder, first, &shared).pixels == before.pixels);
 }
@@ -177,7 +177,7 @@ Frames animate(const SceneFolder& folder, int frames, double framesPerSecond, bo
     return result;
 }
 
-/// The same frames by several jobs; how many files each of them wrote.
+/// Draws the same frames by several jobs; returns how many files each of them wrote.
 std::vector<int> animateInParts(const SceneFolder& folder, int frames, double framesPerSecond, int parts,
                                 std::vector<std::string>& files) {
     render::Job job;
@@ -202,9 +202,8 @@ TEST(Frames, WithoutTimerAreDrawnOnce) {
     EXPECT_EQ(skipping.draws, 1U);
     EXPECT_EQ(whole.draws, 12U);
     EXPECT_TRUE(skipping.files == whole.files);
-    EXPECT_NE(
-        skipping.explanation.find("11 of 12 are copies of the first: nothing that is drawn reads Timer"),
-        std::string::npos);
+    EXPECT_NE(skipping.explanation.find("11 of 12 are copies of the first: no draw reads Timer"),
+              std::string::npos);
 }
 
 TEST(Frames, OfARepeatedPeriodAreDrawnOnce) {
@@ -232,7 +231,7 @@ TEST(Frames, ThatReadATextureOfTheFrameBeforeAreAllDrawn) {
     const std::string start =
         "WindowSize 64 48\nLookAt 0 0 2  0 0 0  0 1 0\nTexture2D 7 16 16\nTexture2D 8 16 16\nVertex "
         "a.vert\nFragment grow.frag\n";
-    // 8 shows 7 of this frame, 7 is made of 8 of the frame before.
+    // Texture 8 shows texture 7 of this frame, and 7 is made from 8 of the previous frame.
     const SceneFolder folder(
         start +
             "RenderToTexture 7\nProgram A uLast 8\nQuadXY 0 3\nRenderToTexture 8\n"
@@ -246,7 +245,7 @@ TEST(Frames, ThatReadATextureOfTheFrameBeforeAreAllDrawn) {
     std::vector<std::string> divided;
     EXPECT_EQ(animateInParts(folder, 4, 10, 2, divided), (std::vector{4, 0})) << "one draws them all";
     EXPECT_TRUE(divided == whole.files);
-    // Without the way back every frame is the same.
+    // Without the feedback every frame is the same.
     const SceneFolder straight(
         start +
             "RenderToTexture 8\nProgram B uLast 5\nQuadXY 0 3\nRenderToTexture\nProgram C "

@@ -1,4 +1,4 @@
-// What is said to be out of sight, against vertices computed in floats as a driver does.
+// Compares what is reported as out of sight with vertices computed in floats, as a driver does.
 
 #include "render/sight.h"
 
@@ -17,12 +17,13 @@
 namespace glibra::render {
 namespace {
 
-Bounds box(const glm::dvec3& low, const glm::dvec3& high) {
+VertexBox box(const glm::dvec3& low, const glm::dvec3& high) {
     return {{low, 1}, {high, 1}, true};
 }
-Lens lens(const glm::dmat4& modelView, const scene::Projection& projection = scene::Perspective{50, .1, 1000},
-          int width = 200, int height = 100) {
-    Lens result;
+DrawView drawView(const glm::dmat4& modelView,
+                  const scene::Projection& projection = scene::Perspective{50, .1, 1000}, int width = 200,
+                  int height = 100) {
+    DrawView result;
     result.modelView = modelView;
     result.projection = scene::projectionMatrix(projection, static_cast<double>(width) / height);
     result.width = width;
@@ -32,7 +33,7 @@ Lens lens(const glm::dmat4& modelView, const scene::Projection& projection = sce
     return result;
 }
 Sight of(const glm::dvec3& place, double size = 1) {
-    return sightOf(box(glm::dvec3(-size), glm::dvec3(size)), lens(scene::translation(place)));
+    return sightOf(box(glm::dvec3(-size), glm::dvec3(size)), drawView(scene::translation(place)));
 }
 
 TEST(Sight, NamesTheSideOnWhichABoxLies) {
@@ -46,16 +47,17 @@ TEST(Sight, NamesTheSideOnWhichABoxLies) {
     EXPECT_EQ(of({0, 30, -10}), Sight::above);
     EXPECT_EQ(of({30, 0, -100}), Sight::possible) << "farther away it is in";
     const scene::Perspective narrow{50, 1, 20};
-    const Bounds cube = box(glm::dvec3(-1), glm::dvec3(1));
-    EXPECT_EQ(sightOf(cube, lens(scene::translation({0, 0, -22}), narrow)), Sight::farther);
-    EXPECT_EQ(sightOf(cube, lens(scene::translation({0, 0, -20.5}), narrow)), Sight::possible)
+    const VertexBox cube = box(glm::dvec3(-1), glm::dvec3(1));
+    EXPECT_EQ(sightOf(cube, drawView(scene::translation({0, 0, -22}), narrow)), Sight::farther);
+    EXPECT_EQ(sightOf(cube, drawView(scene::translation({0, 0, -20.5}), narrow)), Sight::possible)
         << "a quarter of it is before the far plane";
 }
 
 TEST(Sight, HoldsForOrthographicBoxesToo) {
     const scene::Orthographic view{-3, 3, -3, 3, -10, 10};
     const auto at = [&](const glm::dvec3& place) {
-        return sightOf(box(glm::dvec3(-1), glm::dvec3(1)), lens(scene::translation(place), view, 100, 100));
+        return sightOf(box(glm::dvec3(-1), glm::dvec3(1)),
+                       drawView(scene::translation(place), view, 100, 100));
     };
     EXPECT_EQ(at({0, 0, 0}), Sight::possible);
     EXPECT_EQ(at({0, 0, 12}), Sight::nearer);
@@ -65,9 +67,9 @@ TEST(Sight, HoldsForOrthographicBoxesToo) {
 }
 
 TEST(Sight, OfSomethingBetweenThePixelsCentresIsNone) {
-    // One pixel is .06 units wide at z = 0; the picture's middle is a corner of four pixels.
+    // One pixel is .06 units wide at z = 0; the picture's centre is a corner of four pixels.
     const scene::Orthographic view{-3, 3, -3, 3, -10, 10};
-    Lens with = lens(glm::dmat4(1), view, 100, 100);
+    DrawView with = drawView(glm::dmat4(1), view, 100, 100);
     const auto small = [](double x, double y) {
         return box({x - .01, y - .01, -.01}, {x + .01, y + .01, .01});
     };
@@ -85,7 +87,7 @@ TEST(Sight, OfSomethingBetweenThePixelsCentresIsNone) {
 
 TEST(Sight, OfPointsAndLinesReachesBeyondTheirVertices) {
     const scene::Orthographic view{-1, 1, -1, 1, -10, 10};
-    Lens with = lens(glm::dmat4(1), view, 100, 100);
+    DrawView with = drawView(glm::dmat4(1), view, 100, 100);
     with.filled = false;
     with.reach = 11;  // pixels: .22 units
     EXPECT_EQ(sightOf(box({1.2, 0, 0}, {1.2, 0, 0}), with), Sight::possible);
@@ -96,8 +98,8 @@ TEST(Sight, OfPointsAndLinesReachesBeyondTheirVertices) {
 
 TEST(Sight, OfATileIsThatOfItsPartOfThePicture) {
     const scene::Orthographic view{-1, 1, -1, 1, -10, 10};
-    Lens with = lens(glm::dmat4(1), view, 400, 400);
-    const Bounds lowerLeft = box({-.9, -.9, 0}, {-.6, -.6, 0});
+    DrawView with = drawView(glm::dmat4(1), view, 400, 400);
+    const VertexBox lowerLeft = box({-.9, -.9, 0}, {-.6, -.6, 0});
     with.tile = {0, 0, 100, 100};
     EXPECT_EQ(sightOf(lowerLeft, with), Sight::possible);
     with.tile = {100, 0, 100, 100};
@@ -109,30 +111,33 @@ TEST(Sight, OfATileIsThatOfItsPartOfThePicture) {
 TEST(Sight, OfWhatIsNoFiniteNumberIsPossible) {
     geometry::Mesh mesh;
     mesh.attributes.push_back({std::string(geometry::kPosition), 3, {5, 5, 5, 6, 6, 6}});
-    EXPECT_EQ(sightOf(boundsOf(mesh), lens(glm::dmat4(1))), Sight::nearer);
+    EXPECT_EQ(sightOf(boundsOf(mesh), drawView(glm::dmat4(1))), Sight::nearer);
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         mesh.attributes[0].values[4] = bad;
-        EXPECT_EQ(sightOf(boundsOf(mesh), lens(glm::dmat4(1))), Sight::possible);
+        EXPECT_EQ(sightOf(boundsOf(mesh), drawView(glm::dmat4(1))), Sight::possible);
     }
-    Lens broken = lens(scene::translation({0, 0, 1e38}));
+    DrawView broken = drawView(scene::translation({0, 0, 1e38}));
     EXPECT_EQ(sightOf(box(glm::dvec3(-1), glm::dvec3(1)), broken), Sight::possible);
     broken.modelView = glm::dmat4(std::numeric_limits<double>::quiet_NaN());
     EXPECT_EQ(sightOf(box(glm::dvec3(-1), glm::dvec3(1)), broken), Sight::possible);
-    EXPECT_EQ(sightOf(Bounds{}, lens(glm::dmat4(1))), Sight::possible);
+    EXPECT_EQ(sightOf(VertexBox{}, drawView(glm::dmat4(1))), Sight::possible);
 }
 
 TEST(Sight, TakesAFourthCoordinateAsItIs) {
     geometry::Mesh mesh;
-    // (0, 0, -5, -1) is the point (0, 0, 5) behind the eye, but between it and (0, 0, -5, 1) lies what is
-    // seen.
+    // (0, 0, -5, -1) is the point (0, 0, 5) behind the eye, but visible points lie between it and (0, 0, -5,
+    // 1).
     mesh.attributes.push_back({std::string(geometry::kPosition), 4, {-1, -1, -5, 1, 1, 1, -5, -1}});
-    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::vertex), lens(glm::dmat4(1))), Sight::possible);
+    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::vertex), drawView(glm::dmat4(1))),
+              Sight::possible);
     mesh.attributes[0].values = {30, 0, -5, 2, 40, 0, -5, 3};
-    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::vertex), lens(glm::dmat4(1))), Sight::right);
+    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::vertex), drawView(glm::dmat4(1))),
+              Sight::right);
     mesh.attributes[0].values = {1, 0, -5, .01F, 1, 1, -5, .01F};
-    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::point), lens(glm::dmat4(1))), Sight::possible);
-    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::unknown), lens(glm::dmat4(1))),
+    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::point), drawView(glm::dmat4(1))),
+              Sight::possible);
+    EXPECT_EQ(sightOf(placed(boundsOf(mesh), glsl::Placement::unknown), drawView(glm::dmat4(1))),
               Sight::possible);
 }
 
@@ -155,7 +160,8 @@ Vec4f times(const Mat4f& matrix, const Vec4f& vector) {
     return result;
 }
 
-/// Beyond the plane that `sight` names, or for betweenPixels: far enough from all centres in one direction.
+/// True if the point is beyond the plane that `sight` names; for betweenPixels, if it is far enough from all
+/// centres in one direction.
 bool isRightly(Sight sight, const Vec4f& clip) {
     switch (sight) {
         case Sight::left:
@@ -189,7 +195,7 @@ TEST(Sight, IsRightForRandomBoxesUnderRandomMatricesInFloats) {
             scene::rotation(uniform(0, 360), axis) * scene::scaling(glm::dvec3(scale));
         scene::Projection projection = scene::Perspective{uniform(10, 120), .1, 40};
         if (i % 2 == 0) projection = scene::Orthographic{-10, 10, -10, 10, -5, 20};
-        const Lens with = lens(modelView, projection, 64, 48);
+        const DrawView with = drawView(modelView, projection, 64, 48);
         const glm::dvec3 middle(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
         const glm::dvec3 half(uniform(0, 1), uniform(0, 1), uniform(0, 1));
         const Sight sight = sightOf(box(middle - half, middle + half), with);

@@ -17,7 +17,7 @@
 namespace glibra::test {
 namespace {
 
-/// Asks the operating system which files of a folder are opened while it lives.
+/// Records which files of a folder are opened while it exists (inotify).
 class OpenedFiles {
   public:
     explicit OpenedFiles(const std::filesystem::path& folder) : queue_(::inotify_init1(IN_NONBLOCK)) {
@@ -80,7 +80,7 @@ gpu::Context& sharedContext() {
         if (!opened) throw std::runtime_error(text(opened.diagnostics));
         return std::make_unique<gpu::Context>(std::move(*opened));
     }();
-    // Other tests of this program have contexts of their own.
+    // Other tests of this program open their own contexts.
     shared->makeCurrent();
     return *shared;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A scene drawn twice, with every skip rule and with none, and what each took: GL calls, bytes, files.
+// Draws a scene twice, with every skip rule and with none, and records the GL calls, bytes and files of each.
 
 #include <glibra/render.h>
 
@@ -17,7 +17,7 @@
 
 namespace glibra::test {
 
-/// A folder of its own with a scene and the files it names.
+/// A temporary folder with a scene and the files that it names.
 class SceneFolder {
   public:
     explicit SceneFolder(const std::string& scene, const std::map<std::string, std::string>& files = {});
@@ -36,26 +36,26 @@ struct Drawing {
     std::vector<std::byte> pixels;
     gpu::CallCounts calls;
     render::Stats stats;
-    std::set<std::string> opened;  ///< files of the folder, by the operating system's word
+    std::set<std::string> opened;  ///< files of the folder, as the operating system reports them
     Diagnostics diagnostics;
 
     [[nodiscard]] std::uint64_t count(const std::string& name) const;
-    /// What was skipped, of that kind: the reasons.
+    /// The reasons of everything of that kind that was skipped.
     [[nodiscard]] std::vector<std::string> skipped(const std::string& what) const;
 };
 
-/// Draws `scene.glib` of the folder, at `times` one after another, with the context that all tests share.
-/// Fails the test if there is no picture.
+/// Draws `scene.glib` of the folder at each of `times`, with the context that all tests share. Fails the test
+/// if there is no picture.
 Drawing draw(const SceneFolder& folder, const RenderOptions& options = {},
              render::SharedParts* shared = nullptr, const std::vector<double>& times = {0});
 
 struct BothWays {
     Drawing skipping, whole;
 };
-/// Both ways; fails the test unless the pictures are equal bit for bit.
+/// Draws both ways. Fails the test unless the pictures are equal bit for bit.
 BothWays drawBothWays(const SceneFolder& folder, RenderOptions options = {});
 
-/// The context itself.
+/// The shared context.
 gpu::Context& sharedContext();
 
 }  // namespace glibra::test

@@ -1,5 +1,5 @@
-// The skip rules, one by one: what they leave undone by the count of GL calls, bytes and opened files, and
-// that the picture is the same bit for bit as without them.
+// The skip rules, one by one: the GL calls, bytes and opened files that each saves, with a picture that is
+// the same bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::string fragment(const std::string& declarations, const std::string& color) 
     return "#version 330 core\nin vec3 vST;\nout vec4 fColor;\n" + declarations +
            "void main() { fColor = vec4(" + color + ", 1.); }\n";
 }
-/// A raw texture of 2 x 2 texels: its sizes, then four bytes a texel.
+/// A raw texture of 2 x 2 texels: its sizes, then four bytes per texel.
 std::string rawTexture(unsigned char value) {
     std::string bytes{2, 0, 0, 0, 2, 0, 0, 0};
     return bytes + std::string(16, static_cast<char>(value));
@@ -79,7 +79,7 @@ TEST(SkipRule, FilesThatTwoStatementsNameAreReadOnce) {
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 1U);
     EXPECT_EQ(pair.whole.calls.texturesFilled, 4U) << "two files, two noise textures";
     EXPECT_EQ(pair.skipping.skipped("texture"),
-              Words{"unit 6 / 2D: the one that line 5 makes of the same file"});
+              Words{"unit 6 / 2D: shares the texture that line 5 makes from the same file"});
 }
 
 TEST(SkipRule, NoAttributeThatNoLinkedProgramReads) {
@@ -149,11 +149,12 @@ TEST(SkipRule, NoDrawOutOfSightNorWhatOnlyItNeeds) {
     EXPECT_EQ(pair.skipping.calls.texturesFilled, 0U);
     EXPECT_EQ(pair.skipping.calls.buffersFilled, 3U);
     EXPECT_FALSE(opened(pair.skipping, "five.tex"));
-    EXPECT_EQ(pair.skipping.skipped("draw"), Words{"Teapot: it is behind the eye or before the near plane"});
+    EXPECT_EQ(pair.skipping.skipped("draw"),
+              Words{"Teapot: it is behind the eye or in front of the near plane"});
 }
 
 TEST(SkipRule, NoDrawBesideTheTargetItGoesInto) {
-    // A texture is as wide as high: what stands left of it is in the window, which is wider.
+    // The texture is square: what is left of it can be inside the window, which is wider.
     const std::string inside = program("red") + "Translate -2.2 0 0\nQuadXY 0 .1\nTranslate 2.2 0 0\n";
     const BothWays pair = drawBothWays(scene("Texture2D 7 32 32\nRenderToTexture 7\n" + inside +
                                              program("plain") + "QuadXY 0 .1\nRenderToTexture\n" + inside +
@@ -181,7 +182,7 @@ TEST(SkipRule, NoBlendingOfWhatIsOpaque) {
         RenderOptions options;
         options.samples = samples;
         const BothWays opaque = drawBothWays(scene(program("plain") + overlapping), options);
-        EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': it always writes 1 for alpha"});
+        EXPECT_EQ(opaque.skipping.skipped("blending"), Words{"'plain': always writes 1 for alpha"});
         EXPECT_TRUE(opaque.whole.skipped("blending").empty());
         auto files = kFiles;
         files["half.frag"] =
@@ -198,7 +199,7 @@ TEST(SkipRule, NoBlendingOfWhatIsOpaque) {
 }
 
 TEST(SkipRule, WhatAShiftOfThePictureMayShowIsDrawn) {
-    // A ball at the corner of four pixels, and one just right of the picture.
+    // One ball is at the corner of four pixels, another just right of the picture.
     const SceneFolder folder(
         "WindowSize 64 64\nOrtho -1 1 -1 1\nLookAt 0 0 2  0 0 0  0 1 0\nVertex a.vert\n" + program("red") +
             "Sphere .004\nTranslate 1.01 .01 0\nSphere .009\n",
@@ -257,8 +258,7 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
     job.options = options;
     job.explain = true;
     const render::JobResult done = render::runJob(sharedContext(), job, [](int) {});
-    EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside the tile they would be drawn in"),
-              std::string::npos)
+    EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside their tile"), std::string::npos)
         << done.explanation;
 }
 
@@ -269,7 +269,7 @@ TEST(SkipRule, WhatIsSkippedIsStillCheckedWhenNothingIs) {
     EXPECT_FALSE(hasError(draw(folder).diagnostics));
 }
 
-/// Shapes of all kinds in and out of sight, by the built-in program and one of their own.
+/// Shapes of all kinds in and out of sight, with the built-in program and with the scene's.
 std::string randomScene(std::mt19937& random) {
     const auto number = [&](double low, double high) {
         return std::to_string(std::uniform_real_distribution<double>(low, high)(random));

@@ -101,7 +101,7 @@ suite::ShotResult compared(const fs::path& results, const std::string& name, sui
     made.judgement.beyond = made.judgement.comparison.differingPixels;
     made.judgement.bias = 1.25;
     made.judgement.flip = 0.0123;
-    made.judgement.reason = "100 pixels differ by more than 3/255, 0 may";
+    made.judgement.reason = "100 pixels differ by more than 3/255 (allowed: 0)";
     made.width = got.width;
     made.height = got.height;
     (void)image::writeImage(expected, results / made.expected);

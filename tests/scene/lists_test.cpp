@@ -1,4 +1,4 @@
-// glBegin lists, Triangles and LinesAdjacency as the interpreter sees them (language, 4.6 and 4.7).
+// glBegin lists, Triangles and LinesAdjacency in the interpreter (language, 4.6 and 4.7).
 
 #include <gtest/gtest.h>
 
@@ -157,7 +157,7 @@ TEST(Lists, TrianglesAndLinesWithAdjacencyAreMeshesToo) {
 }
 
 TEST(Lists, AListHolds1048576Vertices) {
-    // Statements are limited to fewer than that, so the script is made by hand.
+    // A scene cannot have that many statements, so the script is made by hand.
     glib::Script script;
     script.path = "big.glib";
     glib::Command command;

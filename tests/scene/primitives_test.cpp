@@ -1,9 +1,11 @@
-// Every geometry command gives the mesh that its row promises (language, 3.3, 4.2 to 4.6).
+// Every geometry command gives the mesh that its row describes (language, 3.3, 4.2 to 4.6).
 
 #include "scene/primitives.h"
 
 #include <gtest/gtest.h>
 
+#include "glib/command_table.h"
+#include "scene/state.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -22,7 +24,7 @@ struct Expected {
 };
 using enum geometry::Topology;
 
-// The formulas of the tables in section 4, by hand, at other sizes than the defaults.
+// The formulas of the tables in language, 4, computed by hand for other sizes than the defaults.
 const Expected kShapes[] = {
     {"Box 1 2 3", 24, 36, triangles},
     {"Cube 3", 24, 36, triangles},
@@ -52,6 +54,12 @@ const Expected kShapes[] = {
     {"LinesAdjacency 0 0 0 1 0 0 2 0 0 3 0 0", 4, 4, linesAdjacency},
 };
 
+TEST(Commands, EachHasAnAction) {
+    for (const glib::CommandRow& row : glib::commandTable())
+        EXPECT_NE(actionOf(row.id), nullptr) << row.name();
+    EXPECT_EQ(actionOf(static_cast<glib::CommandId>(glib::commandTable().size())), nullptr);
+}
+
 TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     for (const Expected& each : kShapes) {
         const Scene scene = run(std::string(each.text) + "\n");
@@ -71,7 +79,7 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     }
 }
 
-/// Half of the mesh's extent along each axis, and its centre.
+/// The smallest and the largest coordinate of a mesh along each axis.
 struct Extent {
     glm::dvec3 low{1e9}, high{-1e9};
 };

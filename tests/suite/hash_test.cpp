@@ -43,6 +43,7 @@ TEST(Hash, SameBytesInAnotherShapeAreAnotherPicture) {
 TEST(DriverKey, HoldsWhatCanChangeABitAndNothingElse) {
     gpu::Capabilities software;
     software.family = "llvmpipe";
+    software.isSoftware = true;
     software.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
     software.version = "4.5 Mesa 22.3.6";
     const std::string key = driverKey(software);

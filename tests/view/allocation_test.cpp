@@ -1,5 +1,5 @@
-// Memory that a frame takes from the heap, counted by replacing operator new. What the driver takes with
-// malloc is its own affair.
+// Counts the heap allocations of a frame by replacing operator new. The driver's malloc calls are not
+// counted.
 
 #include <atomic>
 #include <cstdlib>
@@ -18,8 +18,8 @@ thread_local std::uint64_t allocations = 0;
 }
 
 #if GLIBRA_COUNTS_ALLOCATIONS
-// The array and nothrow forms of the standard library end here. Where only one of a pair is inlined, GCC
-// takes them for mismatched.
+// The array and nothrow forms of the standard library call these. If GCC inlines only one of a pair, it warns
+// of a mismatch; hence noinline.
 [[gnu::noinline]] void* operator new(std::size_t bytes) {
     ++allocations;
     if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
@@ -72,7 +72,7 @@ TEST(Allocations, OfAMovingScenesFramesAreNone) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     session.resize(320, 200);
     session.setAxes(true);
-    EXPECT_GT(allocationsOfFrames(session, 1), 0U) << "the first frame makes things";
+    EXPECT_GT(allocationsOfFrames(session, 1), 0U) << "the first frame allocates";
     ASSERT_TRUE(session.isMoving());
     allocationsOfFrames(session, 4);
     const std::uint64_t framesBefore = session.framesDrawn();
@@ -84,7 +84,7 @@ TEST(Allocations, OfAMovingScenesFramesAreNone) {
     session.drag(view::TransformMode::object, {view::Gesture::rotate, {10, 5}, {320, 200}});
     ASSERT_FALSE(session.view().objects.empty());
     allocationsOfFrames(session, 4);
-    EXPECT_EQ(allocationsOfFrames(session, 100), 0U) << "with an object of its own transform";
+    EXPECT_EQ(allocationsOfFrames(session, 100), 0U) << "with a transformed object";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "view/browse/detached_process.h"
+#include "view/edit/detached_process.h"
 
 #include <sys/wait.h>
 
@@ -11,7 +11,7 @@
 namespace glibra::test {
 namespace {
 
-/// What the file has once it is there.
+/// The content of a file, once it exists.
 std::string awaited(const SceneFolder& folder, const char* name) {
     constexpr int kTries = 6000;
     for (int i = 0; i < kTries && !std::filesystem::exists(folder / name); ++i)
@@ -27,11 +27,11 @@ TEST(DetachedProcess, RunsAndLeavesNoChild) {
     EXPECT_EQ(view::startDetached({"sh", "-c", command, "a b", "c"}), "");
     errno = 0;
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
-    EXPECT_EQ(errno, ECHILD) << "it is no child of this program, running or ended";
+    EXPECT_EQ(errno, ECHILD) << "this program has no child process, running or ended";
     EXPECT_EQ(awaited(folder, "out"), "a b c");
 }
 
-TEST(DetachedProcess, SaysWhyAProgramCannotBeStarted) {
+TEST(DetachedProcess, ReportsWhyAProgramCannotBeStarted) {
     EXPECT_EQ(view::startDetached({"glibra-no-such-program"}), "No such file or directory");
     EXPECT_EQ(view::startDetached({"/"}), "Permission denied");
     errno = 0;

@@ -7,7 +7,7 @@ namespace {
 
 using view::EditedFile;
 
-/// Opens the file, appends to its text, saves it; what the file has then.
+/// Opens the file, appends to its text and saves it. Returns the file's new content.
 std::string edited(const SceneFolder& folder, const std::string& before, const std::string& added) {
     folder.write("a.frag", before);
     EditedFile file(folder / "a.frag");
@@ -27,9 +27,9 @@ TEST(EditedFile, KeepsEveryByteThatWasNotEdited) {
     EXPECT_EQ(edited(folder, "\xEF\xBB\xBF#version 330\n", "x"), "\xEF\xBB\xBF#version 330\nx");
     EXPECT_EQ(edited(folder, "// gr\xC3\xB6\xC3\x9F er\n", "\xC3\xA4"), "// gr\xC3\xB6\xC3\x9F er\n\xC3\xA4");
     EXPECT_EQ(edited(folder, "// gr\xF6\xDF er\n", "\xC3\xA4"), "// gr\xF6\xDF er\n\xE4")
-        << "Latin-1 stays it";
+        << "a Latin-1 file stays Latin-1";
     EXPECT_EQ(edited(folder, "// \xF6\n", "\xE2\x82\xAC"), "// \xC3\xB6\n\xE2\x82\xAC")
-        << "what Latin-1 does not have makes it UTF-8";
+        << "a character outside Latin-1 makes it UTF-8";
     EXPECT_EQ(edited(folder, "", "void"), "void");
 }
 
@@ -66,7 +66,7 @@ TEST(EditedFile, AsksWhenBothHaveChanged) {
     mine.text() = theirs.text() = "typed";
     folder.write("a.frag", "another's");
     EXPECT_TRUE(mine.save().empty());
-    EXPECT_TRUE(mine.hasConflict()) << "seen at the latest when it is saved";
+    EXPECT_TRUE(mine.hasConflict()) << "saving detects the conflict at the latest";
     EXPECT_EQ(folder.read("a.frag"), "another's");
     EXPECT_TRUE(theirs.lookAtDisk());
     EXPECT_TRUE(theirs.hasConflict());

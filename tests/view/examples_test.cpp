@@ -1,4 +1,4 @@
-// The list of examples with their pictures, and what a file dialog lists.
+// The list of examples with their pictures, and the list in the file dialog.
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,7 @@ using view::Thumbnail;
 TEST(ExampleScenes, AreAllThatShipWithTheirTopicsAndSummaries) {
     const auto scenes = view::exampleScenes(GLIBRA_SOURCE_DIR);
     ASSERT_GT(scenes.size(), 60U);
-    EXPECT_EQ(scenes.front().topic, "start") << "what to begin with";
+    EXPECT_EQ(scenes.front().topic, "start") << "the first topic";
     const auto found = std::find_if(scenes.begin(), scenes.end(),
                                     [](const view::ExampleScene& each) { return each.name == "ovalnoise"; });
     ASSERT_NE(found, scenes.end());
@@ -69,7 +69,7 @@ TEST(Thumbnails, ShowTheSceneAndAreKept) {
     EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::ready);
     fs::last_write_time(folder / "a.vert", fs::file_time_type::clock::now() + std::chrono::hours(1));
     EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::ready)
-        << "the content counts, not the time";
+        << "only the content matters, not the time";
     folder.write("color.glsl", "vec3 color() { return vec3(0., .5, 0.); }\n");
     fs::last_write_time(folder / "color.glsl", fs::file_time_type::clock::now() + std::chrono::hours(1));
     EXPECT_EQ(view::findThumbnail(cache, folder.scene()).state, Thumbnail::State::missing)

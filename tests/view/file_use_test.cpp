@@ -1,7 +1,7 @@
 #include "view/browse/file_use.h"
 
 #include "scene_folder.h"
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::test {
 namespace {

@@ -11,7 +11,7 @@
 namespace glibra::test {
 namespace {
 
-/// Waits until the watch has told of something; the test's own time limit ends a wait for nothing.
+/// Waits until the watch reports a change. The test's time limit ends a wait that is too long.
 class Woken {
   public:
     void wake() {
@@ -31,7 +31,7 @@ class Woken {
     int count_ = 0;
 };
 
-TEST(FileWatch, TellsOfSavesInPlaceAndByRename) {
+TEST(FileWatch, ReportsSavesInPlaceAndByRename) {
     const SceneFolder folder("", {{"a.frag", "1"}, {"other.txt", ""}});
     Woken woken;
     view::FileWatch watch([&] { woken.wake(); });
@@ -49,7 +49,7 @@ TEST(FileWatch, TellsOfSavesInPlaceAndByRename) {
     EXPECT_TRUE(watch.takeChanged().files.empty());
 }
 
-TEST(FileWatch, TellsOfANameThatWasMissing) {
+TEST(FileWatch, ReportsAMissingFileThatAppears) {
     const SceneFolder folder("");
     Woken woken;
     view::FileWatch watch([&] { woken.wake(); });

@@ -1,4 +1,4 @@
-#include "view/scene/frame_pacer.h"
+#include "view/session/frame_pacer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,18 +11,18 @@ using view::FramePacer;
 
 constexpr double kSeconds = 10;
 
-/// Frames in ten seconds of a clock that only moves when something waits or draws. `draw` takes the time of
-/// the frame's beginning to that at which presenting it returns. Events end every wait after `events`
-/// seconds.
+/// The number of frames in ten seconds of a simulated clock, which only advances by waiting and drawing.
+/// `said` is the reported refresh rate. `draw` maps the time at which a frame begins to the time at which
+/// presenting it returns. Events end every wait after `events` seconds.
 template <class Draw>
 int framesDrawn(double said, bool waits, double events, Draw draw) {
     FramePacer pacer(said, waits);
     double now = 0;
     int frames = 0;
     while (now < kSeconds) {
-        now += std::min(events, pacer.rest(now));
-        // A little longer than asked for, as systems sleep.
-        while (pacer.rest(now) > 0) now += pacer.rest(now) + 1e-5;
+        now += std::min(events, pacer.secondsToNext(now));
+        // Real systems sleep a little longer than requested.
+        while (pacer.secondsToNext(now) > 0) now += pacer.secondsToNext(now) + 1e-5;
         pacer.begin(now);
         ++frames;
         now = draw(now);
@@ -53,14 +53,14 @@ TEST(FramePacer, KeepsAScreensRateNearlyWhereTheDriverWasToldNotToWait) {
 }
 
 TEST(FramePacer, MissesNoPictureOfAScreenThatTheDriverWaitsFor) {
-    // Screens rarely have the rate that they say: 59.94 is called 60 or 59.
+    // A screen rarely has exactly the rate that it reports: 59.94 is reported as 60 or 59.
     for (const double actual : {59.94, 60.0, 60.1, 75.0, 143.86})
         for (const double said : {std::floor(actual), std::round(actual)}) {
             const int frames = framesDrawn(said, true, 1, [&](double now) {
-                // A little after the picture that the next retrace shows.
+                // Presenting returns at the next retrace of the screen.
                 return (std::floor((now + .003) * actual + 1e-6) + 1) / actual;
             });
-            EXPECT_NEAR(frames, kSeconds * actual, 2) << actual << " called " << said;
+            EXPECT_NEAR(frames, kSeconds * actual, 2) << actual << " reported as " << said;
         }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using view::Session;
 
-/// A shipped scene with everything changed that a window can change.
+/// Changes everything that a window can change.
 void change(Session& session) {
     session.setValue(knobIndex(session, "uAd"), {.31});
     session.setValue(knobIndex(session, "uDotColor"), {.2, .7, .1});
@@ -32,12 +32,20 @@ void change(Session& session) {
     session.setClock(clock);
 }
 
-/// Without the alpha that readers add.
+/// The pixels without the alpha channel that readers add.
 std::vector<std::byte> rgb(const image::Image& image) {
     std::vector<std::byte> result;
     for (std::size_t i = 0; i < image.data.size(); ++i)
         if (image.components == 3 || i % 4 != 3) result.push_back(image.data[i]);
     return result;
+}
+
+/// Writes all frames of a hardcopy.
+Diagnostics writeAll(const Session& session, const view::Hardcopy& wanted) {
+    Result<view::HardcopyJob> job = view::HardcopyJob::begin(context(), session, wanted);
+    Diagnostics diagnostics = std::move(job.diagnostics);
+    while (job && !job->isDone()) append(diagnostics, job->step());
+    return diagnostics;
 }
 
 class ChangedScene : public testing::Test {
@@ -55,7 +63,7 @@ class ChangedScene : public testing::Test {
 
 TEST_F(ChangedScene, HardcopyHasThePixelsOfTheScreen) {
     const view::Hardcopy wanted{folder / "a.png"};
-    const Diagnostics problems = view::writeHardcopy(context(), session, wanted);
+    const Diagnostics problems = writeAll(session, wanted);
     ASSERT_FALSE(hasError(problems)) << text(problems);
     const auto image = image::readImage(wanted.file);
     ASSERT_TRUE(image) << text(image.diagnostics);
@@ -65,7 +73,7 @@ TEST_F(ChangedScene, HardcopyHasThePixelsOfTheScreen) {
 TEST_F(ChangedScene, TheCommandLineGivesTheSameBytes) {
     for (const auto& [width, height] : {std::pair(0, 0), std::pair(517, 233)}) {
         const view::Hardcopy hardcopy{folder / "a.png", width, height};
-        ASSERT_FALSE(hasError(view::writeHardcopy(context(), session, hardcopy)));
+        ASSERT_FALSE(hasError(writeAll(session, hardcopy)));
         const view::Hardcopy again{folder / "b.png", width, height};
         std::string command = view::renderCommand(session, again);
         ASSERT_TRUE(command.starts_with("glibra render "));
@@ -82,7 +90,7 @@ TEST_F(ChangedScene, TheCommandLineGivesTheSameBytes) {
 TEST_F(ChangedScene, ThePictureCarriesTheCommandLine) {
     for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg"}) {
         const view::Hardcopy wanted{folder / name};
-        const Diagnostics problems = view::writeHardcopy(context(), session, wanted);
+        const Diagnostics problems = writeAll(session, wanted);
         ASSERT_FALSE(hasError(problems)) << text(problems);
         EXPECT_NE(folder.read(name).find(view::renderCommand(session, wanted)), std::string::npos) << name;
     }
@@ -90,7 +98,7 @@ TEST_F(ChangedScene, ThePictureCarriesTheCommandLine) {
 
 TEST_F(ChangedScene, FramesGoOnFromThePresentTime) {
     const view::Hardcopy wanted{folder / "a.png", 0, 0, 2, 4};
-    ASSERT_FALSE(hasError(view::writeHardcopy(context(), session, wanted)));
+    ASSERT_FALSE(hasError(writeAll(session, wanted)));
     const auto first = image::readImage(folder / "a_0000.png");
     ASSERT_TRUE(first);
     EXPECT_TRUE(rgb(*first) == pixelsOf(session));
@@ -101,7 +109,7 @@ TEST_F(ChangedScene, FramesGoOnFromThePresentTime) {
 TEST_F(ChangedScene, AVideoHoldsTheFramesAsked) {
     if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     const view::Hardcopy wanted{folder / "a.mp4", 65, 41, 7, 10};
-    const Diagnostics problems = view::writeHardcopy(context(), session, wanted);
+    const Diagnostics problems = writeAll(session, wanted);
     ASSERT_FALSE(hasError(problems)) << text(problems);
     const std::string command =
         "ffprobe -v error -count_frames -show_entries stream=nb_read_frames,width -of csv=p=0 '" +
@@ -110,7 +118,7 @@ TEST_F(ChangedScene, AVideoHoldsTheFramesAsked) {
     EXPECT_EQ(folder.read("probe.txt"), "66,7\n");
 }
 
-TEST_F(ChangedScene, AVideoThatIsStoppedLeavesNoFile) {
+TEST_F(ChangedScene, AStoppedVideoLeavesNoFile) {
     if (!view::hasFfmpeg()) GTEST_SKIP() << "no ffmpeg";
     {
         auto job = view::HardcopyJob::begin(context(), session, {folder / "a.mp4", 64, 40, 5, 10});
@@ -126,7 +134,7 @@ TEST_F(ChangedScene, AVideoThatIsStoppedLeavesNoFile) {
     EXPECT_EQ(left, std::vector<std::string>{"scene.glib"});
 }
 
-TEST_F(ChangedScene, AHardcopyUnderWayIsOfTheStateThatItBeganWith) {
+TEST_F(ChangedScene, ARunningHardcopyKeepsTheStateItBeganWith) {
     auto job = view::HardcopyJob::begin(context(), session, {folder / "a.png", 0, 0, 2, 4});
     ASSERT_TRUE(job) << text(job.diagnostics);
     const std::vector<std::byte> before = pixelsOf(session);
@@ -143,9 +151,9 @@ TEST_F(ChangedScene, AHardcopyUnderWayIsOfTheStateThatItBeganWith) {
     EXPECT_TRUE(rgb(*first) == before);
 }
 
-TEST_F(ChangedScene, WhatCannotBeWrittenIsSaid) {
-    EXPECT_TRUE(hasError(view::writeHardcopy(context(), session, {folder / "none/a.png"})));
-    EXPECT_TRUE(hasError(view::writeHardcopy(context(), session, {folder / "a.unknown"})));
+TEST_F(ChangedScene, ReportsWhatCannotBeWritten) {
+    EXPECT_TRUE(hasError(writeAll(session, {folder / "none/a.png"})));
+    EXPECT_TRUE(hasError(writeAll(session, {folder / "a.unknown"})));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "scene_folder.h"
-#include "view/lens/texel_view.h"
-#include "view/scene/frame_cost.h"
+#include "view/debug_view/texels.h"
+#include "view/session/frame_cost.h"
 
 namespace glibra::test {
 namespace {
@@ -53,11 +53,11 @@ TEST(Texels, OfThePictureAreWhatIsOnTheScreen) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
-    const view::TexelImage color = view::colorOf(*session.picture());
+    const view::TexelImage color = view::colorTexels(*session.picture());
     const float* centre = color.rgba.data() + 4 * (5 * 20 + 10);
     EXPECT_NEAR(centre[0], .2F, .002F);
     EXPECT_NEAR(centre[2], .6F, .002F);
-    const view::TexelImage depth = view::depthOf(*session.picture());
+    const view::TexelImage depth = view::depthTexels(*session.picture());
     EXPECT_NEAR(depth.rgba[4 * (5 * 20 + 10)], .25F, 1e-6F);
     EXPECT_EQ(depth.rgba[0], 1.F);
 }
@@ -77,7 +77,7 @@ TEST(Texels, OfNoiseHaveItsSlices) {
     const view::TexelImage first = view::texelsOf(*noise, 0);
     const view::TexelImage other = view::texelsOf(*noise, 7);
     EXPECT_NE(first.rgba, other.rgba);
-    EXPECT_NEAR(first.rgba[0], 127 / 255., 1e-6) << "lattice points are one half";
+    EXPECT_NEAR(first.rgba[0], 127 / 255., 1e-6) << "the noise is 127/255 at lattice points";
     EXPECT_EQ(view::texelsOf(*noise, 9999).rgba, view::texelsOf(*noise, 63).rgba);
 }
 
@@ -85,15 +85,15 @@ TEST(Texels, AreShownWithGainAndMarksForWhatIsNoNumber) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
     const view::TexelImage image{2, 2, {.25F, .5F, 2, 1, nan, 0, 0, 1, 0, infinite, 0, 1, -1, 0, 0, .5F}};
-    const std::vector<std::uint8_t> plain = view::shown(image, {});
+    const std::vector<std::uint8_t> plain = view::screenBytes(image, {});
     EXPECT_EQ(std::vector(plain.begin(), plain.begin() + 4), (std::vector<std::uint8_t>{64, 128, 255, 255}));
     EXPECT_EQ(plain[4], plain[6]);
     EXPECT_EQ(plain[5], 0) << "magenta";
     EXPECT_EQ(plain[8], 0) << "cyan";
     EXPECT_EQ(plain[9], plain[10]);
-    const std::vector<std::uint8_t> green = view::shown(image, {view::Channels::green, .5F});
+    const std::vector<std::uint8_t> green = view::screenBytes(image, {view::Channels::green, .5F});
     EXPECT_EQ(std::vector(green.begin(), green.begin() + 4), (std::vector<std::uint8_t>{64, 64, 64, 255}));
-    const std::vector<std::uint8_t> alpha = view::shown(image, {view::Channels::alpha, 1});
+    const std::vector<std::uint8_t> alpha = view::screenBytes(image, {view::Channels::alpha, 1});
     EXPECT_EQ(alpha[12], 128);
 }
 
@@ -105,7 +105,7 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     const std::vector<std::byte> before = pixelsOf(session);
     const view::FrameCost cost = view::measureFrames(session, context().capabilities(), 12, 0);
     EXPECT_EQ(cost.frames, 12);
-    EXPECT_GT(cost.millisecondsAFrame, 0);
+    EXPECT_GT(cost.millisecondsPerFrame, 0);
     ASSERT_EQ(cost.draws.size(), 2U);
     EXPECT_EQ(cost.draws[0].line, 8);
     ASSERT_EQ(cost.passes.size(), 2U);

@@ -41,7 +41,7 @@ TEST(NoiseFile, IsWhatTheCommandThatItCopiesWrites) {
     }
 }
 
-TEST(NoiseFile, SaysWhyItCannotBeWritten) {
+TEST(NoiseFile, ReportsWhyItCannotBeWritten) {
     const Diagnostics problems = noise::writeNoise(playedWith(), "/nonexistent/noise.png");
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].severity, Severity::error);

@@ -1,4 +1,4 @@
-// What reaches no pixel is not drawn; the picture is the same bit for bit.
+// Objects that reach no pixel are not drawn, and the picture is the same bit for bit.
 
 #include <algorithm>
 #include <random>
@@ -6,7 +6,7 @@
 
 #include "render/stats.h"
 #include "scene_folder.h"
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::test {
 namespace {
@@ -24,7 +24,7 @@ struct Frame {
     std::uint64_t draws = 0, leftOut = 0;
 };
 
-/// The present frame, drawn again.
+/// Draws the current frame again.
 Frame frameOf(Session& session, bool everything) {
     session.live().drawOutOfSight(everything);
     session.setNeedsFrame();
@@ -78,7 +78,7 @@ TEST(OutOfSight, ComesBackWhenTheViewTurnsToIt) {
 }
 
 TEST(OutOfSight, IsWhatVerticesGetNotWhatTheModelSays) {
-    // The shader brings back what stands far to the right.
+    // The shader moves an object back into the picture that is far to its right.
     const SceneFolder folder(
         "WindowSize 32 32\nOrtho -1 1 -1 1\nVertex back.vert\nFragment a.frag\nProgram P\nTranslate 50 0 0\n"
         "QuadXY 0 1\n",
@@ -117,7 +117,7 @@ TEST(OutOfSight, NormalsThatReachIntoThePictureAreShown) {
     const SceneFolder folder("WindowSize 64 64\nOrtho -1 1 -1 1 -10 10\nRotate 90 0 1 0\nQuadXY -1.01 1\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    session.setLens(view::Lens::normals);
+    session.setDebugView(view::DebugView::normals);
     session.setNormalLength(1);
     session.drawIfNeeded();
     const std::vector<std::byte> shown = pixelsOf(session);

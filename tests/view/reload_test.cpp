@@ -29,7 +29,7 @@ TEST(Reload, ShowsAnEditedShaderWithTheValuesAsTheyWere) {
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{102, 204, 255}));
 }
 
-TEST(Reload, KeepsTheLastGoodProgramAndSaysWhatIsWrong) {
+TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
     const SceneFolder folder(kScene, {{"a.vert", kPlainVertex}, {"a.frag", fragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
@@ -46,7 +46,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndSaysWhatIsWrong) {
     }
     session.setValue(knobIndex(session, "uG"), {1});
     session.drawIfNeeded();
-    EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 255, 0})) << "its values can still be turned";
+    EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 255, 0})) << "its values can still be changed";
     folder.write("a.frag", fragment("0., uG, 1."));
     ASSERT_TRUE(session.reload());
     session.drawIfNeeded();

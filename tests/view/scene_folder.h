@@ -11,14 +11,14 @@
 #include <string_view>
 
 #include "gpu/context.h"
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::test {
 
 /// One context that all tests of the program share.
 gpu::Context& context();
 
-/// Goes with the object.
+/// A temporary folder with a scene and other files; the destructor removes it.
 class SceneFolder {
   public:
     explicit SceneFolder(std::string_view scene, const std::map<std::string, std::string>& files = {});
@@ -35,17 +35,17 @@ class SceneFolder {
     std::filesystem::path folder_;
 };
 
-/// Red, green, blue, 0..255, of the picture drawn last; counted from the top left.
+/// Red, green and blue (0..255) of a pixel of the last picture; x and y count from the top left.
 std::array<int, 3> pixelOf(const view::Session& session, int x, int y);
-/// All of it, RGB, top row first.
+/// The whole picture: RGB bytes, top row first.
 std::vector<std::byte> pixelsOf(const view::Session& session);
 
-/// Number of the knob; fails the test if there is none.
+/// The index of the knob with that tag; fails the test if there is none.
 std::size_t knobIndex(const view::Session& session, std::string_view tag);
 
 std::string text(const Diagnostics& diagnostics);
 
-/// A vertex shader that does nothing else.
+/// A vertex shader that only applies the matrices and passes texture coordinates.
 inline constexpr const char* kPlainVertex =
     "#version 330\nout vec4 vST;\nvoid main() { vST = aTexCoord0; gl_Position = uModelViewProjectionMatrix * "
     "aVertex; }\n";

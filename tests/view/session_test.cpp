@@ -42,7 +42,7 @@ TEST(Session, DrawsNoFrameWhenNothingChanged) {
     EXPECT_EQ(session.framesDrawn(), 1U);
 }
 
-TEST(Session, SaysOnceHowFarTheEyeWasMovedAtThePresentSize) {
+TEST(Session, ReportsOnceHowFarTheEyeWasMoved) {
     const SceneFolder folder("WindowSize 64 32\nPerspective 50\nSphere 2\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
@@ -91,7 +91,7 @@ TEST(Session, ValuesBeyondTheRangeAreKeptAndIntegersCut) {
     EXPECT_EQ(session.knob("", "uG")->current, std::vector<double>{2});
 }
 
-TEST(Session, AValueThatMakesALoopTooLongIsToldOfUntilItIsTakenBack) {
+TEST(Session, WarnsOfALoopThatIsTooLongUntilTheValueIsReset) {
     const SceneFolder folder(
         "WindowSize 2 2\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uN <1 100 100000> uM 1\n"
         "QuadXY 0 1\n",
@@ -107,10 +107,10 @@ TEST(Session, AValueThatMakesALoopTooLongIsToldOfUntilItIsTakenBack) {
         session.setValue(knobIndex(session, "uN"), {rounds});
         session.drawIfNeeded();
         ASSERT_EQ(session.diagnostics().size(), before.size() + 1) << text(session.diagnostics());
-        const Diagnostic& told = session.diagnostics().back();
-        EXPECT_EQ(told.id, "draw-W08");
-        EXPECT_EQ(told.place.line, 5);
-        EXPECT_NE(told.text.find(rounds == 70'000 ? "70,000" : "80,000"), std::string::npos) << told.text;
+        const Diagnostic& warned = session.diagnostics().back();
+        EXPECT_EQ(warned.id, "draw-W08");
+        EXPECT_EQ(warned.place.line, 5);
+        EXPECT_NE(warned.text.find(rounds == 70'000 ? "70,000" : "80,000"), std::string::npos) << warned.text;
     }
     session.reload();
     EXPECT_EQ(session.diagnostics().size(), before.size() + 1) << "the value is kept";
@@ -194,7 +194,7 @@ TEST(Session, TheBackgroundOfTheViewReplacesTheScenes) {
     EXPECT_EQ(pixelOf(session, 3, 3), (Color{0, 0, 255}));
 }
 
-/// A shader that shows a matrix it is given: red, green, blue are elements [3][0], [3][1], [3][2].
+/// A shader that shows a matrix: red, green and blue are its elements [3][0], [3][1] and [3][2].
 std::map<std::string, std::string> matrixFiles(const std::string& name) {
     return {{"a.vert", "#version 330\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n"},
             {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(" + name + "[3].xyz, 1.); }\n"}};
@@ -285,7 +285,7 @@ TEST(Transforms, RotatingKeepsTheOriginInPlaceAndTurnsTheFrontWithTheMouse) {
     session.drawIfNeeded();
     session.drag(view::TransformMode::eye, {view::Gesture::rotate, {50, 0}, {100, 100}});
     session.drawIfNeeded();
-    // A quarter of a turn: the ball in front of the origin stands to its right, at distance 1 of 6.
+    // After a quarter turn the ball in front of the origin is to its right: 1 unit from it, 6 from the eye.
     const int x = 50 + static_cast<int>(50 / std::tan(25 * 3.14159265 / 180) / 6);
     EXPECT_EQ(pixelOf(session, x, 50), (Color{255, 255, 255}));
 }

@@ -68,8 +68,8 @@ TEST(TranslatedLines, ShowWhatTheDriverGotOfARefusedLine) {
     const std::vector<glsl::EmittedLine> lines = session.live().translatedLines(place);
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_NE(lines[0].text.find("vec4(uR, oops, 0., 1.)"), std::string::npos) << lines[0].text;
-    EXPECT_EQ(lines[0].text.find("gl_FragColor"), std::string::npos) << "core GLSL has no such name";
-    EXPECT_GT(lines[0].number, 4) << "declarations stand before it";
+    EXPECT_EQ(lines[0].text.find("gl_FragColor"), std::string::npos) << "core GLSL does not have this name";
+    EXPECT_GT(lines[0].number, 4) << "declarations precede it";
     EXPECT_TRUE(session.live().translatedLines({place.file, 99, 1}).empty());
 
     folder.write("a.frag", "uniform float uR;\nvoid main() { gl_FragColor = vec4(uR, 0., 0., 1.); }\n");

@@ -107,14 +107,14 @@ TEST(SuiteShot, SaysWhatOfTheScreenItLeavesOut) {
     ASSERT_TRUE(session.open(folder.scene()));
     EXPECT_EQ(view::shotText(session, "ball", ".").find('#'), std::string::npos);
     session.setWireframe(true);
-    session.setLens(view::Lens::depth);
+    session.setDebugView(view::DebugView::depth);
     session.drawIfNeeded();
-    EXPECT_EQ(session.onlyOnScreen(), "wireframe and the view 'depth'");
+    EXPECT_EQ(session.onlyOnScreen(), "wireframe and the debug view 'depth'");
     ASSERT_TRUE(view::appendShot(folder / "s.toml", "ball", session).empty());
-    EXPECT_NE(folder.read("s.toml").find("without wireframe and the view 'depth'"), std::string::npos)
+    EXPECT_NE(folder.read("s.toml").find("without wireframe and the debug view 'depth'"), std::string::npos)
         << folder.read("s.toml");
     session.setWireframe(false);
-    session.setLens(view::Lens::picture);
+    session.setDebugView(view::DebugView::picture);
     session.drawIfNeeded();
     Diagnostics said;
     EXPECT_TRUE(pictureOf(folder / "s.toml", said) == pixelsOf(session)) << text(said);

@@ -9,7 +9,7 @@ namespace {
 
 using view::TextHistory;
 
-/// Types it letter by letter at the end.
+/// Types the letters at the end of the text, one by one. Returns the new text.
 std::string typed(TextHistory& history, std::string text, std::string_view letters) {
     for (const char each : letters) {
         text += each;
@@ -45,7 +45,7 @@ TEST(TextHistory, LettersDeletedOneAfterTheOtherAreAStep) {
     const TextHistory::State before = history.undo();
     EXPECT_EQ(before.text, "abcdef");
     EXPECT_EQ(before.cursor, 6U);
-    // The same forwards.
+    // The same with deletions in front of the cursor.
     for (const char* each : {"bcdef", "cdef"}) history.record(each);
     EXPECT_EQ(history.undo().text, "abcdef");
 }

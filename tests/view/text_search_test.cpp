@@ -22,7 +22,7 @@ TEST(TextSearch, FindsEveryPlace) {
 
 TEST(TextSearch, PlacesDoNotOverlap) {
     EXPECT_EQ(view::findAll("aaaaa", {"aa", true, false}), (Ranges{{0, 2}, {2, 4}}));
-    // What is no whole word takes nothing from a later one.
+    // A match that is not a whole word does not hide a later one that overlaps it.
     EXPECT_EQ(view::findAll("xa a", {"a", true, true}), (Ranges{{3, 4}}));
     EXPECT_EQ(view::findAll("x;;;", {";;", true, true}), (Ranges{{1, 3}}))
         << "words begin and end at letters";

@@ -5,7 +5,7 @@
 #include "scene_folder.h"
 #include "view/edit/save_values.h"
 #include "view/edit/source_lines.h"
-#include "view/scene/history.h"
+#include "view/session/history.h"
 
 namespace glibra::test {
 namespace {
@@ -111,7 +111,7 @@ TEST(History, GoesBackAndForward) {
     ASSERT_TRUE(history.redo(session));
     EXPECT_EQ(session.knob("", "uA")->current.front(), .5);
     session.setValue(knobIndex(session, "uA"), {.6});
-    ASSERT_TRUE(history.undo(session)) << "what was not recorded is not lost";
+    ASSERT_TRUE(history.undo(session)) << "an unrecorded change can be undone too";
     EXPECT_EQ(session.knob("", "uA")->current.front(), .5);
 }
 
@@ -143,7 +143,7 @@ TEST(Excerpt, OfAShortLineIsTheLine) {
     for (const auto& [line, column, caret] :
          {std::tuple(" two three", 6, "     ^"), std::tuple("abc", 4, "   ^"), std::tuple("abc", 99, "   ^"),
           std::tuple("", 1, "^"), std::tuple("abc", 0, "^"),
-          // Columns count bytes, blanks characters.
+          // Columns count bytes; the blanks before the caret count characters.
           std::tuple("\xC3\xA4\xE2\x82\xAC+", 6, "  ^"), std::tuple("\xC3\xA4+", 2, "^")}) {
         const view::Excerpt shown = view::excerpt(line, column, 12);
         EXPECT_EQ(shown.text, line);

@@ -8,20 +8,20 @@ namespace generate {
 inline double sphere(Vec3 p, double radius) {
     return length(p) - radius;
 }
-// Not the exact distance of an ellipsoid, but its zero is, and near it the error is of second order.
+// An approximate distance. Its zero is exactly the ellipsoid, and near it the error is of second order.
 inline double ellipsoid(Vec3 p, Vec3 radii) {
     const Vec3 q = {p.x / radii.x, p.y / radii.y, p.z / radii.z};
     const Vec3 g = {q.x / radii.x, q.y / radii.y, q.z / radii.z};
     const double k = length(q), slope = length(g);
     return slope < 1e-9 ? -std::min({radii.x, radii.y, radii.z}) : k * (k - 1) / slope;
 }
-// A box of half sides h with edges rounded by r.
+// A box from -h to h with edges rounded by r.
 inline double box(Vec3 p, Vec3 h, double r = 0) {
     const Vec3 q = {std::abs(p.x) - h.x + r, std::abs(p.y) - h.y + r, std::abs(p.z) - h.z + r};
     const Vec3 outside = {std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)};
     return length(outside) + std::min(std::max({q.x, q.y, q.z}), 0.0) - r;
 }
-// A round-ended stick from a to b whose radius goes linearly from ra to rb.
+// A round-ended stick from a to b whose radius changes linearly from ra to rb.
 inline double stick(Vec3 p, Vec3 a, Vec3 b, double ra, double rb) {
     const Vec3 along = b - a;
     const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);

@@ -45,7 +45,7 @@ def noise(x, y, stream):
 
 
 def terrain(width, height):
-    """Heights in metres, 0 (sea) to 2891: octaves that fade where the ground is steep, as worn mountains do."""
+    """Heights in metres, 0 (sea) to 2891: octaves that fade where the ground is steep, as in eroded mountains."""
     rows = []
     for t in range(height):
         for s in range(width):
@@ -83,7 +83,7 @@ def volume(n):
 
 
 def flow(n):
-    """A unit vector field on the square in red and green: two eddies, one against the other, and a saddle between."""
+    """A unit vector field on the square in red and green: three eddies, one of which rotates the other way."""
     for j in range(n):
         for i in range(n):
             x, y = 2 * (i + 0.5) / n - 1, 2 * (j + 0.5) / n - 1

@@ -1,4 +1,4 @@
-// Apples, cherries and toys: still lifes seen from near.
+// Apples, cherries and toys: still lifes seen at close range.
 #include "distance.h"
 #include "stages.h"
 
@@ -34,7 +34,8 @@ Vec3 inApple(const Apple& a, Vec3 p) {
     return turnX(turnY(p - a.centre, a.turn), a.tilt) * (1 / a.size);
 }
 
-// A spindle torus, taller than wide at the shoulder: the dimples at both ends come by themselves.
+// A spindle torus, narrower at the bottom than at the shoulder. Its shape already has the dimples at both
+// ends.
 double appleBody(Vec3 q) {
     const double r = std::hypot(q.x, q.z) * (1 - 0.13 * q.y);
     return (std::hypot(r - 0.38, q.y / 1.28) - 0.60) * 0.85;

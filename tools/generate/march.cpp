@@ -80,13 +80,14 @@ Vec3 trace(const Stage& stage, Vec3 eye, Vec3 direction, int bounces) {
 
 std::uint8_t displayByte(double linear) {
     const double x = 0.74 * std::max(linear, 0.0);
-    const double mapped = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);  // a film-like shoulder
+    const double mapped =
+        x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);  // compresses highlights as film does
     return static_cast<std::uint8_t>(std::lround(255 * std::pow(std::clamp(mapped, 0.0, 1.0), 1 / 2.2)));
 }
 
 namespace {
 
-// Two threads take the even and the odd rows; every pixel is a pure function of its place.
+// Two threads draw the even and the odd rows. Every pixel is a pure function of its position.
 template <typename Ray>
 Picture expose(const Stage& stage, int width, int height, int side, const Ray& ray) {
     Picture picture{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height))};

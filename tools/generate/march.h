@@ -10,7 +10,7 @@
 
 namespace generate {
 
-// The nearest surface: its distance and which paint it wears.
+// The nearest surface: its distance and the number of its paint.
 struct Surface {
     double distance;
     int paint;
@@ -23,14 +23,14 @@ struct Paint {
     Vec3 albedo;       // linear, 0..1
     double gloss = 0;  // strength of the highlight
     double exponent = 40;
-    double mirror = 0;  // share of the mirrored ray
+    double mirror = 0;  // share of the reflected ray
 };
 
 struct Stage {
     Surface (*surface)(Vec3 p);
     Paint (*paint)(int paint, Vec3 p, Vec3 normal);
     Vec3 (*sky)(Vec3 direction);
-    Vec3 sunDirection;  // unit, towards the sun
+    Vec3 sunDirection;  // unit vector toward the sun
     Vec3 sunColour;
     Vec3 ambient;  // sky light from above
     double far = 60;
@@ -39,7 +39,7 @@ struct Stage {
 struct Camera {
     Vec3 eye, centre;
     double fieldOfView = 40;  // degrees, vertical
-    double shift = 0;         // the eye moves this far to its right, the plane at the centre stays fixed
+    double shift = 0;  // moves the eye to its right by this distance; the plane at the centre stays fixed
 };
 
 // 8-bit RGB, top row first.
@@ -59,7 +59,7 @@ Picture cubeFace(const Stage& stage, Vec3 eye, int face, int size, int samplesPe
 // Linear light to a display byte.
 std::uint8_t displayByte(double linear);
 
-// Writes a PNG; ends the program with a message when that fails.
+// Writes a PNG. If that fails, prints a message and ends the program.
 void writePng(const Picture& picture, const std::string& path);
 
 }  // namespace generate

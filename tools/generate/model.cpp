@@ -1,7 +1,7 @@
 // Makes the animals in scenes/models/: `model FOLDER [NAME]...`. A body is a sum of blended sticks and
-// ellipsoids; its surface is cut into quads by surface nets (S. Gibson 1998): one vertex a cell that the
-// surface crosses, one quad a lattice edge that it crosses, so the mesh is closed. Vertices are then moved
-// onto the surface.
+// ellipsoids; its surface is cut into quads by surface nets (S. Gibson 1998): one vertex per cell that
+// the surface crosses and one quad per lattice edge that it crosses, so the mesh is closed. The vertices are
+// then moved onto the surface.
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -20,15 +20,15 @@ struct Model {
     const char* name;
     const char* title;
     double (*body)(Vec3 p);
-    Vec3 low, high;  // the lattice's box
-    double cell;     // its spacing; some spacings give a mesh that touches itself, which main refuses
-    double scale;    // the file's units a body unit
+    Vec3 low, high;  // box of the lattice
+    double cell;     // spacing of the lattice; main refuses spacings that give a mesh that touches itself
+    double scale;    // units of the file per unit of the body
 };
 
 // ---- Bodies: x forward, y up, z to the left, symmetric about z = 0
 // -----------------------------------------
 
-// Sticks end to end through `joints`; no fillets between them, so that no joint bulges.
+// Sticks that join end to end at `joints`. There are no fillets between them, so that no joint bulges.
 template <std::size_t N>
 double limb(Vec3 p, const std::array<Vec3, N>& joints, const std::array<double, N>& radii) {
     double d = 1e9;
@@ -69,7 +69,7 @@ double dinosaur(Vec3 p) {
     };
     leg(0.50, 0.19);
     leg(-0.66, 0.22);
-    return std::max(d, -p.y);  // it stands on y = 0
+    return std::max(d, -p.y);  // the animal stands on y = 0
 }
 
 // A cow about 2.8 long.
@@ -127,7 +127,7 @@ Vec3 gradient(const Model& m, Vec3 p) {
             m.body(p + Vec3{0, 0, h}) - m.body(p - Vec3{0, 0, h})};
 }
 
-// Along the gradient to the zero of the body; stays within one cell of where it began.
+// Moves a point along the gradient to the surface of the body, by at most one cell.
 Vec3 ontoSurface(const Model& m, Vec3 p) {
     const Vec3 start = p;
     for (int i = 0; i < 12; ++i) {
@@ -221,8 +221,8 @@ class Net {
     std::map<Index, int> made;
 };
 
-// A cylinder around the long axis: s around it, t along it. A quad across the seam gets s up to 1 + a little,
-// which the repeat wrap joins.
+// A cylinder around the long axis: s goes around it, t along it. In a quad across the seam s goes slightly
+// beyond 1, which the repeat wrap mode continues.
 void addTextures(const Model& m, Mesh& mesh) {
     std::map<std::pair<int, bool>, int> made;
     const auto around = [&](int i) {
@@ -247,7 +247,7 @@ void addTextures(const Model& m, Mesh& mesh) {
     }
 }
 
-// Every edge of every quad is met once the other way round, by one other quad.
+// True if each edge of each quad is traversed once in the other direction, by exactly one other quad.
 bool isClosed(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> uses;
     for (const auto& quad : mesh.quads)

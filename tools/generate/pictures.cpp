@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The planet's colours by longitude and latitude: s = 0 at -x as on glibra's Sphere, bottom row the south
-// pole.
+// The colours of the planet by longitude and latitude: s = 0 is at -x, as on glibra's Sphere, and the bottom
+// row is the south pole.
 Picture planetMap(int width, int height) {
     Picture map{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height))};
     const Stage stage = planetStage();
@@ -28,7 +28,7 @@ Picture planetMap(int width, int height) {
     return map;
 }
 
-// White noise, one random byte a pixel in all three channels.
+// White noise, one random byte per pixel, the same in all three channels.
 Picture randomMap(int size) {
     Picture map{size, size, {}};
     for (int y = 0; y < size; ++y)

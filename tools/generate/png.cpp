@@ -1,4 +1,4 @@
-// A PNG writer for the generators: 8-bit RGB, per row the filter with the smallest residue, best compression.
+// A PNG writer for the generators: 8-bit RGB, the filter with the smallest residue per row, best compression.
 #include <libdeflate.h>
 
 #include <cstdio>

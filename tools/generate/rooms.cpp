@@ -79,7 +79,7 @@ Surface courtSurface(Vec3 p) {
     Surface s{p.y, tiles};
     const double ax = std::abs(p.x), az = std::abs(p.z);
     s = nearer(s, {std::max(9.0 - std::max(ax, az), p.y - 4.6), court});
-    // Columns stand on a square of half side 6, 2 apart; an entablature with arches joins them.
+    // The columns are 2 apart on a square from -6 to 6. An entablature with arches joins them.
     const double gx = std::clamp(std::round(p.x / 2) * 2, -6.0, 6.0),
                  gz = std::clamp(std::round(p.z / 2) * 2, -6.0, 6.0);
     const Vec3 onX = {p.x - gx, p.y - 1.3, az - 6}, onZ = {ax - 6, p.y - 1.3, p.z - gz};
@@ -120,7 +120,7 @@ Paint courtPaint(int paint, Vec3 p, Vec3 n) {
                     (0.65 + 0.35 * std::abs(std::sin(u * 9)) + 0.2 * (noise(p * 5, 7) - 0.5))};
         }
         case court: {
-            // Each wall has its own colour, so that a reflection tells where it comes from.
+            // Each wall has its own colour, so that a reflection shows where it comes from.
             const bool x = std::abs(p.x) > std::abs(p.z);
             const Vec3 tint = x ? (p.x > 0 ? Vec3{0.62, 0.22, 0.10} : Vec3{0.12, 0.28, 0.44})
                                 : (p.z > 0 ? Vec3{0.62, 0.46, 0.14} : Vec3{0.56, 0.50, 0.42});

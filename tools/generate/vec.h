@@ -1,5 +1,5 @@
-// The little algebra that the generators of pictures and models share: three-vectors, mixing, and noise
-// whose randomness is an integer hash of the lattice point, so that every machine makes the same files.
+// The algebra that the generators of pictures and models share: three-vectors, mixing, and noise. Randomness
+// is an integer hash of the lattice point, so that every machine makes the same files.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ inline double mix(double a, double b, double t) {
 inline Vec3 mix(Vec3 a, Vec3 b, double t) {
     return a + (b - a) * t;
 }
-// 0 below a, 1 above b, a cubic between; a < b.
+// 0 below a, 1 above b, a cubic in between; requires a < b.
 inline double smooth(double a, double b, double x) {
     const double t = std::clamp((x - a) / (b - a), 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -79,7 +79,8 @@ inline double noise(Vec3 p, std::uint32_t stream = 0) {
     };
     return mix(mix(row(0, 0), row(1, 0), v), mix(row(0, 1), row(1, 1), v), w);
 }
-// Octaves of noise, each of double frequency and half amplitude, scaled back to 0..1.
+// A sum of octaves of noise, each with twice the frequency and half the amplitude of the one before, scaled
+// to 0..1.
 inline double turbulence(Vec3 p, int octaves, std::uint32_t stream = 0) {
     double sum = 0, amplitude = 1, total = 0;
     for (int o = 0; o < octaves; ++o) {

@@ -43,10 +43,10 @@ bool readAll(int file, void* data, std::size_t size) {
     return true;
 }
 
-/// What goes before each text. A forked process has its functions at the same addresses.
+/// Precedes each text. Functions have the same addresses in a forked process.
 struct Head {
-    Apart::Work work = nullptr;  ///< of requests only; null: it is over
-    bool isAnswered = false;     ///< of answers only
+    Apart::Work work = nullptr;  ///< requests only; null ends the process
+    bool isAnswered = false;     ///< answers only
     std::size_t size = 0;
 };
 
@@ -61,7 +61,7 @@ bool receive(int file, Head& head, std::string& text) {
     return readAll(file, text.data(), text.size());
 }
 
-/// A process of its own for one piece of work, so that the next one finds no driver loaded.
+/// Runs one piece of work in a new process, so that the next one finds no driver loaded.
 void answerOnce(int answers, const Head& request, const std::string& text) {
     const pid_t child = fork();
     if (child == 0) {
@@ -88,7 +88,7 @@ bool isDriverLoaded() {
     return dl_iterate_phdr(isDriver, nullptr) != 0;
 }
 
-/// False too where threads cannot be counted.
+/// Returns false also if the threads cannot be counted.
 bool isSingleThreaded() {
     std::error_code problem;
     const std::filesystem::directory_iterator threads("/proc/self/task", problem);
@@ -96,7 +96,7 @@ bool isSingleThreaded() {
 }
 
 [[noreturn]] void serve(int requests, int answers) {
-    // A parent that is gone is noticed by its closed pipes.
+    // If the parent ends, the closed pipes end this loop.
     (void)std::signal(SIGPIPE, SIG_IGN);
     Head request;
     std::string text;
@@ -134,7 +134,7 @@ Apart::Apart() {
 
 Apart::~Apart() {
     if (process_ <= 0) return;
-    // Closing alone would not do: processes forked since then hold the pipe open too.
+    // Closing the pipe is not enough: processes forked since then hold it open too.
     send(requests_, {}, {});
     close(requests_);
     close(answers_);

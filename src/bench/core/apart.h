@@ -1,6 +1,6 @@
 #pragma once
-// Work in a process in which no graphics driver has been loaded yet. Drivers read their settings from the
-// environment once, so two settings are compared in two processes.
+// Runs work in a process in which no graphics driver has been loaded yet. Drivers read their settings from
+// the environment once, so comparing two settings takes two processes.
 
 #include <optional>
 #include <string>
@@ -9,16 +9,17 @@ namespace glibra::bench {
 
 class Apart {
   public:
-    /// Forks a process that waits. If this process has more than one thread or has loaded a driver already,
-    /// none is forked and nothing is ever answered: a driver's locks would stay locked there.
+    /// Forks a process that waits for requests. If this process has more than one thread or has already
+    /// loaded a driver, nothing is forked and run() never gives an answer: in the fork, a driver's locks
+    /// would stay locked forever.
     Apart();
     Apart(const Apart&) = delete;
     Apart& operator=(const Apart&) = delete;
     ~Apart();
 
     using Work = std::string (*)(const std::string& request);
-    /// What `work` answers to the request, in a new process each time. Nothing if that process crashed or
-    /// there is none.
+    /// The answer of `work` to the request; each request gets a new process. Empty if that process crashed or
+    /// could not be started.
     std::optional<std::string> run(Work work, const std::string& request);
 
   private:

@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kShortest = 20e-6;  ///< seconds; shorter work is repeated inside one measurement
-constexpr double kLong = .25;        ///< seconds; what warms up is no part of work that long
+constexpr double kLong = .25;        ///< seconds; for work this long, warming up does not matter
 constexpr int kFewest = 5, kMost = 101, kQuick = 3;
 
 double seconds(const std::function<void()>& work, int inner) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a subject measures with: the clock, the driver, and how thorough to be.
+// What a subject needs for measuring: the clock, the driver, and how thorough to be.
 
 #include <glibra/result.h>
 
@@ -15,11 +15,12 @@
 namespace glibra::bench {
 
 struct BenchOptions {
-    bool quick = false;  ///< fewer settings and repeats, seconds instead of minutes in all
+    bool quick = false;  ///< fewer settings and repeats: seconds instead of minutes in all
     Driver driver = Driver::automatic;
 };
 
-/// Median and quartiles of measurements, not empty, by linear interpolation between the closest ranks.
+/// Median and quartiles of the measurements, by linear interpolation between the closest ranks. There is at
+/// least one measurement.
 Timing timingOf(std::vector<double> seconds);
 
 class Bench {
@@ -30,14 +31,14 @@ class Bench {
     ~Bench();
 
     [[nodiscard]] bool isQuick() const;
-    /// The one context of the run, opened when first asked for. gpu-E01.
+    /// The only context of the run, opened at the first call. gpu-E01.
     Result<gpu::Context*> context();
-    /// A process without a driver, forked when the bench was made.
+    /// A process without a driver, forked by the constructor.
     Apart& apart();
-    /// Times `work`: once to warm up, then until the median stands (at least 5 times, at most about `enough`
-    /// seconds; in a quick run 3 times). Work shorter than 20 microseconds is repeated inside one
-    /// measurement; work of a quarter of a second and more is done 3 times in all. Work on the device must
-    /// wait for it (glFinish) before it returns.
+    /// Times `work`: once to warm up, then until the median is stable (at least 5 times, for at most about
+    /// `enough` seconds; 3 times in a quick run). Work shorter than 20 microseconds is repeated within one
+    /// measurement. Work of a quarter of a second or more runs 3 times in all. Work on the device must wait
+    /// for the device (glFinish) before it returns.
     [[nodiscard]] Timing time(const std::function<void()>& work, double enough = .5) const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors and matrices of numbers with 100 decimal digits: what float and double are measured against.
+// Vectors and matrices of numbers with 100 decimal digits: the references for float and double.
 
 #include <array>
 #include <boost/multiprecision/cpp_dec_float.hpp>
@@ -15,7 +15,7 @@ using Exact =
 using ExactVector = std::array<Exact, 3>;
 using ExactMatrix = std::array<ExactVector, 3>;  ///< columns
 
-/// Without rounding: every double is a decimal fraction, of fewer than 100 digits in the ranges used here.
+/// Exact: every double is a decimal fraction, with fewer than 100 digits in the ranges used here.
 inline ExactVector exact(const glm::dvec3& v) {
     return {Exact(v.x), Exact(v.y), Exact(v.z)};
 }
@@ -45,11 +45,11 @@ inline Exact length(const ExactVector& v) {
     return sqrt(dot(v, v));
 }
 
-/// |a - b|, rounded at the very end.
+/// |a - b|, rounded once at the end.
 inline double distance(const ExactVector& a, const glm::dvec3& b) {
     return static_cast<double>(length(a - exact(b)));
 }
-/// The angle between them in degrees; neither is 0.
+/// The angle between the two vectors in degrees. Neither is 0.
 inline double degreesBetween(const ExactVector& a, const glm::dvec3& b) {
     const ExactVector other = exact(b);
     const Exact sine = length(cross(a, other)), cosine = dot(a, other);

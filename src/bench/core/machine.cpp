@@ -11,7 +11,8 @@
 namespace glibra::bench {
 namespace {
 
-/// The value of the first line of /proc/cpuinfo that begins with one of the names processors give themselves.
+/// The value of the first line of /proc/cpuinfo that starts with one of the names under which kernels list
+/// the processor's model.
 std::string processorModel() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

@@ -4,7 +4,7 @@
 
 namespace glibra::bench {
 
-/// Processor, memory, operating system and compiler; the driver's members stay empty.
+/// Processor, memory, operating system and compiler. The driver's members stay empty.
 Machine describeMachine();
 
 }  // namespace glibra::bench

@@ -1,5 +1,5 @@
 #pragma once
-// Run time against error, as values: curves of measured points.
+// Run time against error as values: curves of measured points.
 
 #include <cstddef>
 #include <optional>
@@ -16,14 +16,15 @@ struct Timing {
     int repeats = 0;
 };
 
-/// What one setting costs and how wrong it is.
+/// The cost and the error of one setting.
 struct Point {
-    double setting = 0;  ///< what accuracy is bought with: slices, samples, texels a side
-    std::string label;   ///< the setting for people: "64 slices", "8 bit"
+    double setting = 0;  ///< what buys accuracy: slices, samples, texels per side
+    std::string label;   ///< the setting in words: "64 slices", "8 bit"
     double error =
         0;  ///< against the reference, in the figure's errorUnit, never negative; NaN: not measurable
-    std::optional<Timing> time{};    ///< absent where the cost cannot be told apart from nothing
-    std::optional<double> memory{};  ///< bytes of the data that it works on: vertices, texels, pixels, state
+    std::optional<Timing> time{};  ///< absent if the cost is too small to measure
+    std::optional<double>
+        memory{};  ///< bytes of the data that the method works on: vertices, texels, pixels, state
     bool isOnFront =
         false;  ///< no other point of the figure is both as cheap and more accurate; set by the run
 };
@@ -31,26 +32,26 @@ struct Point {
 struct Curve {
     std::string name;  ///< the method: "trilinear, half float"
     std::vector<Point> points{};
-    /// Index of the curve that this is the theory of: nothing measured, and on no front.
+    /// Index of the curve whose theory this is. A theory is not measured and is on no front.
     std::optional<std::size_t> theoryOf{};
 };
 
-/// Which points of a figure could stand for one another. A Pareto front is one of alternatives.
+/// Which points of a figure can replace each other. A Pareto front consists of alternatives.
 enum class Alternatives {
-    figure,   ///< all of them: settings buy accuracy, whatever the curve
-    curve,    ///< those of a curve: the curves do different jobs
-    setting,  ///< those of a setting: settings are no price but a difficulty, such as a distance
-    none      ///< none: the setting is neither, but what is looked for
+    figure,   ///< all points: settings buy accuracy on every curve
+    curve,    ///< points of one curve: the curves do different jobs
+    setting,  ///< points of one setting: a setting is a difficulty, such as a distance, and not a cost
+    none      ///< no points: the setting is what the figure looks for
 };
 
-/// One diagram: the curves share an error measure and a reference.
+/// One diagram. Its curves share an error measure and a reference.
 struct Figure {
-    std::string name;         ///< unique in the subject, lower case with hyphens: "sphere-position"
+    std::string name;         ///< unique within the subject, lower case with hyphens: "sphere-position"
     std::string title;        ///< "Sphere: distance of the mesh from the surface"
     std::string settingName;  ///< "slices"
     std::string errorName;    ///< "largest distance"
     std::string errorUnit;    ///< "radii", "pixels", "1/255", "" for a ratio
-    std::string reference;  ///< what the error is measured against, and why it shares nothing with the method
+    std::string reference;  ///< what the error is measured against, and why that is independent of the method
     std::vector<Curve> curves{};
     std::vector<std::string>
         findings{};  ///< sentences computed from the figures: "error falls as slices^-2.00"

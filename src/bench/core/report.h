@@ -1,5 +1,5 @@
 #pragma once
-// What one run of the bench found, and on what machine.
+// The result of one run of the benchmarks, and the machine it ran on.
 
 #include <glibra/diagnostic.h>
 
@@ -10,21 +10,21 @@
 
 namespace glibra::bench {
 
-/// Empty strings and zeros: not known.
+/// Members that are not known are empty or 0.
 struct Machine {
     std::string processor;          ///< model name
-    int cores = 0;                  ///< that this process may use
+    int cores = 0;                  ///< available to this process
     double memory = 0;              ///< bytes
     std::string system;             ///< "Linux 6.1.0-18-amd64 x86_64"
     std::string compiler;           ///< "GCC 12.2.0"
-    std::string driver;             ///< how OpenGL was opened; empty: not at all
-    std::string renderer, version;  ///< the driver's own words
+    std::string driver;             ///< how the OpenGL context was opened; empty: it was not
+    std::string renderer, version;  ///< as the driver reports them
 };
 
 struct SubjectRun {
     std::string name;  ///< as in the table of subjects
     std::string title;
-    double seconds = 0;  ///< that measuring took
+    double seconds = 0;  ///< duration of the measurement
     std::vector<Figure> figures{};
     Diagnostics diagnostics{};  ///< what could not be measured, and why
 };

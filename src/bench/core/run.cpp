@@ -16,7 +16,8 @@ namespace {
 
 using Cost = double (*)(const Point&);
 
-/// In rising cost, a point is on the front if it is more accurate than all before it; equals stand beside.
+/// Visits the points in rising cost: a point is on the front if it is more accurate than all before it. Equal
+/// points are on it together.
 void markFront(std::vector<Point*> points, Cost cost) {
     std::ranges::sort(points, {}, [&](const Point* each) { return std::pair(cost(*each), each->error); });
     const Point* best = nullptr;
@@ -49,7 +50,7 @@ void markFront(Figure& figure) {
     const Cost cost = isTimed(figure) ? Cost([](const Point& each) { return each.time->median; })
                                       : Cost([](const Point& each) { return each.setting; });
     const bool hasFront = figure.alternatives != Alternatives::none;
-    // What the key is the same of are alternatives.
+    // Points with equal keys are alternatives.
     std::map<double, std::vector<Point*>> groups;
     for (std::size_t i = 0; i < figure.curves.size(); ++i)
         for (Point& point : figure.curves[i].points) {

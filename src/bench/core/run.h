@@ -1,5 +1,5 @@
 #pragma once
-// Measures chosen subjects one after the other.
+// Measures the chosen subjects one after the other.
 
 #include <functional>
 #include <span>
@@ -9,21 +9,22 @@
 
 namespace glibra::bench {
 
-/// True if the cost of a front is the median time: every point with an error has one. Else it is the setting.
+/// True if the cost on a front is the median time, because every point with an error has one. Otherwise the
+/// setting is the cost.
 bool isTimed(const Figure& figure);
 
-/// Sets Point::isOnFront: none of a point's alternatives is as cheap and as accurate and better in one of the
-/// two. A point without an error is never on a front.
+/// Sets Point::isOnFront: no alternative to the point is at least as cheap and as accurate, and better in one
+/// of the two. A point without an error is never on a front.
 void markFront(Figure& figure);
 
-/// Called before each subject: which, its place from 0, and how many there are.
+/// Called before each subject, with its index from 0 and the number of subjects.
 using Progress = std::function<void(const Subject& subject, std::size_t index, std::size_t count)>;
 
-/// A subject that fails has its errors in SubjectRun::diagnostics, and what it could measure all the same;
-/// the others run. Report::glibra stays empty.
+/// If a subject fails, its errors are in SubjectRun::diagnostics, beside what it could measure; the other
+/// subjects still run. Report::glibra stays empty.
 Report run(std::span<const Subject* const> chosen, const BenchOptions& options, const Progress& progress);
 
-/// True if a subject failed for lack of a driver (gpu-E01).
+/// True if a subject failed because no driver could be opened (gpu-E01).
 bool lacksDriver(const Report& report);
 
 }  // namespace glibra::bench

@@ -12,9 +12,9 @@
 namespace glibra::bench {
 
 struct Subject {
-    std::string_view name;   ///< word of the command line: "primitives"
+    std::string_view name;   ///< name on the command line: "primitives"
     std::string_view title;  ///< "Primitives: slices and stacks against the analytic surface"
-    /// Figures in the order of the page. Errors: the driver, or a file of the library that is missing.
+    /// The figures in the order of the report. Errors: no driver, or a missing file of the library.
     Result<std::vector<Figure>> (*measure)(Bench& bench);
 };
 

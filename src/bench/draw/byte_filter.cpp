@@ -47,7 +47,7 @@ std::string measureWithByteFilter(const std::string& request,
                                   Result<std::vector<Point>> (*measure)(const Bench&,
                                                                         const gpu::Capabilities&)) {
     const bool isQuick = request.ends_with(kQuick);
-    const Result<Driver> driver = gpu::driverOfWord(request.substr(0, request.find(' ')));
+    const std::optional<Driver> driver = driverOfWord(request.substr(0, request.find(' ')));
     if (!driver) return {};
     unsetenv("GALLIVM_PERF");
     const Result<gpu::Context> context = gpu::openContext({.driver = *driver, .floatFiltering = false});
@@ -58,7 +58,7 @@ std::string measureWithByteFilter(const std::string& request,
 }
 
 std::string byteFilterRequest(Bench& bench, const gpu::Context& context) {
-    return std::string(gpu::word(context.driver())) + (bench.isQuick() ? kQuick : "");
+    return std::string(word(context.driver())) + (bench.isQuick() ? kQuick : "");
 }
 
 }  // namespace glibra::bench

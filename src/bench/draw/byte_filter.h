@@ -1,6 +1,6 @@
 #pragma once
-// llvmpipe filters textures of bytes with eight-bit arithmetic unless it is told otherwise before it is
-// loaded, so that the two ways are compared in two processes.
+// llvmpipe filters byte textures with eight-bit arithmetic unless an environment variable is set before it
+// loads. So comparing the two takes two processes.
 
 #include <glibra/result.h>
 
@@ -12,20 +12,21 @@
 
 namespace glibra::bench {
 
-/// Points as text and back; every double survives.
+/// Points as text and back without loss.
 std::string pointsToText(const std::vector<Point>& points);
 std::optional<std::vector<Point>> pointsFromText(const std::string& text);
 
-/// Opens a context that filters bytes in bytes, in a process that has none yet, and gives what `measure`
-/// finds there, or an empty text. `request`: the driver's word, then " quick" for a quick run.
+/// Opens a context that filters bytes with byte arithmetic, in a process that has no context yet, and returns
+/// the result of `measure` as text, or an empty text. `request` is the name of the driver, followed by "
+/// quick" for a quick run.
 std::string measureWithByteFilter(const std::string& request,
                                   Result<std::vector<Point>> (*measure)(const Bench&,
                                                                         const gpu::Capabilities&));
-/// The request for this bench.
+/// The request for a process with the settings of `bench`.
 std::string byteFilterRequest(Bench& bench, const gpu::Context& context);
 
-/// What Measure finds in a process apart whose driver filters bytes in bytes; nothing on drivers other than
-/// llvmpipe, or if that process fails.
+/// The result of Measure in a separate process whose driver filters bytes with byte arithmetic; nothing on
+/// drivers other than llvmpipe, or if that process fails.
 template <auto Measure>
 std::optional<std::vector<Point>> withByteFilter(Bench& bench, const gpu::Context& context) {
     if (context.capabilities().family.find("llvmpipe") == std::string::npos) return std::nullopt;

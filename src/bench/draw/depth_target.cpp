@@ -11,7 +11,7 @@
 namespace glibra::bench {
 namespace {
 
-// Eye space with z as the distance. uProjection: clip z = x * distance + y.
+// Eye space; z is the distance. uProjection: clip z = x * distance + y.
 constexpr std::string_view kVertex =
     "layout(location = 0) in vec3 aPosition;\n"
     "uniform vec2 uProjection;\n"
@@ -25,7 +25,7 @@ constexpr std::string_view kFragment =
 
 constexpr float kBackBrightness = .5F, kFrontBrightness = 1;
 
-/// Clip z as factor and constant of the distance, in double.
+/// Clip z as a factor and a constant of the distance, in double.
 std::array<double, 2> projection(const DepthKind& kind, double near, double far) {
     const double span = far - near;
     if (kind.isZeroToOne)
@@ -100,7 +100,7 @@ Diagnostics DepthTarget::draw(GLenum primitive, std::span<const float> vertices,
 void DepthTarget::end() {
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    // Only a kind that needs it has called it, and only where the driver has it.
+    // Only a kind that needs the function has called it, and only if the driver has it.
     if (glClipControl) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
@@ -108,8 +108,8 @@ Result<std::vector<std::byte>> DepthTarget::picture() const {
     return gpu::readPixels(*capabilities_, framebuffer_, 0, {0, 0, side_, side_}, {4, gpu::TexelType::u8});
 }
 
-Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double near, double far,
-                                                 std::span<const DepthPair> pairs) {
+Result<std::vector<bool>> DepthTarget::resolvePairs(const DepthKind& kind, double near, double far,
+                                                    std::span<const DepthPair> pairs) {
     std::vector<float> back, front;
     const auto side = static_cast<std::size_t>(side_);
     const auto middle = [this](std::size_t pixel) {
@@ -128,19 +128,19 @@ Result<std::vector<bool>> DepthTarget::tellApart(const DepthKind& kind, double n
     if (!problems.empty()) return problems;
     Result<std::vector<std::byte>> pixels = picture();
     if (!pixels) return std::move(pixels.diagnostics);
-    std::vector<bool> isTold;
+    std::vector<bool> isResolved;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const std::size_t row = side - 1 - i / side;  // pictures begin at the top
-        isTold.push_back((*pixels)[(row * side + i % side) * 4] == std::byte{255});
+        const std::size_t row = side - 1 - i / side;  // pictures start at the top
+        isResolved.push_back((*pixels)[(row * side + i % side) * 4] == std::byte{255});
     }
-    return isTold;
+    return isResolved;
 }
 
 Result<double> DepthTarget::fighting(const DepthKind& kind, double near, double far, double distance,
                                      double gap) {
     const auto plane = [&](double scale, double width, double height) {
         std::vector<float> vertices;
-        // Two triangles as a strip. On a plane 1 / distance is linear over the picture.
+        // Two triangles as a strip. On a plane, 1 / distance is linear over the picture.
         for (const double y : {-height, height})
             for (const double x : {-width, width}) push(vertices, x, y, distance * scale / (1 - .2 * y));
         return vertices;

@@ -19,20 +19,22 @@ struct DepthPair {
 
 class DepthTarget {
   public:
-    /// A square of side x side pixels, RGBA8, with depth of that internal format.
+    /// A square of side x side pixels: RGBA8 with depth of the given internal format.
     static Result<DepthTarget> create(const gpu::Capabilities& capabilities, GLenum depthFormat, int side);
 
-    /// For every pair: draws the farther one, then the nearer one in the same pixel with a depth test that
-    /// lets only nearer surfaces pass, and says whether the nearer one is seen. At most side * side pairs.
-    Result<std::vector<bool>> tellApart(const DepthKind& kind, double near, double far,
-                                        std::span<const DepthPair> pairs);
-    /// The share of pixels, 0..1, in which the farther of two parallel planes wins. The nearer one fills the
-    /// picture from 1 / 1.2 to 1 / .8 of the distance, bottom to top; the farther one lies `gap` (a share of
-    /// the distance) behind it along every line of sight, is larger than the picture, and is drawn first.
+    /// For every pair: draws the farther surface, then the nearer one in the same pixel with a depth test
+    /// that passes only nearer surfaces. The result says whether the nearer one is visible. At most side *
+    /// side pairs.
+    Result<std::vector<bool>> resolvePairs(const DepthKind& kind, double near, double far,
+                                           std::span<const DepthPair> pairs);
+    /// The share of pixels, 0..1, in which the farther of two parallel planes wins. The nearer plane fills
+    /// the picture from 1 / 1.2 to 1 / .8 of the distance, bottom to top. The farther one is `gap` (a share
+    /// of the distance) behind it along every line of sight, is larger than the picture, and is drawn first.
     Result<double> fighting(const DepthKind& kind, double near, double far, double distance, double gap);
-    /// Clears and draws `layers` rectangles over all pixels, from back to front, and waits.
+    /// Clears, draws `layers` rectangles over all pixels from back to front, and waits.
     Diagnostics drawLayers(const DepthKind& kind, int layers);
-    /// RGBA bytes as last drawn, top row first: black nothing, half white the farther, white the nearer.
+    /// RGBA bytes of the last draw, top row first: black is empty, half white the farther surface, white the
+    /// nearer.
     [[nodiscard]] Result<std::vector<std::byte>> picture() const;
 
   private:
@@ -49,7 +51,7 @@ class DepthTarget {
     int side_ = 0;
 };
 
-/// Those of depthKinds that this driver has.
+/// The depthKinds that this driver supports.
 std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities);
 
 }  // namespace glibra::bench

@@ -1,5 +1,5 @@
 #pragma once
-// A mesh as the driver draws it: how many pixels it covers, and what that costs.
+// A mesh as the driver draws it: how many pixels it covers, and the cost.
 
 #include <glibra/result.h>
 
@@ -12,10 +12,11 @@ namespace glibra::bench {
 
 struct DrawnMesh {
     double area = 0;  ///< covered pixels
-    Timing time;      ///< uploading and drawing it
+    Timing time;      ///< of uploading and drawing
 };
 
-/// Seen along -z without perspective, `radius` pixels a unit, in the middle of a picture of `side` pixels.
+/// Draws the mesh along -z without perspective, with `radius` pixels per unit, in the middle of a picture of
+/// `side` x `side` pixels.
 Result<DrawnMesh> drawMesh(Bench& bench, const geometry::Mesh& mesh, int side, double radius);
 
 }  // namespace glibra::bench

@@ -55,7 +55,7 @@ std::string blurAlong(const std::vector<double>& weights, bool isVertical) {
 }
 
 std::string pairedBlurAlong(const std::vector<double>& weights, bool isVertical) {
-    // Pixels i and i + 1 for odd i; with an odd radius the outermost stands alone.
+    // Pairs the pixels i and i + 1 for odd i; with an odd radius the outermost pixel is single.
     std::vector<double> places, together;
     for (std::size_t i = 1; i < weights.size(); i += 2) {
         const double next = i + 1 < weights.size() ? weights[i + 1] : 0;

@@ -18,26 +18,26 @@ namespace glibra::bench {
 
 /// Fragment shaders of a pass: they read uPicture and write fColor.
 std::string directBlur(const std::vector<double>& weights);
-/// One direction of the separable blur, `isVertical` or horizontal.
+/// One direction of the separable blur: vertical if `isVertical`, else horizontal.
 std::string blurAlong(const std::vector<double>& weights, bool isVertical);
-/// The same with half as many reads: the linear filter weighs two neighbours by the place between them.
+/// The same with half as many reads: the linear filter weights two neighbours by a place between them.
 std::string pairedBlurAlong(const std::vector<double>& weights, bool isVertical);
 std::string directSobel();
-/// First pass: red the column smoothed by 1 2 1, green its difference, times `scale` plus `bias`.
+/// First pass: red is the column smoothed by 1 2 1, green its difference, times `scale` plus `bias`.
 std::string sobelColumns(double scale, double bias);
-/// Second pass: the gradient's length from what the first one left.
+/// Second pass: the length of the gradient, from the result of the first.
 std::string sobelRows(double scale, double bias);
 
-/// Passes that follow one another: the first reads the picture, the last writes floats, the others a texture
-/// of `between` each.
+/// Consecutive passes: the first reads the picture, the last writes floats, the others write a texture of
+/// format `between`.
 class FilterChain {
   public:
-    /// `fragments`: one text a pass, at least one. The picture is uploaded as bytes.
+    /// `fragments`: one shader per pass, at least one. The picture is uploaded as bytes.
     static Result<FilterChain> create(const gpu::Capabilities& capabilities, const Plane& picture,
                                       const std::vector<std::string>& fragments, gpu::TexelFormat between);
     /// Runs all passes; does not wait.
     void draw() const;
-    /// Red of the last pass.
+    /// The red component of the last pass.
     [[nodiscard]] Result<Plane> result(const gpu::Capabilities& capabilities) const;
     /// Bytes of the textures between the passes.
     [[nodiscard]] double bytesBetween() const;
@@ -48,7 +48,7 @@ class FilterChain {
         gpu::Target target;
     };
     explicit FilterChain(gpu::Texture picture) : picture_(std::move(picture)) {}
-    // Textures lie on the heap because targets know them by address.
+    // Textures are on the heap because targets refer to them by address.
     gpu::Texture picture_;
     std::vector<std::unique_ptr<const gpu::Texture>> between_;
     std::vector<Pass> passes_;

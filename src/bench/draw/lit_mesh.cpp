@@ -46,7 +46,7 @@ uniform mat4 uToEye;
 out vec4 fColor;
 )";
 
-/// GLSL of the intensity of a fragment.
+/// GLSL that computes the intensity of a fragment.
 std::string_view expression(LitSurface surface, LightingMethod method) {
     switch (method) {
         case LightingMethod::perVertex:

@@ -1,6 +1,6 @@
 #pragma once
-// Lit pictures as the driver draws them: of meshes by several ways to light them, and of highlights alone.
-// Red is the intensity, green 1 where the surface is.
+// Lit pictures as the driver draws them: meshes lit in several ways, and highlights alone. Red is the
+// intensity; green is 1 on the surface.
 
 #include <glibra/result.h>
 
@@ -16,28 +16,28 @@
 
 namespace glibra::bench {
 
-/// Half the side of the square of eye space that a picture shows.
+/// A picture shows a square of eye space; this is half its side.
 inline constexpr double kSeen = 1.05;
 
 enum class LightingMethod {
-    perVertex,     ///< evaluated at the vertices, the intensity is interpolated
-    interpolated,  ///< evaluated at the fragments with the interpolated normal as it is
-    renormalised,  ///< with the interpolated normal made a unit vector
-    analytic       ///< with the surface's own normal above the interpolated position
+    perVertex,     ///< evaluated at the vertices; the intensity is interpolated
+    interpolated,  ///< evaluated per fragment with the interpolated normal as it is
+    renormalised,  ///< evaluated per fragment with the interpolated normal normalised
+    analytic  ///< evaluated per fragment with the exact normal of the surface above the interpolated position
 };
 
-/// Ambient, diffuse and the reflection's highlight, from a mesh with "position" and "normal".
+/// Ambient, diffuse and reflected light, for a mesh with "position" and "normal".
 Result<gpu::Program> lightingProgram(const gpu::Capabilities& capabilities, LitSurface surface,
                                      LightingMethod method, const glm::dvec3& light, double exponent);
 
-/// The highlight alone on the unit sphere that fills the target; for drawWhole. Uniforms: uLight, uExponent.
+/// The highlight alone, on a unit sphere that fills the target; for drawWhole. Uniforms: uLight, uExponent.
 Result<gpu::Program> highlightProgram(const gpu::Capabilities& capabilities, Highlight model);
 
 /// A mesh on the device.
 class LitMesh {
   public:
     static Result<LitMesh> create(const geometry::Mesh& mesh);
-    /// Clears the target and draws, with depth test.
+    /// Clears the target and draws with the depth test.
     void draw(const gpu::Program& program, const gpu::Target& target) const;
     [[nodiscard]] double bytes() const;
 

@@ -15,7 +15,7 @@ constexpr std::string_view kHead =
     "uniform sampler3D uNoise;\n"
     "out vec4 fColor;\n";
 
-// Texel i stands for the place i / n, and the driver's is (i + 1/2) / n.
+// Texel i stands for the place i / n; in the driver's coordinates it is at (i + 1/2) / n.
 constexpr std::string_view kDriverFilter =
     "vec4 noise(vec3 place) { return texture(uNoise, place + .5 / vec3(textureSize(uNoise, 0))); }\n";
 
@@ -34,7 +34,7 @@ constexpr std::string_view kShaderFilter =
 constexpr std::string_view kMain =
     "void main() { fColor = noise(uCorner + vPlace.x * uAcross + vPlace.y * uUp); }\n";
 
-// The function of one octave; {0} cells, {1} and {2} the permutations, {3} the gradients.
+// One octave; {0} is the number of cells, {1} and {2} are the permutations, {3} the gradients.
 constexpr std::string_view kOctave =
     "const int kOuter{0}[{0}] = int[{0}]({1});\n"
     "const int kInner{0}[{0}] = int[{0}]({2});\n"

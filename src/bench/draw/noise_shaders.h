@@ -1,5 +1,6 @@
 #pragma once
-// Noise on the device: by a texture the driver filters, by one the shader filters, by the function itself.
+// Noise on the device: from a texture filtered by the driver, from one filtered by the shader, and from the
+// function itself.
 
 #include <glibra/result.h>
 
@@ -14,8 +15,8 @@ namespace glibra::bench {
 
 enum class NoiseShader { driverFilter, shaderFilter, function };
 
-/// A picture of the plane `corner` + x `across` + y `up` through the noise, x and y from 0 to 1; places are
-/// in periods.
+/// A picture of the plane `corner` + x `across` + y `up` through the noise, with x and y from 0 to 1. Places
+/// are in periods.
 struct NoisePlane {
     glm::dvec3 corner{0}, across{1, 0, 0}, up{0, 1, 0};
 };
@@ -24,11 +25,11 @@ class NoisePicture {
   public:
     static Result<NoisePicture> create(const gpu::Capabilities& capabilities, NoiseShader shader, int side);
 
-    /// Draws and waits. The texture of the first two shaders; not looked at by `function`.
+    /// Draws and waits. The first two shaders sample the texture; `function` ignores it.
     void draw(const NoisePlane& plane, const gpu::Texture* texture, gpu::Wrap wrap = gpu::Wrap::repeat) const;
-    /// The octaves of every pixel as last drawn, rows from the top.
+    /// The octaves of every pixel of the last draw, rows from the top.
     [[nodiscard]] Result<std::vector<float>> pixels() const;
-    /// The place that a pixel shows.
+    /// The place in the noise that a pixel shows.
     [[nodiscard]] glm::dvec3 place(const NoisePlane& plane, int column, int row) const;
     [[nodiscard]] int side() const { return target_.width(); }
 

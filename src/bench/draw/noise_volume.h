@@ -1,5 +1,5 @@
 #pragma once
-// Noise textures of three dimensions in several texel formats, and what they should hold.
+// Three-dimensional noise textures in several texel formats, and their exact values.
 
 #include <glibra/result.h>
 
@@ -15,7 +15,7 @@
 
 namespace glibra::bench {
 
-/// byteFloor is what scenes get (noise::noise3Texels); the others are the function rounded to nearest.
+/// byteFloor is the format in scenes (noise::noise3Texels); the others hold the function rounded to nearest.
 enum class NoiseFormat { byteFloor, byteNearest, sixteenBits, half, single };
 inline constexpr std::array kNoiseFormats{NoiseFormat::byteFloor, NoiseFormat::byteNearest,
                                           NoiseFormat::sixteenBits, NoiseFormat::half, NoiseFormat::single};
@@ -23,21 +23,21 @@ inline constexpr std::array kNoiseFormats{NoiseFormat::byteFloor, NoiseFormat::b
 std::string_view name(NoiseFormat format);
 gpu::TexelFormat texelFormat(NoiseFormat format);
 
-/// One value an octave.
+/// One value per octave.
 using Octaves = std::array<double, noise::kOctaves>;
 
-/// The function itself at a place in periods.
+/// The function itself; the place is in periods.
 Octaves exactNoise(const glm::dvec3& place);
 
-/// n x n x n texels of the function, exactly, as floats: x fastest, four octaves a texel.
+/// n x n x n texels of the exact function as floats: x fastest, four octaves per texel.
 std::vector<float> exactTexels(int n);
 
 class NoiseVolume {
   public:
-    /// `exact`: exactTexels(n), which is not looked at for byteFloor.
+    /// `exact`: exactTexels(n), unused for byteFloor.
     NoiseVolume(int n, NoiseFormat format, const std::vector<float>& exact);
 
-    /// Trilinear interpolation in double, repeating. Texel i stands for the place i / n.
+    /// Interpolates trilinearly in double; the texture repeats. Texel i stands for the place i / n.
     [[nodiscard]] Octaves at(const glm::dvec3& place) const;
     Result<gpu::Texture> upload(const gpu::Capabilities& capabilities) const;
     [[nodiscard]] int side() const { return n_; }
@@ -46,7 +46,7 @@ class NoiseVolume {
   private:
     int n_;
     NoiseFormat format_;
-    std::vector<float> values_;  ///< as the format keeps them
+    std::vector<float> values_;  ///< as the format stores them
 };
 
 /// Point i of a sequence that fills the unit cube evenly (M. Roberts, The Unreasonable Effectiveness of

@@ -50,7 +50,8 @@ Result<gpu::Program> program(const gpu::Capabilities& capabilities, std::span<co
     gpu::BuildOutcome outcome =
         gpu::buildProgram(capabilities, {.stages = sources, .captured = std::move(captured)});
     if (!outcome.program)
-        return error("gpu-E02", fmt::format("the driver refuses a program of the bench: {}", logOf(outcome)));
+        return error("gpu-E02", fmt::format("the driver rejects a shader program of the benchmarks: {}",
+                                            logOf(outcome)));
     return std::move(*outcome.program);
 }
 
@@ -128,7 +129,7 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     gpu::clearErrors();
     const gpu::VertexArray none{{}};
     none.bind();
-    program.use();  // not allowed while feedback runs
+    program.use();  // before the feedback starts, which forbids it
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
     glEnable(GL_RASTERIZER_DISCARD);
     glBeginQuery(GL_PRIMITIVES_GENERATED, made.get());
@@ -156,8 +157,8 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     if (const GLenum code = gpu::takeError(); code != GL_NO_ERROR)
         return gpu::allocationError(code, "capturing vertices");
     if (generated != kept)
-        return error("gpu-E03",
-                     fmt::format("{} primitives were drawn and room for {} was made", generated, kept));
+        return error("gpu-E03", fmt::format("{} primitives were drawn, but the buffer has room for {}",
+                                            generated, kept));
     return result;
 }
 

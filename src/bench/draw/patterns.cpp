@@ -41,8 +41,8 @@ constexpr std::string_view kPlaneFragment =
     "    fColor = vec4(float((square.x + square.y) & 1));\n"
     "}\n";
 
-// Periods run from 24 to 1.3 pixels along the direction of 20 degrees. With q(t) = -1/2 for fract(t) < 1/2
-// and 1/2 above, `once` is the integral of q and `twice` that of `once`, both periodic.
+// Periods decrease from 24 to 1.3 pixels along the direction of 20 degrees. With q(t) = -1/2 for fract(t) <
+// 1/2 and 1/2 above, `once` is the integral of q and `twice` that of `once`; both are periodic.
 constexpr std::string_view kStripes =
     "in vec2 vPlace;\n"
     "uniform float uSide;\n"
@@ -76,7 +76,7 @@ constexpr std::string_view kOverSquare =
     "    fColor = vec4(.5 + (twice(p + s) - twice(p + d) - twice(p - d) + twice(p - s)) / (a * b));\n"
     "}\n";
 
-/// Corners in 0..1, (0, 0) at the lower left.
+/// Corners in 0..1; (0, 0) is at the lower left.
 std::vector<glm::vec2> star() {
     std::vector<glm::vec2> corners;
     for (int spoke = 0; spoke < kSpokes; ++spoke) {
@@ -100,7 +100,7 @@ std::vector<double> starCoverage(int side) {
     return coverage(triangles, side, side);
 }
 
-/// Mean over from..to of a wave that is 1 in even cells of length 1 and -1 in odd ones.
+/// The mean over from..to of a wave that is 1 in even cells of length 1 and -1 in odd ones.
 double meanOfWave(double from, double to) {
     const auto integral = [](double t) {
         const double inPeriod = t - 2 * std::floor(t / 2);
@@ -147,9 +147,9 @@ Result<std::vector<Pattern>> patterns(const gpu::Capabilities& capabilities) {
     }};
     constexpr std::array<std::array<std::string_view, 2>, 4> kNames{{
         {"edges", "A star of 17 narrow triangles"},
-        {"checkerboard", "A checkerboard of .83 x .61 pixels a square"},
+        {"checkerboard", "A checkerboard of .83 x .61 pixels per square"},
         {"checkerboard-plane", "A checkerboard on a plane in perspective"},
-        {"stripes", "Stripes of 24 to 1.3 pixels a period"},
+        {"stripes", "Stripes of 24 to 1.3 pixels per period"},
     }};
     std::vector<Pattern> all;
     for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -15,7 +15,7 @@
 namespace glibra::bench {
 namespace {
 
-/// Components in 0..1, limited to it; NaN is 0.
+/// Components limited to 0..1; NaN becomes 0.
 std::vector<float> limited(const image::Image& picture) {
     std::vector<float> values;
     if (picture.type == image::Component::u8) {
@@ -55,8 +55,9 @@ double scenePictureBytes(gpu::Context& context, const std::filesystem::path& sce
 
 namespace {
 
-/// For the window, and then for each pass into a texture: the places of a square of side x side, in pixels
-/// from its middle. Each has an order of its own, the same at every run, so that no two move together.
+/// Sample positions for the window, then for each pass into a texture: the places of a square of side x side,
+/// in pixels from its middle. Each pass has its own order, the same in every run, so that no two passes move
+/// together.
 std::vector<std::vector<glm::dvec2>> sampleOrders(std::size_t passes, int side) {
     std::vector<glm::dvec2> places;
     for (int y = 0; y < side; ++y)

@@ -12,27 +12,27 @@ namespace {
 
 constexpr std::size_t kColumns = 64;
 
-std::string fragmentShader(std::string_view glsl, int inputsEach, std::size_t rows) {
+std::string fragmentShader(std::string_view glsl, int inputsPerValue, std::size_t rows) {
     return fmt::format(R"(uniform sampler2D uInputs;
 out vec4 fColor;
 vec4 given(int k) {{
-    // Pixels are read back from the top row on.
+    // Pixels are read back from the top row.
     return texelFetch(uInputs, ivec2(int(gl_FragCoord.x) * {} + k, {} - int(gl_FragCoord.y)), 0);
 }}
 {}
 void main() {{ fColor = value(); }}
 )",
-                       inputsEach, rows - 1, glsl);
+                       inputsPerValue, rows - 1, glsl);
 }
 
 }  // namespace
 
 Result<ShaderValues> ShaderValues::create(Bench& bench, std::string_view glsl, std::span<const Four> inputs,
-                                          int inputsEach) {
+                                          int inputsPerValue) {
     const Result<gpu::Context*> context = bench.context();
     if (!context) return context.diagnostics;
     const gpu::Capabilities& capabilities = (*context)->capabilities();
-    const auto each = static_cast<std::size_t>(inputsEach);
+    const auto each = static_cast<std::size_t>(inputsPerValue);
     const std::size_t count = inputs.size() / each, rows = (count + kColumns - 1) / kColumns;
 
     std::vector<Four> texels(rows * kColumns * each);
@@ -43,7 +43,7 @@ Result<ShaderValues> ShaderValues::create(Bench& bench, std::string_view glsl, s
         {.data = std::as_bytes(std::span(texels)), .components = 4, .type = gpu::TexelType::f32});
     if (!texture) return std::move(texture.diagnostics);
     Result<gpu::Program> built =
-        bench::program(capabilities, kWholeTarget, fragmentShader(glsl, inputsEach, rows));
+        bench::program(capabilities, kWholeTarget, fragmentShader(glsl, inputsPerValue, rows));
     if (!built) return std::move(built.diagnostics);
     Result<gpu::Target> target = gpu::Target::window(capabilities, static_cast<int>(kColumns),
                                                      static_cast<int>(rows), gpu::TexelFormat::rgba32f);

@@ -1,5 +1,5 @@
 #pragma once
-// A GLSL function evaluated for many inputs, a pixel each, in the driver's own arithmetic.
+// Evaluates a GLSL function for many inputs, one pixel each, in the driver's arithmetic.
 
 #include <glibra/result.h>
 
@@ -19,18 +19,18 @@ using Four = std::array<float, 4>;
 
 class ShaderValues {
   public:
-    /// `glsl` defines `vec4 value()` of GLSL 4.10, which reads the inputs of its pixel as given(0),
-    /// given(1) ... `inputs` holds `inputsEach` vectors a value. gpu-E01, or errors of the driver.
+    /// `glsl` defines `vec4 value()` in GLSL 4.10, which reads the inputs of its pixel as given(0), given(1)
+    /// ... `inputs` holds `inputsPerValue` vectors per value. gpu-E01, or errors of the driver.
     static Result<ShaderValues> create(Bench& bench, std::string_view glsl, std::span<const Four> inputs,
-                                       int inputsEach = 1);
+                                       int inputsPerValue = 1);
 
     /// Draws and waits for it.
     void compute() const;
-    /// What the last compute() gave, one vector a value.
+    /// The results of the last compute(), one vector per value.
     [[nodiscard]] Result<std::vector<Four>> values() const;
-    /// Of the inputs and of what they become.
+    /// Bytes of the inputs and the results.
     [[nodiscard]] double bytes() const;
-    /// For uniforms of `glsl`.
+    /// The program, for setting uniforms of `glsl`.
     [[nodiscard]] const gpu::Program& program() const { return program_; }
 
   private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFloatsAVertex = 7;
 
-// Patches are counted over several draws.
+// Patches are numbered over several draws.
 constexpr std::string_view kVertex =
     "uniform float uFirst;\n"
     "out float vPatch;\n"
@@ -31,7 +31,7 @@ constexpr std::string_view kControl =
     "    for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = inner;\n"
     "}\n";
 
-// What all evaluation shaders begin and end with; {0} is the layout, {1} the functions with `surface`.
+// Start and end of all evaluation shaders; {0} is the layout, {1} the functions, among them `surface`.
 constexpr std::string_view kEvaluation =
     "#version 410 core\n"
     "layout({0}, ccw) in;\n"
@@ -62,7 +62,7 @@ constexpr std::string_view kBernstein =
     "    return sum;\n"
     "}\n";
 
-/// A patch as four curves along v and one along u; `curve` comes before it.
+/// A patch as four curves along v and one along u; `curve` must precede it.
 constexpr std::string_view kCurveOfCurves =
     "vec3 surface() {\n"
     "    vec3 along[4];\n"
@@ -144,12 +144,12 @@ bool isTriangle(Evaluation evaluation) {
     return evaluation == Evaluation::sphereOctant || evaluation == Evaluation::pnTriangle;
 }
 
-/// Control points of one patch; an octant has none of its own.
+/// The control points of one patch; an octant has none.
 std::size_t pointsAPatch(Evaluation evaluation) {
     return evaluation == Evaluation::pnTriangle ? 6 : isTriangle(evaluation) ? 1 : 16;
 }
 
-/// Room for what a patch with these levels may give: twice the squares of the largest, and a margin.
+/// An upper bound of what a patch with these levels gives: twice the squares of the largest, and a margin.
 int mostVertices(const Levels& levels, int patches) {
     const auto side = static_cast<int>(std::max(levels.outer, levels.inner + 2 * levels.innerStep)) + 3;
     return patches * side * side * 6;
@@ -200,11 +200,11 @@ void Tessellator::prepare(const Levels& levels) const {
     glPatchParameteri(GL_PATCH_VERTICES, 1);
 }
 
-Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels, int patchesADraw) const {
+Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels, int patchesPerDraw) const {
     prepare(levels);
     std::vector<TessellatedVertex> vertices;
-    for (int first = 0; first < patches_; first += patchesADraw) {
-        const int count = std::min(patchesADraw, patches_ - first);
+    for (int first = 0; first < patches_; first += patchesPerDraw) {
+        const int count = std::min(patchesPerDraw, patches_ - first);
         setFloats(program_, "uFirst", {static_cast<float>(first)});
         Result<Captured> captured = bench::capture(*capabilities_, program_, GL_PATCHES, count, GL_TRIANGLES,
                                                    kFloatsAVertex, mostVertices(levels, count));
@@ -221,9 +221,9 @@ Result<std::vector<TessellatedVertex>> Tessellator::capture(const Levels& levels
 
 void Tessellator::draw(const Levels& levels) const {
     prepare(levels);
-    for (int first = 0; first < patches_; first += kPatchesADraw) {
+    for (int first = 0; first < patches_; first += kPatchesPerDraw) {
         setFloats(program_, "uFirst", {static_cast<float>(first)});
-        drawVertices(program_, GL_PATCHES, std::min(kPatchesADraw, patches_ - first));
+        drawVertices(program_, GL_PATCHES, std::min(kPatchesPerDraw, patches_ - first));
     }
     glFinish();
 }

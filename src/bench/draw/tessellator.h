@@ -1,5 +1,5 @@
 #pragma once
-// Patches through the driver's tessellation stages, and the vertices that come out.
+// Runs patches through the driver's tessellation stages and returns the vertices.
 
 #include <glibra/result.h>
 
@@ -23,11 +23,11 @@ inline constexpr std::array kSpacings{Spacing::equal, Spacing::fractionalEven, S
 std::string_view name(Spacing spacing);
 
 /// What the evaluation shader computes. The first three are bicubic patches of 16 control points, rows along
-/// v: as a sum of Bernstein polynomials, by repeated interpolation, and as a sum of symmetric pairs that is
-/// marked `precise`, so that an edge gives the same bits from both ends (after I. Castano, Water-tight,
-/// textured, displaced subdivision surface tessellation, NVIDIA, 2008). An octant of the unit sphere is a
-/// triangle whose points are normalised. PN triangles take three corners and three normals (A. Vlachos et
-/// al., Curved PN Triangles, 2001).
+/// v: by a sum of Bernstein polynomials, by repeated interpolation, and by a sum of symmetric pairs marked
+/// `precise`, which gives an edge the same bits from both ends (after I. Castano, Water-tight, textured,
+/// displaced subdivision surface tessellation, NVIDIA, 2008). An octant of the unit sphere is a triangle
+/// whose points are normalised. PN triangles take three corners and three normals (A. Vlachos et al., Curved
+/// PN Triangles, 2001).
 enum class Evaluation { bernstein, interpolated, symmetric, sphereOctant, pnTriangle };
 
 struct TessellatedVertex {
@@ -36,27 +36,27 @@ struct TessellatedVertex {
     int patch = 0;
 };
 
-/// Levels of all patches: outer ones alike; inner ones may grow from patch to patch, by 0, 1, 2, 0, 1 ...
-/// steps.
+/// Levels of all patches. The outer levels are equal; the inner ones may grow from patch to patch, by 0, 1,
+/// 2, 0, 1 ... steps.
 struct Levels {
     float outer = 1, inner = 1, innerStep = 0;
 };
 
 class Tessellator {
   public:
-    /// llvmpipe (Mesa 22.3) numbers the vertices that come out of one draw in 16 bits and repeats the first
-    /// patches beyond that; 8 patches of level 64 stay below.
-    static constexpr int kPatchesADraw = 8;
+    /// llvmpipe (Mesa 22.3) numbers the vertices of one draw with 16 bits and repeats the first patches
+    /// beyond that; 8 patches of level 64 stay below.
+    static constexpr int kPatchesPerDraw = 8;
 
     /// `points`: the control points of all patches, at most 1024.
     static Result<Tessellator> create(const gpu::Capabilities& capabilities, Evaluation evaluation,
                                       Spacing spacing, std::span<const glm::vec3> points);
 
-    /// Three vertices a triangle.
+    /// Three vertices per triangle.
     Result<std::vector<TessellatedVertex>> capture(const Levels& levels,
-                                                   int patchesADraw = kPatchesADraw) const;
+                                                   int patchesPerDraw = kPatchesPerDraw) const;
     [[nodiscard]] int patches() const { return patches_; }
-    /// Draws all into the bound target, seen along -z, grey by height, and waits.
+    /// Draws all patches into the bound target, seen along -z, grey by height, and waits.
     void draw(const Levels& levels) const;
 
   private:

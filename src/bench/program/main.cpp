@@ -12,7 +12,7 @@ namespace {
 
 void addDriver(CLI::App& app, Driver& driver) {
     app.add_option("--driver", driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(cli::kDriverWords));
+        ->transform(CLI::CheckedTransformer(cli::kDriversByWord));
 }
 
 void addMeasure(CLI::App& app, MeasureArguments& to) {

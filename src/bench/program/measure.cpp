@@ -38,7 +38,7 @@ Result<std::vector<const Subject*>> choose(const std::vector<std::string>& names
     for (const std::string& each : names) {
         if (std::ranges::find(known, each) != known.end()) continue;
         const std::string near = glib::suggestion(each, known);
-        problems.push_back(error("bench-E01", fmt::format("there is no subject '{}'{}", each,
+        problems.push_back(error("bench-E01", fmt::format("unknown subject '{}'{}", each,
                                                           near.empty() ? "; --list names them" : near)));
     }
     if (!problems.empty()) return problems;

@@ -23,7 +23,7 @@ nlohmann::ordered_json toJson(const BuiltinFunction& function, const Precision& 
                                 {"worstArguments", argumentsText(function, precision.worst)},
                                 {"samples", precision.samples},
                                 {"notNumbers", precision.notNumbers}};
-    if (precision.ofBound) json["timesTheBound"] = finite(*precision.ofBound);
+    if (precision.timesTheBound) json["timesTheBound"] = finite(*precision.timesTheBound);
     return json;
 }
 

@@ -15,12 +15,12 @@ std::optional<glm::dvec3> sphereNormal(double x, double y) {
     return glm::dvec3(x, y, std::sqrt(zSquared));
 }
 
-/// Signed distance from the torus about the z axis.
+/// Signed distance from the torus around the z axis.
 double distance(const glm::dvec3& p) {
     return glm::length(glm::dvec2(glm::length(glm::dvec2(p)) - kRingRadius, p.z)) - kTubeRadius;
 }
 
-/// Sphere tracing: steps as long as the distance never pass the surface (Hart 1996).
+/// Sphere tracing: steps as long as the distance never pass through the surface (Hart 1996).
 std::optional<glm::dvec3> torusNormal(double x, double y) {
     constexpr double kHit = 1e-12, kReach = 1.5;
     constexpr int kMostSteps = 2000;

@@ -35,7 +35,7 @@ PatchPoint patchPoint(const geometry::Patch& patch, const glm::dvec2& st) {
 
 glm::dvec2 nearestOnPatch(const geometry::Patch& patch, const glm::dvec3& point, glm::dvec2 start) {
     constexpr int kSteps = 4;
-    constexpr double kDamping = 1e-9;  // keeps the poles, where dP/ds is 0, from dividing by it
+    constexpr double kDamping = 1e-9;  // prevents a division by 0 at the poles, where dP/ds is 0
     glm::dvec2 st = start;
     for (int i = 0; i < kSteps; ++i) {
         const PatchPoint at = patchPoint(patch, st);

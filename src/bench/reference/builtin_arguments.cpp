@@ -6,7 +6,7 @@
 namespace glibra::bench {
 namespace {
 
-/// 0 <= u < 1, a function of its two numbers (the finaliser of MurmurHash3 by Austin Appleby).
+/// A number in 0 <= u < 1 computed from the two arguments (finaliser of MurmurHash3 by Austin Appleby).
 double uniform(std::uint32_t index, std::uint32_t slot) {
     std::uint64_t h = (std::uint64_t{index} << 8 | slot) + 0x9E3779B97F4A7C15ULL;
     h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDULL;

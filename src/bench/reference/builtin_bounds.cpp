@@ -13,12 +13,12 @@ long double exponentialAllowed(long double exponent, long double result) {
     return (3 + 2 * std::fabs(exponent)) * unitInLastPlace(result);
 }
 
-/// At x, `result` being the exact one.
+/// The error at x, if `result` is the exact result.
 long double logarithmAllowed(long double x, long double result) {
     return x >= .5L && x <= 2 ? 0x1p-21L : 3 * unitInLastPlace(result);
 }
 
-/// sqrt(x) is 1 / inversesqrt(x): 2 ULP of the one, at most 4 roundings each, then the division.
+/// sqrt(x) is 1 / inversesqrt(x): 2 ULP of the latter, at most 4 roundings each, then the division.
 long double rootAllowed(long double value) {
     return 4 * kRounding * value + 2.5L * unitInLastPlace(value);
 }
@@ -66,7 +66,7 @@ long double hyperbolicTangent(const Arguments& x, const Values& y, int) {
     return hyperbolicAllowed(x[0]) * (1 + s / c) / c + 2.5L * unitInLastPlace(y[0]);
 }
 
-/// The square root halves the relative error of the sum of three squares, at most three roundings.
+/// The square root halves the relative error of the sum of three squares: at most three roundings.
 long double length(const Arguments&, const Values& y, int) {
     return 1.5L * kRounding * y[0] + rootAllowed(y[0]);
 }
@@ -122,12 +122,12 @@ long double smoothStep(const Arguments& x, const Values& y, int) {
     return 6 * t * (1 - t) * 7 * kRounding * t + 3 * kRounding * y[0];
 }
 
-/// x - y floor(x / y): two roundings, if the floor is right.
+/// x - y floor(x / y): two roundings, if floor is right.
 long double modulus(const Arguments& x, const Values& y, int) {
     return kRounding * (std::fabs(x[4] * std::floor(x[0] / x[4])) + std::fabs(y[0]));
 }
 
-/// pi / 180 x: the factor is rounded, and the product.
+/// pi / 180 x: the factor and the product are rounded.
 long double angle(const Arguments&, const Values& y, int) {
     return 2 * kRounding * std::fabs(y[0]);
 }

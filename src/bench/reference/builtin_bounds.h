@@ -1,7 +1,7 @@
 #pragma once
-// What GLSL 4.60, section 4.7.1, allows the built-in functions to be wrong by: absolute, for component i of
-// the exact result y of the arguments x. Functions given by an equation inherit the errors of its operations,
-// added up to first order. For BuiltinFunction::allowed.
+// The errors that GLSL 4.60, section 4.7.1, allows the built-in functions: absolute, for component i of the
+// exact result y of the arguments x. Functions that the section defines by an equation inherit the errors of
+// its operations, added up to first order. For BuiltinFunction::allowed.
 
 #include "bench/reference/builtin_functions.h"
 

@@ -9,7 +9,7 @@ namespace {
 
 using Polygon = std::vector<glm::dvec2>;
 
-/// What lies on one side of a line along an axis: coordinate >= border, or <= border if `isUpper`.
+/// The part on one side of a line along an axis: coordinate >= border, or <= border if `isUpper`.
 Polygon cut(const Polygon& polygon, int axis, double border, bool isUpper) {
     Polygon kept;
     const auto depth = [&](const glm::dvec2& point) {

@@ -28,7 +28,7 @@ constexpr std::array kKinds{
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMantissa = 24;  // bits of the floats that coordinates are kept in
 
-/// Spacing of floats with that many bits of mantissa at a value.
+/// The spacing at `value` of floats with `bits` bits of mantissa.
 double spacing(double value, int bits) {
     int exponent = 0;
     (void)std::frexp(std::max(value, static_cast<double>(std::numeric_limits<float>::min())), &exponent);

@@ -6,7 +6,7 @@
 namespace glibra::bench {
 namespace {
 
-/// 0..255, a function of the place (the finaliser of MurmurHash3 by Austin Appleby).
+/// 0..255, computed from the place (finaliser of MurmurHash3 by Austin Appleby).
 std::uint32_t grain(int x, int y) {
     std::uint32_t h =
         static_cast<std::uint32_t>(x) * 0x9E3779B1U ^ static_cast<std::uint32_t>(y) * 0x85EBCA77U;

@@ -18,7 +18,7 @@ double mitchell(double x) {
     return ((-7. / 3) * x * x * x + 12 * x * x - 20 * x + 32. / 3) / 6;
 }
 
-/// The samples that one pixel takes along an axis.
+/// The samples along one axis that contribute to one pixel.
 struct Taps {
     std::size_t first = 0;
     std::vector<double> weights;

@@ -1,5 +1,5 @@
 #pragma once
-// Many samples a pixel to one value a pixel.
+// Reduces many samples per pixel to one value per pixel.
 
 #include <span>
 #include <string_view>
@@ -7,9 +7,9 @@
 
 namespace glibra::bench {
 
-/// box: 1 pixel wide. tent: 2. gaussian: exp(-2 x^2), cut off at 1.5. mitchell: B = C = 1/3, radius 2 (D.
-/// Mitchell and A. Netravali, Reconstruction Filters in Computer Graphics, 1988). lanczos2: sinc windowed by
-/// sinc(x / 2), radius 2.
+/// box: 1 pixel wide. tent: 2 pixels wide. gaussian: exp(-2 x^2), cut off at 1.5. mitchell: B = C = 1/3,
+/// radius 2 (D. Mitchell and A. Netravali, Reconstruction Filters in Computer Graphics, 1988). lanczos2: sinc
+/// windowed by sinc(x / 2), radius 2.
 enum class PixelFilter { box, tent, gaussian, mitchell, lanczos2 };
 
 inline constexpr PixelFilter kPixelFilters[] = {PixelFilter::box, PixelFilter::tent, PixelFilter::gaussian,
@@ -18,11 +18,12 @@ inline constexpr PixelFilter kPixelFilters[] = {PixelFilter::box, PixelFilter::t
 std::string_view name(PixelFilter filter);
 /// Half the filter's width, in pixels.
 double radiusOf(PixelFilter filter);
-/// Weight at a distance of x pixels from the pixel's centre along one axis, not normalised.
+/// The weight at a distance of x pixels from the centre of the pixel along one axis, not normalised.
 double weightOf(PixelFilter filter, double x);
 
-/// width x height pixels of a grey picture that has factor x factor samples a pixel, on a regular grid.
-/// Weights are products of those along both axes and add up to 1; what lies outside the picture is left out.
+/// width x height pixels of a grey picture with factor x factor samples per pixel on a regular grid. A weight
+/// is the product of the weights along both axes; weights are scaled to add up to 1. Samples outside the
+/// picture are left out.
 std::vector<double> reduce(std::span<const float> samples, int width, int height, int factor,
                            PixelFilter filter);
 

@@ -6,7 +6,7 @@
 namespace glibra::bench {
 namespace {
 
-/// Place of b(i,j,k) with i + j + k = degree among all, i falling, then j falling.
+/// The index of b(i,j,k) with i + j + k = degree among all, i falling, then j falling.
 std::size_t placeOf(int degree, int i, int j) {
     const auto row = static_cast<std::size_t>(degree - i);
     return row * (row + 1) / 2 + row - static_cast<std::size_t>(j);
@@ -38,7 +38,7 @@ PnTriangle::PnTriangle(const std::array<glm::dvec3, 3>& corners, const std::arra
 PnTriangle::Near PnTriangle::deCasteljau(const glm::dvec3& barycentric) const {
     std::array<glm::dvec3, 10> points = points_;
     for (int degree = 2; degree > 0; --degree)
-        // In rising order each result overwrites a point that is needed no more.
+        // In rising order, each result overwrites a point that is no longer needed.
         for (int i = degree; i >= 0; --i)
             for (int j = degree - i; j >= 0; --j)
                 points[placeOf(degree, i, j)] = barycentric.x * points[placeOf(degree + 1, i + 1, j)] +

@@ -17,7 +17,7 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kTube = .4, kHeight = 2;
-constexpr double kApex = 1e-6;  ///< nearer to its axis a cone has no normal
+constexpr double kApex = 1e-6;  ///< nearer to its axis, a cone has no normal
 constexpr double kPi = std::numbers::pi;
 
 Foot footOnSphere(const glm::dvec3& p, const glm::dvec3& /*face*/) {
@@ -93,7 +93,7 @@ double outlineError(const geometry::Mesh& mesh, const std::function<double(const
     double largest = 0;
     for (const auto& [right, up] : views)
         for (int i = 0; i < kDirections; ++i) {
-            // The golden section spreads directions so that they meet slices at every phase.
+            // The golden section spreads the directions so that they meet slices at every phase.
             const double angle = 2 * kPi * i * std::numbers::phi;
             const glm::dvec3 direction = std::cos(angle) * right + std::sin(angle) * up;
             double farthest = -1e300;

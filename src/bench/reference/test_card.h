@@ -1,5 +1,5 @@
 #pragma once
-// A texture that is hard to minify, with mipmaps, and what its texels give in double.
+// A texture that is hard to minify, with mipmaps, and its filtered values in double.
 
 #include <glad/gl.h>
 #include <glibra/result.h>
@@ -20,20 +20,20 @@ inline constexpr int kCardSide = 512;  ///< texels
 /// in the middle of s.
 std::vector<std::uint8_t> testCard();
 
-/// The next smaller mipmap level: means of 2 x 2 bytes, rounded.
+/// The next smaller mipmap level: rounded means of 2 x 2 bytes.
 std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int side);
 
-/// Bilinear interpolation in double of a square of bytes, repeating; `place` in texels, texel i has its
-/// centre at i + 1/2. 0..1.
+/// Interpolates a repeating square of bytes bilinearly in double. `place` is in texels; the centre of texel i
+/// is at i + 1/2. The result is in 0..1.
 double bilinear(const std::vector<std::uint8_t>& texels, int side, const glm::dvec2& place);
 
-/// The test card as RGBA8 with all its levels.
+/// The test card as an RGBA8 texture with all mipmap levels.
 class CardTexture {
   public:
     static Result<CardTexture> create();
     void bind(int unit) const;
-    /// Replaces the smaller levels by the driver's own (glGenerateMipmap) and gives the largest difference of
-    /// a texel from `halved`, in 255ths.
+    /// Replaces the smaller levels by the driver's (glGenerateMipmap) and returns the largest difference of a
+    /// texel from `halved`, in 255ths.
     [[nodiscard]] double differenceOfDriversLevels() const;
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// Points spread over every triangle of a mesh, with what the pipeline interpolates there.
+// Points spread over every triangle of a mesh, with the values that the pipeline interpolates there.
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace glibra::bench {
 
-/// Three components of an attribute of all vertices, in double; missing ones are 0.
+/// Three components of an attribute of every vertex, in double; missing components are 0.
 inline std::vector<glm::dvec3> vectorsOf(const geometry::Mesh& mesh, std::string_view name) {
     const geometry::Attribute* attribute = mesh.attribute(name);
     if (!attribute) return {};
@@ -50,7 +50,7 @@ struct Triangle {
 };
 
 /// Calls visit(const Triangle&, const glm::dvec3& weights) at (cells + 1)(cells + 2) / 2 points of every
-/// triangle that has an area, corners and edges among them. The mesh has normals and texture coordinates.
+/// triangle that has an area, including its corners and edges. The mesh has normals and texture coordinates.
 template <class Visit>
 void forEachTriangle(const geometry::Mesh& mesh, int cells, const Visit& visit) {
     const std::vector<glm::dvec3> positions = positionsOf(mesh), normals = vectorsOf(mesh, geometry::kNormal),
@@ -75,7 +75,7 @@ void forEachTriangle(const geometry::Mesh& mesh, int cells, const Visit& visit) 
     }
 }
 
-/// 0..180; exact for small angles too.
+/// 0..180 degrees; accurate for small angles too.
 inline double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
 }

@@ -53,7 +53,7 @@ VolumeField blobs(int side) {
 VolumeField blockMaxima(const VolumeField& field, int blockSide) {
     VolumeField blocks{field.side / blockSide, {}};
     blocks.texels.assign(blocks.index(0, 0, blocks.side), 0);
-    // A filter at the rim of a block reads one texel beyond it.
+    // At the rim of a block, the filter reads one texel beyond it.
     const auto first = [&](int block) { return std::max(block * blockSide - 1, 0); };
     const auto last = [&](int block) { return std::min((block + 1) * blockSide, field.side - 1); };
     for (int bz = 0; bz < blocks.side; ++bz)

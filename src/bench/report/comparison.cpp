@@ -133,7 +133,7 @@ std::string comparisonText(const RunComparison& comparison) {
     for (const std::string& each : comparison.missing)
         text += fmt::format("{:<7} {}: in one of the runs only\n", "missing", each);
     text += fmt::format(
-        "{} points in both runs: error worse at {}, better at {}; time beyond the spread "
+        "{} points in both runs: error worse at {}, better at {}; time beyond the spread: "
         "longer at {}, shorter at {}",
         comparison.points.size(), worse, better, slower, faster);
     if (!ratios.empty()) {
@@ -141,7 +141,7 @@ std::string comparisonText(const RunComparison& comparison) {
         text += fmt::format(", median ratio {:.3f}", ratios[ratios.size() / 2]);
     }
     text += "\n";
-    if (!comparison.sameMachine) text += "the runs are of different machines or drivers\n";
+    if (!comparison.sameMachine) text += "the runs come from different machines or drivers\n";
     return text;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A run against an earlier one.
+// Compares a run with an earlier one.
 
 #include <optional>
 #include <string>
@@ -10,35 +10,38 @@
 namespace glibra::bench {
 
 struct ComparisonOptions {
-    double errorTolerance = .05;         ///< an error may grow by this share
-    std::optional<double> timeFactor{};  ///< a median that grew by more is a failure; absent: times only told
+    double errorTolerance = .05;  ///< the share by which an error may grow
+    std::optional<double>
+        timeFactor{};  ///< the factor by which a median may grow; absent: times are reported but never fail
 };
 
-/// One point that both runs have: the same subject, figure, curve and label.
+/// One point that is in both runs: same subject, figure, curve and label.
 struct PointChange {
     std::string subject, figure, curve, label, errorUnit;
     double errorBefore = 0, errorNow = 0;  ///< NaN: not measurable
-    std::optional<double> timeRatio{};     ///< medians, now over before; absent if one has no time
+    std::optional<double> timeRatio{};     ///< median now / median before; absent if one run has no time
     bool errorIsWorse = false;             ///< beyond the tolerance, or not measurable any more
     bool errorIsBetter = false;            ///< beyond the tolerance
-    bool timeIsWorse = false;              ///< the spreads (25 to 75 %) do not touch and now is slower
-    bool timeIsBetter = false;             ///< the same, and now is faster
+    bool timeIsWorse = false;              ///< slower, and the spreads (25 to 75 %) do not overlap
+    bool timeIsBetter = false;             ///< faster, and the spreads do not overlap
     bool timeFails = false;                ///< timeIsWorse, and beyond ComparisonOptions::timeFactor
 };
 
 struct RunComparison {
     std::vector<PointChange> points;
-    std::vector<std::string> missing;  ///< "subject/figure/curve label" of measured subjects, in one run only
-    bool sameMachine = true;           ///< processor, cores, renderer and version are the same
+    std::vector<std::string>
+        missing;  ///< "subject/figure/curve label": points of a measured subject that are in one run only
+    bool sameMachine = true;  ///< same processor, cores, renderer and version
 };
 
-/// Subjects that only one of them measured are left out; so are missing points if one run was quick.
+/// Leaves out subjects that only one run measured. If one run was quick, also leaves out points that only one
+/// run has.
 RunComparison compare(const Report& earlier, const Report& now, const ComparisonOptions& options = {});
 
-/// True if an error got worse or a time fails.
+/// True if an error got worse or a time failed.
 bool isWorse(const RunComparison& comparison);
 
-/// Lines for a terminal: a line on each point that got worse or better, then a summary.
+/// Lines for a terminal: one line per point that got worse or better, then a summary.
 std::string comparisonText(const RunComparison& comparison);
 
 }  // namespace glibra::bench

@@ -34,7 +34,7 @@ std::string machineDetails(const Report& report) {
     return html + "</dl>\n";
 }
 
-/// Escaped, and "^-2.00" raised.
+/// Escapes the text and raises exponents such as "^-2.00".
 std::string withPowers(std::string_view text) {
     const std::string escaped = escapeHtml(text);
     std::string html;
@@ -71,7 +71,7 @@ std::string legend(const Figure& figure) {
     return html + "</ul>\n";
 }
 
-/// A time for a table: the median, with the spread beneath the pointer.
+/// A time for a table: the median; the tooltip shows the spread.
 std::string timeCell(const Timing& time) {
     return fmt::format("<td title=\"{} to {}, {} measurements\">{}</td>", secondsText(time.low, true),
                        secondsText(time.high, true), time.repeats, secondsText(time.median, true));
@@ -112,9 +112,9 @@ std::string_view frontNote(const Figure& figure) {
         case Alternatives::curve:
             return " Each curve has a front of its own.";
         case Alternatives::setting:
-            return " Each setting has a front of its own: it is a difficulty, no price.";
+            return " Each setting has a front of its own: it is a difficulty, not a cost.";
         case Alternatives::none:
-            return " There is no front, for no setting costs more than another.";
+            return " There is no front, because all settings cost the same.";
         case Alternatives::figure:
             break;
     }
@@ -167,7 +167,7 @@ struct Slot {
     std::string text;
 };
 
-/// The template with {{name}} replaced. What is put in is not looked through again.
+/// Replaces {{name}} in the template. Inserted text is not searched again.
 std::string filled(std::string_view page, std::span<const Slot> slots) {
     std::string text;
     while (true) {

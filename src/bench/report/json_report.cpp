@@ -94,7 +94,7 @@ Json written(const Machine& machine) {
             {"renderer", machine.renderer},   {"version", machine.version}};
 }
 
-// Reading. Wrong types are told by nlohmann's exceptions, which name the member.
+// Reading. nlohmann's exceptions, which name the member, report wrong types.
 
 double numberOf(const Json& json) {
     if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
@@ -166,8 +166,8 @@ SubjectRun subjectOf(const Json& json) {
     read(json, "title", subject.title);
     read(json, "seconds", subject.seconds);
     for (const Json& each : json.at("figures")) subject.figures.push_back(figureOf(each));
-    if (const auto told = json.find("diagnostics"); told != json.end())
-        for (const Json& each : *told) subject.diagnostics.push_back(diagnosticOf(each));
+    if (const auto found = json.find("diagnostics"); found != json.end())
+        for (const Json& each : *found) subject.diagnostics.push_back(diagnosticOf(each));
     return subject;
 }
 
@@ -201,7 +201,7 @@ Place placeOfByte(std::string_view text, std::size_t byte, const std::string& fi
     return {file, static_cast<int>(line) + 1, static_cast<int>(before.size() - lineStart) + 1};
 }
 
-/// nlohmann's text without its "[json.exception.NAME.NUMBER] ".
+/// The text of nlohmann's exception without its "[json.exception.NAME.NUMBER] ".
 std::string plainText(const Json::exception& problem) {
     const std::string text = problem.what();
     const std::size_t end = text.find("] ");
@@ -224,13 +224,14 @@ Result<Report> readJsonReport(std::string_view text, const std::string& file) {
     try {
         const Json json = Json::parse(text);
         if (!json.is_object() || json.value("format", "") != kFormat)
-            return error("bench-E02", "this is no run of glibra bench; --against takes its bench.json",
+            return error("bench-E02", "this is not a run of glibra bench; --against takes its bench.json",
                          {file, 1, 1});
         return reportOf(json);
     } catch (const Json::parse_error& problem) {
-        return error("bench-E02", "no JSON: " + plainText(problem), placeOfByte(text, problem.byte, file));
+        return error("bench-E02", "not valid JSON: " + plainText(problem),
+                     placeOfByte(text, problem.byte, file));
     } catch (const Json::exception& problem) {
-        return error("bench-E02", "this is no run of glibra bench: " + plainText(problem), {file, 1, 1});
+        return error("bench-E02", "this is not a run of glibra bench: " + plainText(problem), {file, 1, 1});
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A run as JSON, to be kept and compared with.
+// A run as JSON, to be stored and compared with later runs.
 
 #include <glibra/result.h>
 
@@ -10,11 +10,11 @@
 
 namespace glibra::bench {
 
-/// Everything in the report. An error that is not measurable is null, an infinite one the text "inf".
+/// The whole report. An error that is not measurable is null, an infinite one the text "inf".
 std::string jsonReport(const Report& report);
 
-/// Reads what jsonReport wrote; members it does not know are passed over. `file` is what messages call it.
-/// bench-E02: no JSON (with line and column), or JSON that is no run of the bench (with what is wrong).
+/// Reads the output of jsonReport and ignores unknown members. `file` is its name in messages. bench-E02: the
+/// text is not JSON (with line and column), or not a run of the benchmarks (with what is wrong).
 Result<Report> readJsonReport(std::string_view text, const std::string& file);
 
 }  // namespace glibra::bench

@@ -1,5 +1,5 @@
 #pragma once
-// A logarithmic axis of a diagram: its range, ticks, and where a value lies on it.
+// A logarithmic axis of a diagram: its range, its ticks, and the place of a value.
 
 #include <span>
 #include <string>
@@ -14,12 +14,12 @@ struct Tick {
 
 class LogAxis {
   public:
-    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. Ranges below 2.5 decades
-    /// get ticks at 1, 2 and 5, or at more digits where those are too few, longer ones at powers of ten, at
-    /// most about `mostLabels` of them with a label.
+    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. A range below 2.5 decades
+    /// has ticks at 1, 2 and 5, or at more digits if those are too few. A longer range has ticks at powers of
+    /// ten, at most about `mostLabels` of them with a label.
     LogAxis(std::span<const double> values, int mostLabels);
 
-    /// 0..1 for a value of the range; values at or below 0 lie at 0.
+    /// 0..1 for a value in the range; 0 for values at or below 0.
     [[nodiscard]] double place(double value) const;
     [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 

@@ -13,10 +13,10 @@
 namespace glibra::bench {
 namespace {
 
-// In units of the SVG's own coordinates.
+// In units of the SVG's coordinates.
 constexpr double kWidth = 560, kHeight = 380;
 constexpr double kLeft = 52, kRight = 14, kTop = 28, kBottom = 54;
-constexpr double kSign = 4.2;  ///< half the size of a point's sign
+constexpr double kSign = 4.2;  ///< half the size of a point's symbol
 constexpr std::size_t kStyles = 9;
 
 struct Placed {
@@ -34,7 +34,7 @@ double abscissaOf(const Point& point, Abscissa abscissa) {
     return abscissa == Abscissa::setting ? point.setting : point.time->median;
 }
 
-/// Circle, square, triangle, diamond, and again.
+/// Circle, square, triangle, diamond, then from the start again.
 std::string sign(std::size_t index, double x, double y, std::string_view attributes) {
     const double s = kSign;
     switch (index % 4) {
@@ -89,7 +89,7 @@ std::string grid(const LogAxis& across, const LogAxis& up, bool hasZero) {
            labels + "</g>";
 }
 
-/// The name of the upward axis lies above it, where there is room for long ones.
+/// The name of the vertical axis is above the axis, where long names have room.
 std::string axisNames(const Figure& figure, Abscissa abscissa) {
     const std::string across = abscissa == Abscissa::setting ? figure.settingName : "time in seconds";
     const std::string up = figure.errorUnit.empty()
@@ -110,7 +110,7 @@ std::string pathThrough(const std::vector<Placed>& points, std::string_view styl
     return fmt::format("<path class=\"{}\" d=\"{}\"/>", style, path);
 }
 
-/// Steps: up to the next point of the front, nothing better is to be had at its cost.
+/// A step line: between two points of the front, the cheaper one is the best at its cost.
 std::string frontLine(std::vector<Placed> points) {
     std::erase_if(points, [](const Placed& each) { return !each.point->isOnFront; });
     if (points.size() < 2) return {};
@@ -121,12 +121,12 @@ std::string frontLine(std::vector<Placed> points) {
     return fmt::format("<path class=\"front\" d=\"{}\"/>", path);
 }
 
-/// A theory has the colour of what is measured.
+/// A theory has the colour of the curve it belongs to.
 std::size_t styleOf(const Figure& figure, std::size_t index) {
     return figure.curves[index].theoryOf.value_or(index) % kStyles;
 }
 
-/// Where settings are a difficulty, costs hardly differ between them, and a line would be a scribble.
+/// Where settings are difficulties, costs hardly differ between them, and a line would zigzag.
 bool isJoined(const Figure& figure, Abscissa abscissa) {
     return abscissa == Abscissa::setting || figure.alternatives != Alternatives::setting;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A figure as a log-log diagram in SVG, for a page with the styles of page/bench.css.
+// A figure as a log-log diagram in SVG, for a page that has the styles of page/bench.css.
 
 #include <string>
 #include <string_view>
@@ -10,16 +10,16 @@ namespace glibra::bench {
 
 enum class Abscissa { setting, time };
 
-/// Error over setting or over median time. Points without an error (or without a time) are left out; an error
-/// of 0 lies on the lower edge. Points on the front are filled; a front is a broken line against the cost it
-/// is a front of. The spread of a time is a bar. A theory is a dotted line without signs. Each point carries
-/// its values as data-tip. Empty if there is nothing to draw.
+/// Plots the error over the setting or over the median time. Points without an error (or without a time) are
+/// left out; an error of 0 is on the lower edge. Points on the front are filled, and a step line joins them
+/// in the diagram of their cost. A bar shows the spread of a time. A theory is a dotted line without symbols.
+/// Each point carries its values as data-tip. Empty if there are no points to plot.
 std::string plot(const Figure& figure, Abscissa abscissa);
 
-/// The sign of curve `index` as a small picture for a legend.
+/// The symbol of curve `index` as a small picture for a legend.
 std::string legendSign(const Figure& figure, std::size_t index);
 
-/// & < > " ' escaped, for content and attributes.
+/// Escapes & < > " ' for content and attributes.
 std::string escapeHtml(std::string_view text);
 
 }  // namespace glibra::bench

@@ -6,11 +6,11 @@
 
 namespace glibra::bench {
 
-/// A subject for a terminal: its figures, a line a curve with the ends of its sweep, and the findings. Ends
-/// with a line feed.
+/// A subject for a terminal: its figures, one line per curve with both ends of its sweep, and the findings.
+/// Ends with a line feed.
 std::string textReport(const SubjectRun& subject);
 
-/// "processor, N cores, system; driver" in one line without line feed.
+/// "processor, N cores, system; driver" on one line, without a line feed.
 std::string machineLine(const Machine& machine);
 
 }  // namespace glibra::bench

@@ -20,7 +20,7 @@ constexpr std::array kFactors{1, 2, 3, 4, 6, 8};
 constexpr std::array kSamples{1, 2, 4, 8, 16};
 constexpr auto kFormat = gpu::TexelFormat::r32f;
 
-/// One grey value a sample, rows from the top.
+/// One grey value per sample, rows from the top.
 using Samples = std::vector<float>;
 
 double rootMeanSquare(const std::vector<double>& picture, const std::vector<double>& reference) {
@@ -30,7 +30,7 @@ double rootMeanSquare(const std::vector<double>& picture, const std::vector<doub
     return 255 * std::sqrt(sum / static_cast<double>(picture.size()));
 }
 
-/// Draws one pattern at any density, with a target made once a density.
+/// Draws one pattern at any density; there is one target per density.
 class PatternPicture {
   public:
     PatternPicture(const gpu::Capabilities& capabilities, const Pattern& pattern, int side)
@@ -38,7 +38,7 @@ class PatternPicture {
 
     [[nodiscard]] int side() const { return side_; }
 
-    /// The target of factor x factor pixels a final pixel with that many samples each.
+    /// The target of factor x factor pixels per final pixel with that many samples each.
     Result<gpu::Target> target(int factor, int samples) const {
         return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, kFormat, samples);
     }
@@ -55,7 +55,7 @@ class PatternPicture {
     int side_;
 };
 
-/// References by filter: the pattern's own integral where there is one, else very many samples.
+/// References by filter: the exact integral of the pattern if it has one, otherwise very many samples.
 using References = std::map<PixelFilter, std::vector<double>>;
 
 struct Setup {
@@ -108,7 +108,7 @@ Result<Curve> multisampled(const Setup& setup, const PatternProgram& program, in
         if (samples > mostSamples) break;
         Result<Point> point = measure(setup, program, 1, samples, PixelFilter::box);
         if (!point) return std::move(point.diagnostics);
-        // A driver may have more samples than asked for, but not this number.
+        // A driver may have more samples than requested, but not this number.
         if (curve.points.empty() || curve.points.back().setting < point->setting)
             curve.points.push_back(std::move(*point));
     }
@@ -166,7 +166,7 @@ Result<Figure> measurePattern(const Bench& bench, const gpu::Capabilities& capab
     const int side = bench.isQuick() ? 64 : 128;
     Figure figure{.name = std::string(pattern.name),
                   .title = fmt::format("{}, {} x {} pixels", pattern.title, side, side),
-                  .settingName = "samples a pixel",
+                  .settingName = "samples per pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = pattern.exact

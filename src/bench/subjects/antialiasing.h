@@ -1,5 +1,5 @@
 #pragma once
-// Samples a pixel, and how they are weighted, against the picture that very many samples or an integral give.
+// Samples per pixel and their weights, against the picture from very many samples or from an integral.
 
 #include <glibra/result.h>
 
@@ -9,7 +9,7 @@
 
 namespace glibra::bench {
 
-/// A figure a pattern: edges, a minified checkerboard, one in perspective, stripes.
+/// One figure per pattern: edges, a minified checkerboard, one in perspective, stripes.
 Result<std::vector<Figure>> measureAntialiasing(Bench& bench);
 
 }  // namespace glibra::bench

@@ -15,16 +15,16 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kBound = .25;  ///< pixels
-/// Displacements are seen in a picture this much larger, where the bound is one pixel.
+/// Displacements are measured in a picture that is larger by this factor, where the bound is one pixel.
 constexpr int kEnlarged = 4;
 constexpr int kMostDisplacement = 12;  ///< enlarged pixels
-/// Counts grow with the root: the reference is four times as fine.
+/// Counts grow with the square root: the reference is four times as fine.
 constexpr double kReference = kBound / 16;
 
-/// One scene by one setting.
+/// One scene with one setting.
 struct Measured {
-    double off = 0;       ///< pixels
-    bool isTold = false;  ///< the program says that it does not keep the bound
+    double off = 0;           ///< pixels
+    bool isReported = false;  ///< the program reports that it does not keep the bound
     Timing time;
     double bytes = 0;
 };
@@ -33,7 +33,7 @@ struct SceneRow {
     Measured byDefault{}, chosen{}, allChosen{}, fine{};
 };
 
-/// draw-W07: it cannot be kept; draw-N03: it is not, for numbers that the scene states.
+/// draw-W07: the bound cannot be kept; draw-N03: it is not kept, because the scene states its numbers.
 bool tellsOfTheBound(const Diagnostics& diagnostics) {
     return std::ranges::any_of(
         diagnostics, [](const Diagnostic& each) { return each.id == "draw-W07" || each.id == "draw-N03"; });
@@ -64,9 +64,9 @@ class Measuring {
                                           std::pair(allChosen, &row.allChosen), std::pair(fine, &row.fine)}) {
             const Result<image::Image> large = scenePicture(context_, scene_.path, enlarged(options));
             if (!large) return large.diagnostics;
-            to->isTold = tellsOfTheBound(large.diagnostics);
+            to->isReported = tellsOfTheBound(large.diagnostics);
             to->off = static_cast<double>(displacement(*large, *reference, kMostDisplacement)) / kEnlarged;
-            // Meshes and noise are what is compared: all pictures have the samples of the default.
+            // Only meshes and noise are compared: all pictures have the default number of samples.
             RenderOptions timed = options;
             timed.samples = 1;
             to->bytes = scenePictureBytes(context_, scene_.path, timed);
@@ -76,7 +76,7 @@ class Measuring {
     }
 
   private:
-    /// The same meshes in a larger picture: a bound of pixels grows with them.
+    /// The same meshes in a larger picture: a bound in pixels grows with it.
     [[nodiscard]] RenderOptions enlarged(RenderOptions options) const {
         options.width = kEnlarged * width_;
         options.height = kEnlarged * height_;
@@ -108,8 +108,8 @@ double total(const std::vector<SceneRow>& rows, Measured SceneRow::*which) {
     return sum;
 }
 
-/// How many scenes keep the bound, which one is worst, and what all together take; of those that do not keep
-/// it, which the program says nothing of.
+/// How many scenes keep the bound, which one is worst, and the total time; and which scenes break the bound
+/// without a report by the program.
 std::string finding(const std::vector<SceneRow>& rows, std::string_view name, Measured SceneRow::*which,
                     bool isBounded) {
     const auto worst =
@@ -122,9 +122,9 @@ std::string finding(const std::vector<SceneRow>& rows, std::string_view name, Me
                                    least * kEnlarged > kMostDisplacement ? " or more" : "", worst->name);
     std::vector<std::string> silent;
     for (const SceneRow& each : rows)
-        if ((each.*which).off > kBound && !(each.*which).isTold) silent.push_back(each.name);
+        if ((each.*which).off > kBound && !(each.*which).isReported) silent.push_back(each.name);
     if (isBounded && kept < std::ssize(rows))
-        text += silent.empty() ? "; of all others the program says so"
+        text += silent.empty() ? "; the program reports all others"
                                : fmt::format("; without a word: {}", fmt::join(silent, ", "));
     return text + fmt::format("; all together {}", secondsText(total(rows, which)));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// --max-error over the scenes that ship: whether its bound holds, and what it costs beside the default and
-// beside one fineness for all.
+// --max-error over the scenes that ship with glibra: whether the bound holds, and its cost against the
+// default and against one resolution for all.
 
 #include <vector>
 
@@ -12,10 +12,10 @@ namespace glibra::bench {
 
 Result<std::vector<Figure>> measureBudget(Bench& bench);
 
-/// How far what one picture shows lies beside its place in the other, in pixels: the smallest radius r, 0 to
-/// `most`, such that all but one of 1000 pixels of either have values that the other has within r pixels
-/// around the same place, between the smallest and the largest there, to within 8/255. Both RGB or RGBA bytes
-/// of one size. `most` + 1 if no such radius is found.
+/// The displacement between two pictures in pixels: the smallest radius r, 0 to `most`, such that at least
+/// 999 of 1000 pixels of either picture have values that lie, to within 8/255, between the smallest and the
+/// largest value of the other within r pixels around the same place. Both are RGB or RGBA bytes of equal
+/// size. `most` + 1 if there is no such radius.
 int displacement(const image::Image& a, const image::Image& b, int most);
 
 }  // namespace glibra::bench

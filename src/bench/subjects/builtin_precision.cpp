@@ -28,7 +28,7 @@ std::string asVec4(const BuiltinFunction& function) {
     }
 }
 
-/// The statement that reads the arguments at `place` and evaluates.
+/// The statement that reads the arguments at `place` and evaluates the function.
 std::string evaluation(const BuiltinFunction& function, std::string_view result) {
     return fmt::format(
         "    vec4 a = texelFetch(uA, place, 0);\n    vec4 b = texelFetch(uB, place, 0);\n    {} = {};\n",
@@ -65,8 +65,8 @@ Result<gpu::Texture> argumentTexture(const gpu::Capabilities& capabilities, cons
                                 {std::as_bytes(std::span<const float>(texels)), 4, gpu::TexelType::f32});
 }
 
-/// Distance from the exact value; of a result with a period the distance to the nearest of its neighbours
-/// that the arguments' own rounding could mean.
+/// The distance from the exact value. A result with a period has the distance to the nearest neighbour that
+/// the rounding of the arguments could mean.
 long double distanceOf(const BuiltinFunction& function, const Arguments& arguments, long double exact,
                        long double got) {
     const long double plain = std::fabs(got - exact);
@@ -129,7 +129,7 @@ Result<std::vector<float>> PrecisionRun::results(const gpu::Capabilities& capabi
 Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& sweep,
                          const std::vector<float>& results) {
     Precision found;
-    double sum = 0, ofBound = 0;
+    double sum = 0, timesTheBound = 0;
     std::size_t finite = 0;
     found.samples = results.size() / 4;
     for (std::size_t i = 0; i < found.samples; ++i) {
@@ -159,11 +159,11 @@ Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& s
             if (!function.allowed || ulps == 0) continue;
             const auto allowed =
                 static_cast<double>(function.allowed(arguments, exact, c) / unitInLastPlace(wanted));
-            ofBound = std::max(ofBound, ulps / allowed);
+            timesTheBound = std::max(timesTheBound, ulps / allowed);
         }
     }
     found.mean = finite > 0 ? sum / static_cast<double>(finite) : 0;
-    if (function.allowed) found.ofBound = ofBound;
+    if (function.allowed) found.timesTheBound = timesTheBound;
     return found;
 }
 

@@ -8,7 +8,7 @@
 namespace glibra::bench {
 namespace {
 
-/// 12.3, 4.2e+05, inf: short in a column.
+/// 12.3, 4.2e+05, inf: short enough for a column.
 std::string brief(double value) {
     if (value == 0) return "0";
     if (value < 1e-2 || value >= 1e5) return fmt::format("{:.1e}", value);
@@ -16,10 +16,11 @@ std::string brief(double value) {
 }
 
 std::string verdict(const PrecisionRow& row) {
-    const Precision& worse =
-        row.vertex.ofBound.value_or(0) > row.fragment.ofBound.value_or(0) ? row.vertex : row.fragment;
-    if (!worse.ofBound) return "";
-    return *worse.ofBound > 1 ? fmt::format("broken, {} times", brief(*worse.ofBound)) : "kept";
+    const Precision& worse = row.vertex.timesTheBound.value_or(0) > row.fragment.timesTheBound.value_or(0)
+                                 ? row.vertex
+                                 : row.fragment;
+    if (!worse.timesTheBound) return "";
+    return *worse.timesTheBound > 1 ? fmt::format("broken, {} times", brief(*worse.timesTheBound)) : "kept";
 }
 
 std::string rangeOf(const PrecisionRow& row) {
@@ -63,7 +64,7 @@ std::string toText(const std::vector<PrecisionRow>& rows) {
                             row.sweep->words, brief(row.vertex.largest), brief(row.fragment.largest),
                             brief(row.fragment.mean), brief(row.fragment.largestAbsolute),
                             row.function->bound, verdict(row));
-        if (row.fragment.ofBound) ++bounded;
+        if (row.fragment.timesTheBound) ++bounded;
         if (verdict(row).starts_with("broken")) ++broken;
         if (row.vertex.largest != row.fragment.largest) ++different;
     }

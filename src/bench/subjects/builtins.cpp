@@ -21,7 +21,7 @@ constexpr std::array<Group, 6> kGroups{{{"trigonometric", "sin, cos, tan"},
                                         {"common", "floor, fract, mod, mix, smoothstep"},
                                         {"geometric", "dot, length, normalize, matrix times vector"}}};
 
-/// What became of one function over one sweep, for the findings.
+/// The result of one function over one sweep, for the findings.
 struct Measured {
     const BuiltinFunction* function;
     const ArgumentSweep* sweep;
@@ -29,7 +29,7 @@ struct Measured {
     Precision precision;
 };
 
-/// True for the vertex stage where the fragment stage gave the same.
+/// True for the vertex stage if the fragment stage gave the same.
 bool isRepeated(const Measured& each, const std::vector<Measured>& all) {
     return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const Measured& other) {
                return other.stage == PrecisionStage::fragment && other.sweep == each.sweep &&
@@ -44,15 +44,15 @@ std::string found(const Measured& each) {
     if (each.precision.notNumbers > 0)
         return fmt::format("{} gives NaN or infinity {} times in {}", where, each.precision.notNumbers,
                            each.precision.samples);
-    if (each.precision.ofBound.value_or(0) > 1)
+    if (each.precision.timesTheBound.value_or(0) > 1)
         return fmt::format(
             "{} breaks the bound of GLSL ({}): {:.3g} ULP at ({}), {:.3g} times what is allowed there", where,
             each.function->bound, each.precision.largest, argumentsText(*each.function, each.precision.worst),
-            *each.precision.ofBound);
+            *each.precision.timesTheBound);
     return {};
 }
 
-/// Of a function whose precision GLSL leaves open: the sweeps where it is best and worst.
+/// For a function whose precision GLSL leaves undefined: the sweeps where it is best and worst.
 std::string spread(const BuiltinFunction& function, const std::vector<Measured>& all) {
     const Measured* best = nullptr;
     const Measured* worst = nullptr;
@@ -74,9 +74,9 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     for (const Measured& each : all) {
         if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
-        if (each.precision.ofBound) {
+        if (each.precision.timesTheBound) {
             ++bounded;
-            if (*each.precision.ofBound <= 1 && each.precision.notNumbers == 0) ++kept;
+            if (*each.precision.timesTheBound <= 1 && each.precision.notNumbers == 0) ++kept;
         }
         if (std::string sentence = found(each); !sentence.empty()) sentences.push_back(std::move(sentence));
     }
@@ -95,8 +95,8 @@ std::vector<std::string> findings(const std::vector<Measured>& all) {
     return sentences;
 }
 
-/// A curve of one function in one stage, timed in the fragment stage; the measured values are added to `all`
-/// too.
+/// A curve of one function in one stage, timed in the fragment stage. The measured values are also added to
+/// `all`.
 Result<Curve> curveOf(Bench& bench, const gpu::Capabilities& capabilities, const BuiltinFunction& function,
                       PrecisionStage stage, std::vector<Measured>& all) {
     const int side = bench.isQuick() ? 32 : 512;

@@ -1,5 +1,5 @@
 #pragma once
-// Subject 14: the functions of GLSL on this driver against long double.
+// The functions of GLSL on this driver against long double.
 
 #include <vector>
 

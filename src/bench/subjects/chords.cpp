@@ -1,4 +1,4 @@
-// Chords of a Bézier curve, whose parameter is slow where it bends, and of a graph with a steep step.
+// Chords of a Bézier curve whose parameter is slow at the bend, and of a graph with a steep step.
 
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@ namespace {
 
 using Cubic = std::array<glm::dvec2, 4>;
 
-/// Almost a cusp in the middle; 1 long from end to end.
+/// Almost a cusp in the middle; length 1 from end to end.
 constexpr Cubic kCurve{glm::dvec2(0, 0), glm::dvec2(.96, 1), glm::dvec2(.04, 1), glm::dvec2(1, 0)};
 
-/// Horner's scheme in powers of t: what a program evaluates.
+/// Horner's scheme in powers of t, as programs evaluate it.
 glm::dvec2 powerForm(double t) {
     const glm::dvec2 first = 3. * (kCurve[1] - kCurve[0]),
                      second = 3. * (kCurve[0] - 2. * kCurve[1] + kCurve[2]),
@@ -28,7 +28,7 @@ glm::dvec2 powerForm(double t) {
     return kCurve[0] + t * (first + t * (second + t * third));
 }
 
-/// De Casteljau's scheme.
+/// De Casteljau's algorithm.
 glm::dvec2 deCasteljau(double t) {
     Cubic p = kCurve;
     for (std::size_t level = 3; level > 0; --level)
@@ -42,7 +42,7 @@ glm::dvec2 step(double t) {
     return {t, .25 * std::tanh(kSteepness * (t - .4))};
 }
 
-/// The same by exponentials.
+/// The same with exponentials.
 glm::dvec2 stepByExponentials(double t) {
     return {t, .25 - .5 / (std::exp(2 * kSteepness * (t - .4)) + 1)};
 }
@@ -56,12 +56,12 @@ struct Shape {
 
 constexpr Shape kBezier{
     "chords", "A Bézier curve with a narrow bend, as line segments",
-    "de Casteljau's scheme in double at 32 points of every segment; a length is that from end to end",
+    "de Casteljau's algorithm in double at 32 points of every segment; a length is that from end to end",
     powerForm, deCasteljau};
 constexpr Shape kStep{
     "chords-step", "A graph with a steep step, as line segments",
-    "the step by exponentials in double at 32 points of every segment; a length is that of the t axis", step,
-    stepByExponentials};
+    "the step from exponentials in double at 32 points of every segment; a length is that of the t axis",
+    step, stepByExponentials};
 
 struct Vertex {
     double t = 0;
@@ -86,7 +86,7 @@ double distanceFromSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     return glm::distance(p, a + s * along);
 }
 
-/// Halves a part until points at its quarters lie within the tolerance of the chord.
+/// Halves a part until points at its quarters are within the tolerance of the chord.
 void addFlat(Chain& chain, const Shape& shape, const Vertex& from, const Vertex& to, double tolerance) {
     constexpr double kShortest = 1e-9, kLongest = .125;
     const auto at = [&](double share) {
@@ -114,7 +114,7 @@ Chain byFlatness(const Shape& shape, double tolerance) {
     return chain;
 }
 
-/// Largest distance of the curve from its own chord, at 32 points of each.
+/// The largest distance of the curve from its chords, at 32 points of each.
 double largestDistance(const Shape& shape, const Chain& chain) {
     constexpr int kPoints = 32;
     double largest = 0;
@@ -159,7 +159,7 @@ Figure chordFigure(const Bench& bench, bool isStep) {
                                           bench.time([&] { byFlatness(shape, tolerance); })));
     }
     figure.findings = {orderSentence(fixed, "segments", 256), orderSentence(adaptive, "segments", 30)};
-    // The fixed steps that reach what the finest adaptive chain does, by the fitted order.
+    // The number of fixed steps that reaches the error of the finest adaptive chain, by the fitted order.
     const double order = fittedOrder(fixed, 256);
     const Point &goal = adaptive.points.back(), &from = fixed.points.back();
     const double needed = from.setting * std::pow(goal.error / from.error, 1 / order);

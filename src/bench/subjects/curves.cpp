@@ -12,7 +12,7 @@
 namespace glibra::bench {
 namespace {
 
-/// Largest distance of the parameters from i / n, which double gives to 1e-16.
+/// The largest distance of the parameters from i / n, which double gives to 1e-16.
 template <class Next>
 double largestParameterError(int steps, Next next) {
     double largest = 0;
@@ -54,7 +54,7 @@ double summedInDouble(int steps) {
 struct Method {
     const char* name;
     double (*largestError)(int steps);
-    std::size_t bytes;  ///< of what is kept from one step to the next
+    std::size_t bytes;  ///< of the state between two steps
 };
 
 constexpr Method kMethods[] = {
@@ -76,7 +76,7 @@ vec4 value() {
 }
 )";
 
-/// Drivers may end a loop early; llvmpipe does, after 65,535 runs of all loops together.
+/// Drivers may end a loop early: llvmpipe does so after 65,535 rounds of all loops together.
 constexpr int kMostShaderSteps = 100000;
 constexpr int kManyRuns = 1000000;
 constexpr const char* kLoopShader = R"(uniform int uRuns;
@@ -95,7 +95,7 @@ Point pointOf(int steps, double error, const Timing& time, double bytes) {
             .memory = bytes};
 }
 
-/// The last parameter only: of a sum that is the farthest off.
+/// The last parameter only, which is the worst one of a sum.
 Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
     const Four nothing{};
     const Result<ShaderValues> shader = ShaderValues::create(bench, kShader, std::span(&nothing, 1));
@@ -114,7 +114,7 @@ Result<Curve> shaderCurve(Bench& bench, const std::vector<int>& counts) {
     return curve;
 }
 
-/// How often a loop of kManyRuns runs in a shader.
+/// How many rounds a loop of kManyRuns rounds makes in a shader.
 Result<int> loopRuns(Bench& bench) {
     const Four nothing{};
     const Result<ShaderValues> shader = ShaderValues::create(bench, kLoopShader, std::span(&nothing, 1));
@@ -127,7 +127,7 @@ Result<int> loopRuns(Bench& bench) {
     return static_cast<int>(values->front()[0]);
 }
 
-/// How many of the loops `for (float t = 0; t <= 1; t += 1 / n)`, n = 2..1000, do not run n + 1 times.
+/// How many of the loops `for (float t = 0; t <= 1; t += 1 / n)`, n = 2..1000, do not make n + 1 rounds.
 int miscountedLoops() {
     int wrong = 0;
     for (int n = 2; n <= 1000; ++n) {
@@ -158,7 +158,7 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
     for (const Method& method : kMethods) {
         Curve& curve = figure.curves.emplace_back(Curve{method.name, {}});
         for (const int steps : counts) {
-            // The result must reach memory, or the work is left out.
+            // The result must reach memory, otherwise the compiler removes the work.
             const Timing time = bench.time([&] {
                 const volatile double kept = method.largestError(steps);
                 static_cast<void>(kept);
@@ -174,7 +174,7 @@ Figure parameterFigure(Bench& bench, Diagnostics& problems) {
     if (shader) figure.curves.push_back(std::move(*shader));
     for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "steps", 100));
     const Point &sum = figure.curves[0].points.back(), &quotient = figure.curves[3].points.back();
-    figure.findings.push_back(fmt::format("{}: t is {} off when summed up, {} when computed as i / n",
+    figure.findings.push_back(fmt::format("{}: t is {} off when accumulated, {} when computed as i / n",
                                           sum.label, numberText(sum.error), numberText(quotient.error)));
     figure.findings.push_back(
         fmt::format("of the 999 loops for (t = 0; t <= 1; t += 1 / n) with n from 2 to "

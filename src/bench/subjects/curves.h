@@ -9,14 +9,14 @@
 
 namespace glibra::bench {
 
-/// Subject 9: a curve's parameter summed up or computed; chords of curves at fixed steps and by flatness;
-/// streamlines by fixed and adaptive steps. Without a driver the shader's curve is missing, with gpu-E01
-/// among the diagnostics.
+/// A curve parameter accumulated or computed; chords of curves at fixed steps and by flatness; streamlines
+/// with fixed and adaptive steps. Without a driver, the curve of the shader is missing and gpu-E01 is among
+/// the diagnostics.
 Result<std::vector<Figure>> measureCurves(Bench& bench);
 
-// The figures one by one.
+// The single figures.
 Figure parameterFigure(Bench& bench, Diagnostics& problems);
-Figure chordFigure(const Bench& bench, bool isStep);  ///< of a steep step, or of a Bézier curve
+Figure chordFigure(const Bench& bench, bool isStep);  ///< of a steep step or of a Bézier curve
 Figure streamlineFigure(const Bench& bench);
 
 }  // namespace glibra::bench

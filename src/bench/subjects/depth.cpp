@@ -30,8 +30,8 @@ std::vector<double> triedGaps(bool isQuick) {
     return gaps;
 }
 
-/// The smallest gap, as a share of z, from which on every larger one is told apart at all distances from
-/// .7 z to z, which meet the buffer's steps in every phase; NaN if not even the largest is.
+/// The smallest gap, as a share of z, such that every gap from there on is resolved at all distances from .7
+/// z to z, which meet the steps of the buffer in every phase; NaN if not even the largest is.
 Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double far, double z, bool isQuick) {
     const std::vector<double> gaps = triedGaps(isQuick);
     const std::size_t jitters = isQuick ? 32 : 96;
@@ -41,24 +41,24 @@ Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double fa
             const double there = z * (1 - .3 * static_cast<double>(jitter) / static_cast<double>(jitters));
             pairs.push_back({there, std::min(there * (1 + gap), far)});
         }
-    Result<std::vector<bool>> isTold = target.tellApart(kind, kNear, far, pairs);
-    if (!isTold) return std::move(isTold.diagnostics);
+    Result<std::vector<bool>> isResolved = target.resolvePairs(kind, kNear, far, pairs);
+    if (!isResolved) return std::move(isResolved.diagnostics);
     std::size_t first = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (!(*isTold)[i]) first = std::max(first, i % gaps.size() + 1);
+        if (!(*isResolved)[i]) first = std::max(first, i % gaps.size() + 1);
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 
-/// Of a pixel: 24 bits are kept in 32.
+/// Bits per pixel: 24 bits are stored in 32.
 double bitsKept(const DepthKind& kind) {
     return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
 }
-/// Of a buffer with so many pixels a side.
+/// Bytes of a buffer with `side` x `side` pixels.
 double bytesOf(const DepthKind& kind, int side) {
     return bitsKept(kind) / 8 * side * side;
 }
 
-/// Where a gap is measured.
+/// The place where a gap is measured.
 struct Place {
     double setting = 0, far = 0, z = 0;
     std::string label;
@@ -72,12 +72,12 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
         least = std::min(least, steps);
         most = std::max(most, steps);
     }
-    if (most == 0) return fmt::format("{}: nothing is told apart", measured.name);
+    if (most == 0) return fmt::format("{}: nothing is resolved", measured.name);
     return fmt::format("{}: the smallest gap is {:.2g} to {:.2g} times one step in theory", measured.name,
                        least, most);
 }
 
-/// A measured curve and one of theory for each kind.
+/// A measured curve and a theoretical one for each kind.
 Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& capabilities,
                   const std::vector<Place>& places) {
     std::vector<Curve> theories;
@@ -116,7 +116,7 @@ std::vector<double> ratios(bool isQuick) {
     return values;
 }
 
-/// Geometric mean of one curve's errors over another's, where both have one.
+/// The geometric mean of one curve's errors over another's, at the points where both have one.
 double meanRatio(const Curve& above, const Curve& below) {
     double sum = 0;
     int count = 0;
@@ -131,9 +131,9 @@ double meanRatio(const Curve& above, const Curve& below) {
 
 Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "gap-by-range",
-                  .title = "Smallest gap told apart at half the far distance",
+                  .title = "Smallest gap resolved at half the far distance",
                   .settingName = "far / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -149,9 +149,8 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
         double widest = 0;
         for (const Point& point : curve.points)
             if (point.error <= .001) widest = std::max(widest, point.setting);
-        figure.findings.push_back(
-            fmt::format("{}: a gap of 1/1000 of the distance is told apart up to far / near = {:.3g}",
-                        curve.name, widest));
+        figure.findings.push_back(fmt::format(
+            "{}: a gap of 1/1000 of the distance is resolved up to far / near = {:.3g}", curve.name, widest));
     }
     figure.findings.push_back(
         fmt::format("floats that are not reversed: their smallest gaps are {:.3g} times those of 24 bits "
@@ -163,9 +162,9 @@ Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilit
 Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr double kFar = 1e4;
     Figure figure{.name = "gap-by-distance",
-                  .title = "Smallest gap told apart, far / near = 10000",
+                  .title = "Smallest gap resolved, far / near = 10000",
                   .settingName = "distance / near",
-                  .errorName = "smallest gap that is always told apart",
+                  .errorName = "smallest gap that is always resolved",
                   .errorUnit = "distances",
                   .reference = kReference,
                   .curves = {},
@@ -191,7 +190,7 @@ Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabi
         .settingName = "steps of the buffer between them",
         .errorName = "pixels in which the farther one wins",
         .errorUnit = "",
-        .reference = "the nearer plane, which has to be seen in every pixel",
+        .reference = "the nearer plane, which must be visible in every pixel",
 
     };
     for (const DepthKind& kind : usableKinds(capabilities)) {
@@ -226,8 +225,8 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{
         .name = "cost",
         .title = "Eight layers of 512 x 512 pixels; gap at half the far distance, far / near = 10000",
-        .settingName = "bits a pixel",
-        .errorName = "smallest gap that is always told apart",
+        .settingName = "bits per pixel",
+        .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
         .reference = kReference,
 
@@ -248,7 +247,7 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
     const Point& standard = figure.curves[1].points.front();
     const Point& last = figure.curves.back().points.front();
     figure.findings.push_back(fmt::format(
-        "{} takes {:.2f} times the time of {} and tells gaps apart that are {:.3g} times smaller", last.label,
+        "{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller", last.label,
         last.time->median / standard.time->median, standard.label, standard.error / last.error));
     return figure;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Depth buffers: the smallest gap between two surfaces that is told apart.
+// Depth buffers: the smallest gap between two surfaces that is resolved.
 
 #include <glibra/result.h>
 

@@ -7,7 +7,7 @@
 namespace glibra::bench {
 namespace {
 
-/// Smallest and largest values around each component of a picture.
+/// The smallest and largest values around each component of a picture.
 struct Ranges {
     std::vector<std::uint8_t> low, high;
 };
@@ -19,7 +19,8 @@ Ranges rangesOf(const image::Image& picture) {
     return ranges;
 }
 
-/// Of every value and those `step` components before and behind it in the same run of `run` components.
+/// Minima and maxima over every value and those `step` components before and after it, within runs of `run`
+/// components.
 void spread(std::vector<std::uint8_t>& values, std::size_t step, std::size_t run, bool wantsLargest) {
     const std::vector<std::uint8_t> before = values;
     const auto pick = [&](std::uint8_t a, std::uint8_t b) {
@@ -32,7 +33,7 @@ void spread(std::vector<std::uint8_t>& values, std::size_t step, std::size_t run
     }
 }
 
-/// One pixel more in every direction.
+/// Extends the neighbourhood by one pixel in every direction.
 void grow(Ranges& ranges, const image::Image& picture) {
     const auto pixel = static_cast<std::size_t>(picture.components);
     const std::size_t row = pixel * static_cast<std::size_t>(picture.width);
@@ -43,7 +44,7 @@ void grow(Ranges& ranges, const image::Image& picture) {
     }
 }
 
-/// Pixels that show what the ranges do not have.
+/// The number of pixels with values outside the ranges.
 std::size_t outside(const image::Image& picture, const Ranges& ranges) {
     constexpr int kTolerance = 8;
     const auto components = static_cast<std::size_t>(picture.components);

@@ -12,9 +12,9 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kBytes = 255;  ///< errors are told in steps of a byte
+constexpr double kBytes = 255;  ///< errors are in steps of a byte
 
-/// A way to filter: its passes for a setting, and the texels between them.
+/// A way to filter: its passes for a setting, and the format of the texels between them.
 struct Method {
     std::string name;
     std::function<std::vector<std::string>(int setting)> fragments;
@@ -32,7 +32,7 @@ constexpr std::array<Format, 4> kFormats{{{gpu::TexelFormat::rgba32f, "float"},
 
 struct Measured {
     Point point;
-    double shift = 0;  ///< mean of the signed differences, 255ths
+    double shift = 0;  ///< mean of the signed differences, in 255ths
 };
 
 double meanDifference(const Plane& a, const Plane& b) {
@@ -79,7 +79,7 @@ std::vector<Method> blurMethods() {
 
 Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "blur",
-                  .title = "Gaussian blur: direct and separable, and what lies between the passes",
+                  .title = "Gaussian blur: direct and separable, by the texels between the passes",
                   .settingName = "radius, pixels",
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
@@ -115,7 +115,7 @@ Result<Figure> blurFigure(Bench& bench, const gpu::Capabilities& capabilities) {
 
 Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "repeated",
-                  .title = "Blur of radius 2, again and again: what the texels between the passes cost",
+                  .title = "Repeated blur of radius 2: the error from the texels between the passes",
                   .settingName = "blurs",
                   .errorName = "root mean square",
                   .errorUnit = "1/255",
@@ -165,7 +165,7 @@ Result<Figure> repeatedFigure(Bench& bench, const gpu::Capabilities& capabilitie
 
 Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "sobel",
-                  .title = "Sobel gradient: direct and separable, and what lies between the passes",
+                  .title = "Sobel gradient: direct and separable, by the texels between the passes",
                   .settingName = "side of the picture, pixels",
                   .errorName = "root mean square of the gradient's length",
                   .errorUnit = "1/255",
@@ -175,7 +175,7 @@ Result<Figure> sobelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .alternatives = Alternatives::setting};
     std::vector<Method> methods{{"direct", [](int) { return std::vector<std::string>{directSobel()}; }}};
     for (const Format& each : kFormats) {
-        // Normalised texels hold 0..1: the smoothed column is 0..4, its difference -1..1.
+        // Normalised texels hold 0..1. The smoothed column is in 0..4, its difference in -1..1.
         const bool isFloat = gpu::isFloat(each.format);
         const double scale = isFloat ? 1 : 1. / 5, bias = isFloat ? 0 : 1. / 5;
         methods.push_back(

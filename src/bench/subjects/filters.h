@@ -1,5 +1,5 @@
 #pragma once
-// Subject 13: image filters, direct and separable, through bytes and floats.
+// Image filters, direct and separable, through bytes and floats.
 
 #include <vector>
 

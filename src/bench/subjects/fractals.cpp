@@ -18,13 +18,14 @@ using Quad = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 
-/// For the centre and its orbit, whose rounding errors grow three times an iteration.
+/// For the centre and its orbit, whose rounding errors triple with every iteration.
 using Deep =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
-/// Iterations after which a point counts as inside. A view escapes after about 2.5 a decade of zoom.
+/// The number of iterations after which a point is inside. The view escapes after about 2.5 per decade of
+/// zoom.
 constexpr int kMost = 100;
-constexpr double kWidth = 3;        ///< of the view at zoom 1
+constexpr double kWidth = 3;        ///< width of the view at zoom 1
 constexpr double kTolerable = .01;  ///< share of wrong pixels
 
 template <class Number>
@@ -32,8 +33,8 @@ struct Pair {
     Number x{0}, y{0};
 };
 
-/// The Misiurewicz point near -.2282 + 1.1151 i, where c^3 + 2 c^2 + 2 c + 2 = 0: the set has detail around
-/// it at every zoom, and all of it escapes soon. By Newton's method.
+/// The Misiurewicz point near -.2282 + 1.1151 i, where c^3 + 2 c^2 + 2 c + 2 = 0, by Newton's method: the set
+/// has detail around it at every zoom, and all of it escapes soon.
 Pair<Deep> centre() {
     Pair<Deep> c{Deep(-.2281554936539618), Deep(1.115142508039937)};
     const auto times = [](const Pair<Deep>& a, const Pair<Deep>& b) {
@@ -55,7 +56,7 @@ struct View {
     int side = 0;
     double zoom = 1;
     [[nodiscard]] double spacing() const { return kWidth / (zoom * side); }
-    /// Of a pixel's centre from the middle, in pixels.
+    /// The centre of a pixel, in pixels from the middle.
     [[nodiscard]] double offset(int pixel) const { return pixel - .5 * (side - 1); }
 };
 
@@ -97,7 +98,7 @@ std::vector<glm::vec2> centreOrbit() {
     return orbit;
 }
 
-/// Only what a pixel's orbit differs by from the centre's is iterated (K. I. Martin, Superfractalthing
+/// Iterates only the difference of a pixel's orbit from that of the centre (K. I. Martin, Superfractalthing
 /// Maths, 2013).
 void perturbed(const View& view, Counts& counts) {
     static const std::vector<glm::vec2> orbit = centreOrbit();
@@ -173,7 +174,7 @@ std::vector<ShaderMethod> shaderMethods() {
             {"shader, float by perturbation", fmt::format(fmt::runtime(kPerturbedShader), kMost), false}};
 }
 
-/// Uniforms that a method does not have are passed over.
+/// Uniforms that a method does not have are ignored.
 void setView(const gpu::Program& program, const View& view, bool isDouble) {
     program.use();
     const auto location = [&](const char* name) { return glGetUniformLocation(program.id(), name); };

@@ -9,9 +9,9 @@
 
 namespace glibra::bench {
 
-/// Subject 11: the Mandelbrot set by zoom, in float, double, long double and by perturbation, on the CPU and
-/// in shaders, against 113 bits of mantissa. Without a driver the shaders' curves are missing, with gpu-E01
-/// among the diagnostics.
+/// The Mandelbrot set by zoom, in float, double, long double and by perturbation, on the CPU and in shaders,
+/// against 113 bits of mantissa. Without a driver, the curves of the shaders are missing and gpu-E01 is among
+/// the diagnostics.
 Result<std::vector<Figure>> measureFractals(Bench& bench);
 
 }  // namespace glibra::bench

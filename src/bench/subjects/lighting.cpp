@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kExponent = 32;
 
-/// The sphere's and torus's light, neither along the view nor in a plane of symmetry.
+/// The light for sphere and torus, neither along the view nor in a plane of symmetry.
 glm::dvec3 obliqueLight() {
     return glm::normalize(glm::dvec3(.5, .7, 1));
 }
@@ -31,7 +31,7 @@ struct Difference {
     double brightest = 0, wanted = 0;  ///< largest intensity of the drawn picture and of the reference
 };
 
-/// Over the pixels that both cover.
+/// Compares the pixels that both cover.
 Difference difference(const std::vector<float>& drawn, const std::vector<std::optional<double>>& reference) {
     Difference found;
     double sum = 0;
@@ -131,7 +131,7 @@ double bytesOf(const gpu::Target& target) {
     return static_cast<double>(target.width()) * target.height() * 4 * sizeof(float);
 }
 
-/// The light that makes that angle (degrees) with the view, tilted so that no row or column is special.
+/// The light at that angle (degrees) to the view, tilted so that no row or column is special.
 glm::dvec3 lightAt(double angle) {
     const double a = angle * std::numbers::pi / 180;
     return {std::sin(a) * .8, std::sin(a) * .6, std::cos(a)};
@@ -150,7 +150,7 @@ std::vector<std::optional<double>> highlights(int side, const glm::dvec3& light,
     return values;
 }
 
-/// Root mean square of highlights alone over the sphere drawn as a rectangle.
+/// The root mean square of highlights alone over the sphere drawn as a rectangle.
 Result<double> highlightError(const gpu::Capabilities& capabilities, const gpu::Program& program,
                               const gpu::Target& target, const glm::dvec3& light, double exponent,
                               const std::vector<std::optional<double>>& wanted) {
@@ -172,7 +172,7 @@ std::string bestFactor(const Curve& curve) {
 
 Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilities) {
     Figure figure{.name = "half-vector",
-                  .title = "Highlight by the half vector: which exponent stands for the reflection's",
+                  .title = "Highlight by the half vector: which exponent matches the reflection",
                   .settingName = "factor on the exponent",
                   .errorName = "root mean square over the sphere",
                   .errorUnit = "of the highlight",

@@ -1,5 +1,5 @@
 #pragma once
-// Subject 8: lighting by vertex and by fragment against the analytic surface.
+// Lighting per vertex and per fragment against the analytic surface.
 
 #include <vector>
 

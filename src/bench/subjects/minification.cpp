@@ -19,16 +19,17 @@ namespace {
 constexpr int kReferenceFactor = 16;
 constexpr double kByte = 255;
 constexpr const char* kReference =
-    "16 x 16 bilinear samples a pixel of the texture itself, in double on the CPU";
+    "16 x 16 bilinear samples per pixel of the texture itself, in double on the CPU";
 
-/// Where a picture's pixels lie on the texture: a plane in perspective, or one seen from the front.
+/// The mapping of the picture to the texture: a plane in perspective, or one seen from the front.
 struct View {
     bool isPlane = true;
-    double texels = 1;  ///< plane: texels a unit of its width and depth; front: texels across the picture
+    double texels = 1;  ///< plane: texels per unit of its width and depth; front: texels across the picture
     glm::dvec2 start{.3, .7};  ///< texels
 };
 
-/// Texels at a place of the picture, 0..1, from the lower left. The shader below says the same in float.
+/// The texels at a place of the picture, 0..1 from the lower left. The shader below computes the same in
+/// float.
 glm::dvec2 texelsAt(const View& view, const glm::dvec2& place) {
     if (!view.isPlane) return view.start + view.texels * place;
     const double depth = 1 / (1.1 - place.y);
@@ -46,13 +47,13 @@ constexpr std::string_view kFragment =
     "    fColor = texture(uCard, (uView.xy + uView.z * place) / 512.);\n"
     "}\n";
 
-/// A way of reading a texture, and how many texels a pixel of it reads at most.
+/// A way of reading a texture, and the largest number of texels that one pixel reads.
 struct Filter {
     std::string_view curve;
     std::string label;
     GLenum minify = GL_LINEAR, magnify = GL_LINEAR;
     float anisotropy = 1;
-    int factor = 1;  ///< supersampling: factor x factor samples a pixel
+    int factor = 1;  ///< supersampling: factor x factor samples per pixel
     double reads = 4;
 };
 
@@ -90,11 +91,11 @@ class CardPicture {
     [[nodiscard]] int side() const { return side_; }
     [[nodiscard]] const CardTexture& texture() const { return texture_; }
 
-    /// A target for that many samples a pixel.
+    /// A target with that many samples per pixel.
     Result<gpu::Target> target(int factor) const {
         return gpu::Target::window(*capabilities_, side_ * factor, side_ * factor, gpu::TexelFormat::r32f);
     }
-    /// One grey value a pixel, 0..1, rows from the top.
+    /// One grey value per pixel, 0..1, rows from the top.
     Result<std::vector<double>> draw(const gpu::Target& target, const View& view,
                                      const Filter& filter) const {
         const gpu::Sampler sampler(gpu::Sampling{
@@ -126,7 +127,7 @@ class CardPicture {
     int side_;
 };
 
-/// What a view should look like: means of factor x factor samples a pixel.
+/// The reference for a view: means of factor x factor samples per pixel.
 std::vector<double> reference(const View& view, int side, int factor) {
     const std::vector<std::uint8_t> card = testCard();
     std::vector<double> pixels;
@@ -150,7 +151,7 @@ double rootMeanSquare(const std::vector<double>& picture, const std::vector<doub
     return kByte * std::sqrt(sum / static_cast<double>(picture.size()));
 }
 
-/// Of the texels that the filter may read, smaller levels among them, and of the pixels.
+/// Bytes of the texels that the filter may read, including smaller levels, and of the pixels.
 double bytesOf(const Filter& filter, const gpu::Target& target) {
     const bool hasLevels = filter.minify != GL_NEAREST && filter.minify != GL_LINEAR;
     const double texels = 4. * kCardSide * kCardSide * (hasLevels ? 4. / 3 : 1);
@@ -185,12 +186,12 @@ int sideOf(const Bench& bench) {
     return bench.isQuick() ? 64 : 128;
 }
 
-/// One from .26 texels a pixel at the bottom to 32 at the top.
+/// A plane from .26 texels per pixel at the bottom to 32 at the top.
 View planeView(int side) {
     return {.texels = .32 * side};
 }
 
-/// Linear and trilinear on the plane.
+/// Linear and trilinear filtering of the plane.
 Result<std::vector<Point>> planeInBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
     Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
     if (!picture) return std::move(picture.diagnostics);
@@ -211,9 +212,9 @@ Result<Figure> plane(Bench& bench, const gpu::Context& context) {
     Result<CardPicture> picture = CardPicture::create(capabilities, sideOf(bench));
     if (!picture) return std::move(picture.diagnostics);
     Figure figure{.name = "plane",
-                  .title = fmt::format("A plane in perspective, .3 to 32 texels a pixel, {0} x {0} pixels",
+                  .title = fmt::format("A plane in perspective, .3 to 32 texels per pixel, {0} x {0} pixels",
                                        picture->side()),
-                  .settingName = "texels read a pixel, at most",
+                  .settingName = "texels read per pixel, at most",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference};
@@ -259,7 +260,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
     if (!picture) return std::move(picture.diagnostics);
     Figure figure{.name = "front",
                   .title = "A surface seen from the front, by its distance",
-                  .settingName = "texels a pixel",
+                  .settingName = "texels per pixel",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference,
@@ -277,7 +278,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
             Result<Point> point = measure(bench, *picture, view, filter, wanted);
             if (!point) return std::move(point.diagnostics);
             point->setting = ratio;
-            point->label = fmt::format("{:g} texels a pixel", ratio);
+            point->label = fmt::format("{:g} texels per pixel", ratio);
             addTo(figure, filter.curve, std::move(*point));
         }
     }
@@ -289,7 +290,7 @@ Result<Figure> front(const Bench& bench, const gpu::Capabilities& capabilities) 
     return figure;
 }
 
-/// Magnified texels by the driver's linear filter: the largest error a magnification.
+/// Texels magnified by the driver's linear filter: the largest error per magnification.
 Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities& capabilities) {
     constexpr int kSide = 256;
     Result<CardPicture> picture = CardPicture::create(capabilities, kSide);
@@ -308,7 +309,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
         for (std::size_t i = 0; i < wanted.size(); ++i)
             largest = std::max(largest, std::abs((*drawn)[i] - wanted[i]));
         Point point{.setting = static_cast<double>(pixels),
-                    .label = fmt::format("{} pixels a texel", pixels),
+                    .label = fmt::format("{} pixels per texel", pixels),
                     .error = kByte * largest};
         point.time = timing;
         point.memory = bytesOf(linear, *target);
@@ -320,7 +321,7 @@ Result<std::vector<Point>> magnified(const Bench& bench, const gpu::Capabilities
 Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
     Figure figure{.name = "arithmetic",
                   .title = "The driver's linear filter, magnifying bytes, 256 x 256 pixels",
-                  .settingName = "pixels a texel",
+                  .settingName = "pixels per texel",
                   .errorName = "largest error",
                   .errorUnit = "1/255",
                   .reference = "bilinear interpolation of the same texels at the same places, in double",
@@ -342,7 +343,7 @@ Result<Figure> arithmetic(Bench& bench, const gpu::Context& context) {
             figure.curves[1].points.back().time->median / figure.curves[0].points.back().time->median,
             figure.curves[0].points.back().label));
     else
-        figure.findings.emplace_back("no second way of filtering bytes was measured");
+        figure.findings.emplace_back("only one way of filtering bytes was measured");
     return figure;
 }
 

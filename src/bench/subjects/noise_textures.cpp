@@ -33,7 +33,7 @@ std::vector<int> sidesOf(const Bench& bench) {
     return bench.isQuick() ? std::vector{16, 32, 64} : std::vector{16, 32, 64, 128, 256};
 }
 
-/// Exact texels by size, made once; 268 MB for the largest.
+/// Exact texels by size, computed once; the largest take 268 MB.
 class ExactTexels {
   public:
     const std::vector<float>& of(int side) {
@@ -68,17 +68,50 @@ std::string texelsLabel(int side) {
     return fmt::format("{0} x {0} x {0}", side);
 }
 
-/// Interpolation on the CPU, for the sum and for each octave.
+/// Findings about the sum of the octaves. `look` is the median time of the look-ups in the largest texture.
+void addSumFindings(Figure& sum, const Bench& bench, const std::vector<Sample>& samples, double look) {
+    for (const Curve& curve : sum.curves) {
+        sum.findings.push_back(orderSentence(curve, "texels"));
+        sum.findings.push_back(fmt::format("{}: {}/255 at {}", curve.name,
+                                           numberText(curve.points.back().error), curve.points.back().label));
+    }
+    double kept = 0;
+    const Timing direct = bench.time([&] {
+        for (const Sample& each : samples) kept += sumOf(exactNoise(each.place));
+    });
+    sum.findings.push_back(
+        fmt::format("the function itself takes {:.1f} times as long as a look-up in the largest texture",
+                    std::isnan(kept) ? kept : direct.median / look));
+    const Curve &cut = curveNamed(sum, name(NoiseFormat::byteFloor)),
+                &rounded = curveNamed(sum, name(NoiseFormat::byteNearest));
+    sum.findings.push_back(
+        fmt::format("rounding bytes instead of cutting them off leaves {:.0f} % of the error at {}",
+                    100 * rounded.points.back().error / cut.points.back().error, cut.points.back().label));
+}
+
+void addOctaveFindings(Figure& octaves) {
+    for (int i = 0; i < noise::kOctaves; ++i) {
+        const Curve& curve = octaves.curves[static_cast<std::size_t>(i)];
+        const double from = 2 * noise::cellsOf(i);
+        if (!std::isnan(fittedOrder(curve, from)))
+            octaves.findings.push_back(orderSentence(curve, "texels", from));
+    }
+    for (const Point& point : octaves.curves.front().points)
+        octaves.findings.push_back(fmt::format("{:g} texels per cell leave {} of the octave wrong",
+                                               point.setting / noise::cellsOf(0), numberText(point.error)));
+}
+
+/// Interpolates on the CPU, for the sum and for each octave.
 std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     Figure sum{.name = "texels",
                .title = "Noise texture: sum of four octaves, interpolated in double (time: 4096 places)",
-               .settingName = "texels a side",
+               .settingName = "texels per side",
                .errorName = "root mean square error",
                .errorUnit = "1/255",
                .reference = kReference};
     Figure octaves{.name = "octaves",
                    .title = "Noise texture of floats: each octave, interpolated in double",
-                   .settingName = "texels a side",
+                   .settingName = "texels per side",
                    .errorName = "root mean square error, of the octave's own root mean square",
                    .errorUnit = "",
                    .reference = kReference,
@@ -116,40 +149,16 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
             for (int i = 0; i < noise::kOctaves; ++i) {
                 const auto octave = static_cast<std::size_t>(i);
                 point.error = std::sqrt(errors[octave] / strength[octave]);
-                curveNamed(octaves, fmt::format("{} cells a period", noise::cellsOf(i)))
+                curveNamed(octaves, fmt::format("{} cells per period", noise::cellsOf(i)))
                     .points.push_back(point);
             }
         }
-    for (const Curve& curve : sum.curves) {
-        sum.findings.push_back(orderSentence(curve, "texels"));
-        sum.findings.push_back(fmt::format("{}: {}/255 at {}", curve.name,
-                                           numberText(curve.points.back().error), curve.points.back().label));
-    }
-    double kept = 0;
-    const Timing direct = bench.time([&] {
-        for (const Sample& each : samples) kept += sumOf(exactNoise(each.place));
-    });
-    sum.findings.push_back(
-        fmt::format("the function itself takes {:.1f} times as long as a look-up in the largest texture",
-                    std::isnan(kept) ? kept : direct.median / look));
-    const Curve &cut = curveNamed(sum, name(NoiseFormat::byteFloor)),
-                &rounded = curveNamed(sum, name(NoiseFormat::byteNearest));
-    sum.findings.push_back(
-        fmt::format("rounding bytes instead of cutting them off leaves {:.0f} % of the error at {}",
-                    100 * rounded.points.back().error / cut.points.back().error, cut.points.back().label));
-    for (int i = 0; i < noise::kOctaves; ++i) {
-        const Curve& curve = octaves.curves[static_cast<std::size_t>(i)];
-        const double from = 2 * noise::cellsOf(i);
-        if (!std::isnan(fittedOrder(curve, from)))
-            octaves.findings.push_back(orderSentence(curve, "texels", from));
-    }
-    for (const Point& point : octaves.curves.front().points)
-        octaves.findings.push_back(fmt::format("{:g} texels a cell leave {} of the octave wrong",
-                                               point.setting / noise::cellsOf(0), numberText(point.error)));
+    addSumFindings(sum, bench, samples, look);
+    addOctaveFindings(octaves);
     return {std::move(sum), std::move(octaves)};
 }
 
-/// Root mean square of the sum's error over a picture, in 255ths.
+/// The root mean square of the error of the sum over a picture, in 255ths.
 Result<double> pictureError(const NoisePicture& picture, const NoisePlane& plane) {
     Result<std::vector<float>> pixels = picture.pixels();
     if (!pixels) return std::move(pixels.diagnostics);
@@ -177,7 +186,7 @@ Result<Point> drawn(const Bench& bench, const NoisePicture& picture, const Noise
     return point;
 }
 
-/// The driver's filter on the bytes that scenes get, in each size.
+/// The driver's filter on the bytes of scenes, for each size.
 Result<std::vector<Point>> filteredBytes(const Bench& bench, const gpu::Capabilities& capabilities) {
     Result<NoisePicture> picture = NoisePicture::create(capabilities, NoiseShader::driverFilter, kSide);
     if (!picture) return std::move(picture.diagnostics);
@@ -211,11 +220,12 @@ void compareDrawn(Figure& figure) {
     for (const Curve& curve : figure.curves) {
         if (curve.name != "driver's filter in bytes, 8 bit, cut off") continue;
         const Point& fast = curve.points.back();
-        figure.findings.push_back(fmt::format(
-            "{}: filtering bytes in bytes takes {:.2f} times the time of filtering them in float, with {} "
-            "instead of {}/255",
-            fast.label, fast.time->median / bytes.time->median, numberText(fast.error),
-            numberText(bytes.error)));
+        figure.findings.push_back(
+            fmt::format("{}: filtering bytes with byte arithmetic takes {:.2f} times the time of float "
+                        "arithmetic, with {} "
+                        "instead of {}/255",
+                        fast.label, fast.time->median / bytes.time->median, numberText(fast.error),
+                        numberText(bytes.error)));
     }
 }
 
@@ -223,7 +233,7 @@ Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& 
     const gpu::Capabilities& capabilities = context.capabilities();
     Figure figure{.name = "drawn",
                   .title = fmt::format("Noise in a picture of {0} x {0} pixels, sum of four octaves", kSide),
-                  .settingName = "texels a side",
+                  .settingName = "texels per side",
                   .errorName = "root mean square error",
                   .errorUnit = "1/255",
                   .reference = kReference};
@@ -254,7 +264,7 @@ Result<Figure> onDevice(Bench& bench, const gpu::Context& context, ExactTexels& 
     return figure;
 }
 
-/// The largest error of any octave in a picture of what lies within half a texel of x = `middle`, in 255ths.
+/// The largest error of any octave within half a texel of x = `middle`, in 255ths.
 Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, gpu::Wrap wrap,
                      double middle) {
     const double half = .5 / texture.size().width;
@@ -275,7 +285,7 @@ Result<double> strip(const NoisePicture& picture, const gpu::Texture& texture, g
 Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, ExactTexels& exact) {
     Figure figure{.name = "seam",
                   .title = "Noise texture of floats: within half a texel of the period's border",
-                  .settingName = "texels a side",
+                  .settingName = "texels per side",
                   .errorName = "largest error of an octave",
                   .errorUnit = "1/255",
                   .reference = kReference};
@@ -286,7 +296,7 @@ Result<Figure> seam(const Bench& bench, const gpu::Capabilities& capabilities, E
         gpu::Wrap wrap;
         double middle;
     };
-    // The last texel of a row is n - 1; between it and the next period's first lies the border.
+    // The last texel of a row is n - 1; the border is between it and the first texel of the next period.
     for (const int side : sidesOf(bench)) {
         const NoiseVolume volume(side, NoiseFormat::single, exact.of(side));
         Result<gpu::Texture> texture = volume.upload(capabilities);

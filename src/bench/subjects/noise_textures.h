@@ -1,5 +1,5 @@
 #pragma once
-// Noise textures: size and texel format against the function that they hold.
+// Noise textures: error against size and texel format.
 
 #include <glibra/result.h>
 
@@ -9,8 +9,8 @@
 
 namespace glibra::bench {
 
-/// Figures: interpolated on the CPU; octave by octave; drawn by filters of the driver and of the shader and
-/// by the function itself; across the border of the period.
+/// Figures: interpolated on the CPU; octave by octave; drawn with the filters of the driver and of the shader
+/// and with the function itself; across the border of the period.
 Result<std::vector<Figure>> measureNoise(Bench& bench);
 
 }  // namespace glibra::bench

@@ -8,8 +8,8 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/drawn_solid.h"
-#include "bench/reference/cut_shapes.h"
 #include "bench/reference/solids.h"
+#include "bench/subjects/cut_shapes.h"
 #include "bench/subjects/teapot.h"
 #include "geometry/shapes/soccerball.h"
 #include "geometry/shapes/sphere.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr double kOutlineRadius = 512;  ///< pixels
 constexpr int kPictureSide = 1024;
 constexpr double kPictureRadius =
-    500.3;  ///< pixels; no whole number, so that no pixel centre lies on the edge
+    500.3;  ///< pixels; not an integer, so that no pixel centre lies on the edge
 constexpr const char* kClosedForm =
     "the surface in closed form, in double; the distance along its normal from a net of 28 points on every "
     "triangle";
@@ -30,7 +30,7 @@ std::vector<int> sliceCounts(const Bench& bench) {
     return {8, 16, 32, 64, 128, 256, 512};
 }
 
-/// All that is known of one mesh.
+/// All measures of one mesh.
 struct Measured {
     int slices = 0;
     double triangles = 0, bytes = 0, outline = 0, volume = 0;
@@ -137,7 +137,7 @@ Figure volumeFigure(std::span<const Sweep> sweeps) {
     return figure;
 }
 
-/// Slices against a number of stacks that stays: where the one stops helping, the other is missing.
+/// Slices with a fixed number of stacks: where more slices stop helping, stacks are missing.
 Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
     Figure figure;
     figure.name = "balance";
@@ -168,7 +168,7 @@ Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
     return figure;
 }
 
-/// All shapes by the one measure of cost that they share.
+/// All shapes by the measure of cost that they share.
 Figure triangleFigure(const Bench& bench, std::span<const Sweep> sweeps, const Figure& teapot) {
     Figure figure;
     figure.name = "triangles";
@@ -219,9 +219,8 @@ Result<Figure> drawnFigure(Bench& bench) {
     figure.errorName = "mean distance of the outlines";
     figure.errorUnit = "pixels";
     figure.reference = fmt::format(
-        "the disc's area, pi r^2 with r = {} pixels; covered pixels are counted, their lack is divided by "
-        "the "
-        "circumference. Time: upload and drawing",
+        "the disc's area, pi r^2 with r = {} pixels; covered pixels are counted, and the missing area is "
+        "divided by the circumference. Time: upload and drawing",
         kPictureRadius);
     Curve curve{"sphere", {}};
     for (const int slices : sliceCounts(bench)) {

@@ -9,9 +9,9 @@
 
 namespace glibra::bench {
 
-/// Subject 1: position, normal, outline and volume of the solids against closed forms, by slices and stacks;
-/// teapot and soccer ball; a sphere as the driver draws it. Without a driver the last figure is missing, with
-/// gpu-E01 among the diagnostics.
+/// Position, normal, outline and volume of the solids against closed forms, by slices and stacks; teapot and
+/// soccer ball; a sphere as the driver draws it. Without a driver, the last figure is missing and gpu-E01 is
+/// among the diagnostics.
 Result<std::vector<Figure>> measurePrimitives(Bench& bench);
 
 }  // namespace glibra::bench

@@ -21,20 +21,20 @@ namespace {
 constexpr int kRays = 2048;
 constexpr double kMissed = std::numeric_limits<double>::quiet_NaN();
 
-/// Origin and direction (of unit length but for rounding, which no formula here relies on), toward a sphere
-/// of radius 1 about the origin.
+/// Origin and direction toward a sphere of radius 1 around the origin. The direction has unit length up to
+/// rounding; no formula here relies on it.
 struct Ray {
     glm::vec3 origin{0}, direction{0};
 };
 
-/// The exact distance along the ray to the nearer intersection, absent for a miss.
+/// The exact distance along the ray to the nearer intersection; empty if the ray misses.
 struct Truth {
     bool hits = false;
     Exact distance = 0;
 };
 
-/// Rays from `distance` away, all around, toward points of a disc of radius `largest` > 0 that lies across
-/// them in the sphere's centre: evenly spread from `smallest` on.
+/// Rays from all around at `distance`, toward points of a disc of radius `largest` > 0 through the centre of
+/// the sphere, perpendicular to the rays: evenly spread from `smallest`.
 std::vector<Ray> raysFrom(double distance, double smallest, double largest) {
     std::vector<Ray> rays;
     for (int i = 0; i < kRays; ++i) {
@@ -62,7 +62,7 @@ Truth truthOf(const Ray& ray) {
     return {true, (-b - sqrt(discriminant)) / a};
 }
 
-/// a t^2 + b t + c = 0 solved as it stands in textbooks.
+/// a t^2 + b t + c = 0 solved as in textbooks.
 template <class Number>
 double textbook(const Ray& ray) {
     const glm::vec<3, Number> o(ray.origin), d(ray.direction);
@@ -86,7 +86,7 @@ double stable(const Ray& ray) {
     return static_cast<double>(c / q);
 }
 
-/// The same discriminant, but the root as in textbooks.
+/// The same discriminant with the textbook root.
 double stableDiscriminant(const Ray& ray) {
     const float a = glm::dot(ray.direction, ray.direction), b = -glm::dot(ray.origin, ray.direction);
     const glm::vec3 across = ray.origin + (b / a) * ray.direction;
@@ -129,10 +129,10 @@ constexpr ShaderMethod kShaderMethods[] = {
 )"},
 };
 
-/// What became of the rays of one setting.
+/// The result for the rays of one setting.
 struct Outcome {
     double distance = 0;  ///< largest error of the hit along the ray, over rays that rightly hit
-    double wrong = 0;     ///< share of rays that hit where they should miss, or the other way
+    double wrong = 0;     ///< share of rays that hit where they should miss, or the reverse
 };
 
 Outcome judge(const std::vector<Truth>& truths, std::span<const double> hits) {
@@ -232,7 +232,7 @@ Figure hitFigure(Bench& bench, Diagnostics& problems) {
     figure.errorName = "largest error along the ray";
     figure.errorUnit = "radii";
     figure.reference =
-        "the exact root for the very same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
+        "the exact root for the same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
         "the inner .9 of the sphere";
     figure.alternatives = Alternatives::setting;
     addCurves(figure, bench, byDistance(bench, 0, .9), &Outcome::distance, problems);
@@ -246,7 +246,7 @@ Figure hitFigure(Bench& bench, Diagnostics& problems) {
 Figure decisionFigure(Bench& bench, Diagnostics& problems) {
     Figure figure;
     figure.name = "decision";
-    figure.title = "Rays that hit or miss wrongly, near the outline";
+    figure.title = "Rays near the outline that hit or miss wrongly";
     figure.settingName = "distance of the ray's origin in radii";
     figure.errorName = "share of wrong rays";
     figure.reference =
@@ -263,9 +263,9 @@ Figure decisionFigure(Bench& bench, Diagnostics& problems) {
                 ? fmt::format("{}: no ray is wrong up to {}", curve.name, curve.points.back().label)
                 : fmt::format("{}: the first wrong rays at {}", curve.name, first->label));
     }
-    figure.findings.push_back(
-        fmt::format("at {}: {:.1f} % of the rays are wrong by the textbook, {:.1f} % by the stable form",
-                    bad.label, 100 * bad.error, 100 * good.error));
+    figure.findings.push_back(fmt::format(
+        "at {}: {:.1f} % of the rays are wrong with the textbook formula, {:.1f} % with the stable one",
+        bad.label, 100 * bad.error, 100 * good.error));
     return figure;
 }
 

@@ -9,9 +9,9 @@
 
 namespace glibra::bench {
 
-/// Subject 12: where a ray of floats meets a unit sphere, by the textbook's formula and stable ones, by
-/// distance, and for rays that graze it; against 100 digits. Without a driver the shaders' curves are
-/// missing, with gpu-E01 among the diagnostics.
+/// The intersection of rays in float with a unit sphere, by the textbook formula and by stable ones, by
+/// distance and for rays that graze it; against 100 digits. Without a driver, the curves of the shaders are
+/// missing and gpu-E01 is among the diagnostics.
 Result<std::vector<Figure>> measureRaySphere(Bench& bench);
 
 }  // namespace glibra::bench

@@ -20,7 +20,7 @@ namespace {
 /// A way to draw a scene.
 struct Way {
     std::string_view name;
-    int samples = 1;      ///< 0: as the bound needs
+    int samples = 1;      ///< 0: as many as the bound needs
     double maxError = 0;  ///< pixels; 0: the counts of the scene and of the language
     bool overrideCounts = false;
 };
@@ -31,18 +31,18 @@ constexpr std::array<Way, 5> kWays{{{"1 sample", 1},
                                     {"--max-error 0.25 --override-counts", 0, .25, true}}};
 constexpr std::size_t kPlain = 0, kFourSamples = 2, kBudget = 3, kFreeBudget = 4;
 
-/// How good the reference is. A quick run takes every sixth scene.
+/// The quality of the reference. A quick run takes every sixth scene.
 struct Thoroughness {
     std::size_t stride = 1;
     int samplesASide = 8;
-    double slow = .25;  ///< seconds of a picture from which 4 samples a side are enough
+    double slow = .25;  ///< a picture that takes more seconds gets only 4 samples per side
     int finest = 32;    ///< meshes within 1 / finest of a pixel of their surfaces
 };
 Thoroughness thoroughness(const Bench& bench) {
     return bench.isQuick() ? Thoroughness{.stride = 6, .samplesASide = 4, .finest = 16} : Thoroughness{};
 }
 
-/// One scene in each of the ways.
+/// One scene drawn in each of the ways.
 struct Measured {
     const ShippedScene* scene = nullptr;
     int width = 0, height = 0;
@@ -66,7 +66,7 @@ Result<Measured> measure(Bench& bench, gpu::Context& context, const ShippedScene
         if (!picture) return std::move(picture.diagnostics);
         pictures[i] = std::move(*picture);
         measured.bytes[i] = scenePictureBytes(context, scene.path, way);
-        constexpr double kEnough = .15;  // for each of many
+        constexpr double kEnough = .15;  // seconds, for each of many scenes
         measured.times[i] = bench.time([&] { (void)scenePicture(context, scene.path, way); }, kEnough);
     }
     measured.width = pictures.front().width;
@@ -89,7 +89,7 @@ std::string sizeText(const Measured& each) {
     return fmt::format("{} x {}", each.width, each.height);
 }
 
-/// Scenes by one measure of their error, largest first; a curve for each way.
+/// Scenes by one measure of their error, largest first; one curve per way.
 Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const PictureError&)) {
     std::ranges::sort(all, std::ranges::greater(),
                       [&](const Measured& each) { return errorOf(each.errors.front()); });
@@ -103,8 +103,8 @@ Figure ranked(std::vector<Measured> all, Figure figure, double (*errorOf)(const 
                                     .memory = all[rank].bytes[i]});
         figure.curves.push_back(std::move(curve));
     }
-    constexpr std::size_t kTold = 10;
-    for (std::size_t rank = 0; rank < std::min(kTold, all.size()); ++rank) {
+    constexpr std::size_t kNamed = 10;
+    for (std::size_t rank = 0; rank < std::min(kNamed, all.size()); ++rank) {
         const Measured& each = all[rank];
         figure.findings.push_back(fmt::format(
             "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
@@ -119,7 +119,7 @@ double median(std::vector<double> values) {
     return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
 }
 
-/// What a way brings and costs against one sample and the scene's own counts.
+/// The gain and the cost of a way against one sample and the scene's own counts.
 std::string comparison(const std::vector<Measured>& all, std::size_t way) {
     std::vector<double> better, longer;
     std::size_t faster = 0;
@@ -136,7 +136,7 @@ std::string comparison(const std::vector<Measured>& all, std::size_t way) {
         kWays[way].name, median(better), median(longer), faster, all.size());
 }
 
-/// How long scenes take, and what the ways bring.
+/// How long the scenes take, and what the ways gain.
 std::vector<std::string> overall(const std::vector<Measured>& all) {
     std::vector<double> times;
     times.reserve(all.size());
@@ -144,15 +144,14 @@ std::vector<std::string> overall(const std::vector<Measured>& all) {
     const auto slowest =
         std::ranges::max_element(all, {}, [](const Measured& each) { return each.times[kPlain].median; });
     return {
-        fmt::format(
-            "{} scenes; of half of them the picture takes less than {} (parse, plan, upload, draw, read), "
-            "the longest takes {}: {}",
-            all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
-            slowest->scene->name),
+        fmt::format("{} scenes; half of the pictures take less than {} (parse, plan, upload, draw, read), "
+                    "the longest takes {}: {}",
+                    all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
+                    slowest->scene->name),
         comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
 }
 
-/// Those whose reference has fewer samples than that of the others, or nothing.
+/// Names the scenes whose reference has fewer samples than the others; empty if there are none.
 std::string slowOnes(const std::vector<Measured>& all) {
     const int most = std::ranges::max_element(all, {}, &Measured::referenceSamples)->referenceSamples;
     std::vector<std::string> names;
@@ -163,7 +162,7 @@ std::string slowOnes(const std::vector<Measured>& all) {
             fewest = each.referenceSamples;
         }
     if (names.empty()) return {};
-    return fmt::format("the reference has {} samples a pixel instead of {} for {}", fewest, most,
+    return fmt::format("the reference has {} samples per pixel instead of {} for {}", fewest, most,
                        fmt::join(names, ", "));
 }
 

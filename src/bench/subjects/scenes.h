@@ -1,5 +1,5 @@
 #pragma once
-// Subject 15: the scenes that ship with glibra, their time and their error.
+// The scenes that ship with glibra: their time and their error.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The scenes that ship with glibra, and how each is drawn best.
+// The scenes that ship with glibra, and the finest setting of each.
 
 #include <glibra/result.h>
 
@@ -12,13 +12,13 @@ namespace glibra::bench {
 struct ShippedScene {
     std::string name;  ///< "shading/sphere"
     std::filesystem::path path;
-    /// "NAME=VALUE" that make its tessellation the finest its sliders allow; empty where it has none, or
-    /// where the level is what the picture is about.
+    /// "NAME=VALUE" settings that make its tessellation as fine as its sliders allow; empty if it has none,
+    /// or if the level is the subject of the picture.
     std::vector<std::string> finest;
 };
 
-/// By name. They are looked for in the folders of GLIBRA_PATH, and in the nearest folder with `glib` and
-/// `shaders` in it above the current one and above the program. file-E01 if there are none.
+/// Sorted by name. They are searched in the folders of GLIBRA_PATH, then in the nearest folder with `glib`
+/// and `shaders` above the current folder, then above the program. file-E01 if there are none.
 Result<std::vector<ShippedScene>> shippedScenes();
 
 }  // namespace glibra::bench

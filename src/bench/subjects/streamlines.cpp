@@ -1,4 +1,4 @@
-// A streamline of a dipole, which runs past it and is fast there: dz/dt = z^2 in complex numbers.
+// A streamline of a dipole, which passes near it and is fast there: dz/dt = z^2 in complex numbers.
 
 #include <fmt/format.h>
 
@@ -16,9 +16,9 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kEnd = 2;
-const std::complex<double> kStart(1, .1);  ///< passes |z| = 10 half-way
+const std::complex<double> kStart(1, .1);  ///< reaches |z| = 10 half-way
 
-/// 1 / z falls by t: the exact solution.
+/// 1 / z decreases by t: the exact solution.
 std::complex<double> exactAt(double t) {
     return kStart / (1. - kStart * t);
 }
@@ -32,7 +32,7 @@ Complex<Number> field(const Complex<Number>& z) {
 }
 
 struct Traced {
-    double error = 0;     ///< largest distance from where the line is at that time
+    double error = 0;     ///< largest distance from the exact place at that time
     int evaluations = 0;  ///< of the field
 };
 
@@ -57,7 +57,7 @@ Traced midpoint(int steps) {
         steps, 2, [](const Complex<double>& z, double h) { return z + h * field(z + .5 * h * field(z)); });
 }
 
-/// The classic scheme of Runge and Kutta.
+/// The classic Runge-Kutta method.
 template <class Number>
 Traced rungeKutta(int steps) {
     return fixedSteps<Number>(steps, 4, [](const Complex<Number>& z, Number h) {
@@ -68,8 +68,8 @@ Traced rungeKutta(int steps) {
 }
 
 /// Dormand and Prince, A family of embedded Runge-Kutta formulae, Journal of Computational and Applied
-/// Mathematics 6(1), 1980: fifth order, with the fourth as a measure of its error. The last evaluation of a
-/// step is the first of the next.
+/// Mathematics 6(1), 1980: fifth order, with an embedded fourth-order result that estimates the error. The
+/// last evaluation of a step is the first of the next.
 template <class Number>
 Traced dormandPrince(double tolerance) {
     using Z = Complex<Number>;

@@ -20,7 +20,7 @@ using Patches = std::array<geometry::Patch, 32>;
 
 constexpr int kShippedCells = 16;
 
-/// In the coordinates of geometry::teapot; its body is two units wide.
+/// In the coordinates of geometry::teapot, whose body is two units wide.
 Patches placedPatches() {
     Patches patches = geometry::teapotPatches();
     for (geometry::Patch& patch : patches)
@@ -33,7 +33,7 @@ geometry::Attribute attribute(std::string_view name, int components) {
     return {std::string(name), components, {}};
 }
 
-/// A grid on every patch, rounded once to float, with (cells + 1)^2 vertices a patch.
+/// A grid on every patch, rounded once to float, with (cells + 1)^2 vertices per patch.
 geometry::Mesh grid(const Patches& patches, int cells) {
     geometry::Attribute positions = attribute(geometry::kPosition, 3),
                         normals = attribute(geometry::kNormal, 3),
@@ -76,10 +76,10 @@ std::string_view partOf(std::size_t patch) {
 
 struct TeapotError {
     double distance = 0, normal = 0;
-    std::string_view distanceAt, normalAt;  ///< the part where that is
+    std::string_view distanceAt, normalAt;  ///< the part with the largest errors
 };
 
-/// Every mesh here holds its patches one after the other, (cells + 1)^2 vertices each.
+/// Every mesh here has its patches one after the other, with (cells + 1)^2 vertices each.
 TeapotError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cells) {
     const auto vertices = static_cast<std::uint32_t>((cells + 1) * (cells + 1));
     TeapotError largest;
@@ -93,7 +93,8 @@ TeapotError errorOf(const geometry::Mesh& mesh, const Patches& patches, int cell
             largest.distanceAt = partOf(number);
         }
         const glm::dvec3 across = glm::cross(foot.alongS, foot.alongT);
-        // At knob and bottom centre the derivatives vanish, and close to them their direction is rounding.
+        // At the knob and at the centre of the bottom the derivatives vanish; close to them their direction
+        // is only rounding.
         if (glm::length(across) < 1e-4) return;
         const double angle = degreesBetween(triangle.normal(weights), glm::normalize(across));
         if (angle > largest.normal) {
@@ -119,11 +120,12 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
     Figure position;
     position.name = "teapot-position";
     position.title = "Teapot: distance of the mesh from the patches";
-    position.settingName = "cells a side of a patch";
+    position.settingName = "cells per side of a patch";
     position.errorName = "largest distance";
     position.errorUnit = "radii";
     position.reference =
-        "the 32 bicubic patches by de Casteljau's scheme in double, at the nearest point that Gauss-Newton "
+        "the 32 bicubic patches by de Casteljau's algorithm in double, at the nearest point that "
+        "Gauss-Newton "
         "steps find";
     Figure normal = position;
     normal.name = "teapot-normal";

@@ -1,5 +1,5 @@
 #pragma once
-// The part of the primitives that is no solid of closed form.
+// The primitives that have no closed form.
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace glibra::bench {
 
 inline constexpr double kTeapotTriangles = 16256;
 
-/// Position (in units of half the body's width) and normal of grids on the teapot's patches, by cells a
-/// side, against the patches in double; the last curve of each is the teapot that scenes draw.
+/// Position (in units of half the width of the body) and normal of grids on the patches of the teapot, by
+/// cells per side, against the patches in double. The last curve of each figure is the teapot in scenes.
 std::vector<Figure> teapotFigures(const Bench& bench);
 
 }  // namespace glibra::bench

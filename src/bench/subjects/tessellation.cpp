@@ -22,14 +22,14 @@ constexpr int kCells = 4;  // distances are taken at 15 points of each triangle
 constexpr double kFitFrom = 8;
 constexpr int kPicture = 256;
 
-/// A surface, and how far a point is from it.
+/// A surface, and the distance of a point from it.
 struct Analytic {
     std::string_view name, title, unit, reference;
     Evaluation evaluation = Evaluation::bernstein;
     std::vector<glm::vec3> points{};
-    /// In double; `coordinate` is near the nearest point's own.
+    /// Computed in double; `coordinate` is close to the coordinate of the nearest point.
     std::function<double(const glm::dvec3& point, const glm::dvec3& coordinate)> distance{};
-    /// The point that a coordinate stands for.
+    /// The point that belongs to a coordinate.
     std::function<glm::dvec3(const glm::dvec3& coordinate)> at{};
 };
 
@@ -47,7 +47,7 @@ Analytic bezierPatch() {
         .title = "A bicubic patch (the teapot's spout)",
         .unit = "teapot units",
         .reference =
-            "the nearest point of the patch in double, by de Casteljau's scheme and Gauss-Newton "
+            "the nearest point of the patch in double, by de Casteljau's algorithm and Gauss-Newton "
             "steps",
         .evaluation = Evaluation::bernstein,
         .points = std::move(points),
@@ -80,7 +80,7 @@ Analytic pnTriangle() {
             .title = "A PN triangle on an octant of a sphere",
             .unit = "radii",
             .reference =
-                "the nearest point of the cubic triangle in double, by de Casteljau's scheme and "
+                "the nearest point of the cubic triangle in double, by de Casteljau's algorithm and "
                 "Gauss-Newton steps",
             .evaluation = Evaluation::pnTriangle,
             .points = std::move(points),
@@ -140,7 +140,7 @@ Figure figureOf(const Analytic& surface, std::string_view measure) {
             .reference = std::string(surface.reference)};
 }
 
-/// How far the PN surface itself is from the sphere that it stands for.
+/// The distance of the PN surface itself from the sphere that it approximates.
 std::string modelFinding(const Analytic& surface) {
     constexpr int kSteps = 64;
     double largest = 0;

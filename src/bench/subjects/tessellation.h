@@ -10,10 +10,10 @@
 namespace glibra::bench {
 
 /// Figures: largest and mean distance of a Bezier patch, an octant of a sphere and a PN triangle; cracks
-/// along the teapot's shared edges; gaps between neighbours of different levels.
+/// along the shared edges of the teapot; gaps between neighbours of different levels.
 Result<std::vector<Figure>> measureTessellation(Bench& bench);
 
-/// Of measureTessellation, what concerns edges.
+/// The figures of measureTessellation that concern edges.
 Result<std::vector<Figure>> measureCracks(const Bench& bench, const gpu::Capabilities& capabilities);
 
 }  // namespace glibra::bench

@@ -19,7 +19,7 @@ namespace {
 
 using ControlPoints = std::vector<glm::vec3>;
 
-/// The edges of a quad patch, by the coordinate that stands still there.
+/// The edges of a quad patch, by the coordinate that is constant there.
 enum class Side { left, right, bottom, top };
 constexpr std::array kSides{Side::left, Side::right, Side::bottom, Side::top};
 
@@ -28,16 +28,16 @@ struct Edge {
     Side side = Side::left;
 };
 
-/// Two edges with the same control points bit for bit.
+/// Two edges whose control points are bit for bit the same.
 struct SharedEdge {
     Edge first, second;
-    bool isReversed = false;  ///< the second runs against the first
+    bool isReversed = false;  ///< the second runs in the opposite direction
 };
 
 /// A vertex on an edge by its place along it, 0..1.
 using EdgeVertices = std::map<float, glm::vec3>;
 
-/// By a quarter turn; the surface stays the same.
+/// Rotates the control points by a quarter turn; the surface stays the same.
 geometry::Patch turned(const geometry::Patch& patch) {
     geometry::Patch result;
     for (std::size_t row = 0; row < 4; ++row)
@@ -45,7 +45,8 @@ geometry::Patch turned(const geometry::Patch& patch) {
     return result;
 }
 
-/// The teapot's patches, turned by different numbers of quarters: in the original, neighbours run alike.
+/// The patches of the teapot, rotated by different numbers of quarter turns: in the original, neighbours run
+/// in the same direction.
 ControlPoints turnedTeapot() {
     ControlPoints points;
     int number = 0;
@@ -98,7 +99,7 @@ std::vector<SharedEdge> sharedEdges(const ControlPoints& points) {
     return shared;
 }
 
-/// Vertices on every edge: [patch * 4 + side].
+/// The vertices on every edge: [patch * 4 + side].
 std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& vertices, int patches) {
     std::vector<EdgeVertices> edges(static_cast<std::size_t>(patches) * 4);
     for (const TessellatedVertex& vertex : vertices) {
@@ -118,7 +119,7 @@ const EdgeVertices& verticesOf(const std::vector<EdgeVertices>& edges, const Edg
 
 bool isSamePlace(const glm::vec3& a, const glm::vec3& b) {
     for (glm::length_t i = 0; i < 3; ++i)
-        // Both zeros are the same place.
+        // -0 and 0 are the same place.
         if (a[i] != b[i]) return false;
     return true;
 }
@@ -159,7 +160,7 @@ std::string_view nameOf(Evaluation evaluation) {
     return "sum of Bernstein polynomials";
 }
 
-/// How many patches come out whole if all of them are one draw.
+/// How many patches come out whole if one draw draws all.
 Result<std::string> wholePatches(const gpu::Capabilities& capabilities) {
     constexpr float kLevel = 62;
     Result<Tessellator> teapot =
@@ -175,58 +176,71 @@ Result<std::string> wholePatches(const gpu::Capabilities& capabilities) {
                        count.size(), kLevel);
 }
 
-Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
-    const ControlPoints points = turnedTeapot();
-    const std::vector<SharedEdge> shared = sharedEdges(points);
-    const auto reversed = std::ranges::count_if(shared, &SharedEdge::isReversed);
-    Figure figure{.name = "cracks",
-                  .title =
-                      "Vertices that differ on shared edges: the teapot's patches, each turned, with "
-                      "different inner levels",
-                  .settingName = "outer tessellation level",
-                  .errorName = "share of vertices that differ from the neighbour's in any bit",
-                  .errorUnit = "",
-                  .reference = fmt::format(
-                      "the neighbour's own vertex at the same place of the edge; {} edges have the "
-                      "same control points bit for bit, {} of them run the other way",
-                      shared.size(), reversed)};
+/// The curve of one way to tessellate over all levels; `all` receives the sum of its cracks. Draws into
+/// `target`.
+Result<Curve> crackCurve(const Bench& bench, const Tessellator& teapot, const std::vector<SharedEdge>& shared,
+                         int patches, const gpu::Target& target, Cracks& all) {
     const std::vector<float> levels =
         bench.isQuick() ? std::vector<float>{1, 3, 8, 32}
                         : std::vector<float>{1, 2, 3, 4, 5.5, 7, 8, 11.3F, 16, 24, 32, 45.9F, 62};
-    constexpr int kPicture = 256;  // pixels a side, for the time
-    Result<gpu::Target> target =
+    Curve curve;
+    for (const float level : levels) {
+        const Levels stepped{.outer = level, .inner = level, .innerStep = 1};
+        const Result<std::vector<TessellatedVertex>> vertices = teapot.capture(stepped);
+        if (!vertices) return vertices.diagnostics;
+        target.bind();
+        target.clearColor(0, {});
+        const Cracks found = countCracks(shared, edgeVertices(*vertices, patches));
+        curve.points.push_back(
+            {.setting = static_cast<double>(level),
+             .label = fmt::format("level {:g}", level),
+             .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices,
+             .time = bench.time([&] { teapot.draw(stepped); }),
+             .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))});
+        all.vertices += found.vertices;
+        all.different += found.different;
+        all.withoutPartner += found.withoutPartner;
+        all.widest = std::max(all.widest, found.widest);
+    }
+    return curve;
+}
+
+Figure emptyCrackFigure(const std::vector<SharedEdge>& shared) {
+    return {.name = "cracks",
+            .title =
+                "Vertices that differ on shared edges: the teapot's patches, each turned, with different "
+                "inner levels",
+            .settingName = "outer tessellation level",
+            .errorName = "share of vertices that differ from the neighbour's in any bit",
+            .errorUnit = "",
+            .reference = fmt::format(
+                "the neighbour's own vertex at the same place of the edge; {} edges have the same "
+                "control points bit for bit, {} of them run the other way",
+                shared.size(), std::ranges::count_if(shared, &SharedEdge::isReversed))};
+}
+
+Result<Figure> sharedEdgeCracks(const Bench& bench, const gpu::Capabilities& capabilities) {
+    const ControlPoints points = turnedTeapot();
+    const std::vector<SharedEdge> shared = sharedEdges(points);
+    Figure figure = emptyCrackFigure(shared);
+    constexpr int kPicture = 256;  // pixels per side, for the time
+    const Result<gpu::Target> target =
         gpu::Target::window(capabilities, kPicture, kPicture, gpu::TexelFormat::rgba8);
-    if (!target) return std::move(target.diagnostics);
+    if (!target) return target.diagnostics;
     for (const Evaluation evaluation :
          {Evaluation::bernstein, Evaluation::interpolated, Evaluation::symmetric})
         for (const Spacing spacing : kSpacings) {
-            Result<Tessellator> teapot = Tessellator::create(capabilities, evaluation, spacing, points);
-            if (!teapot) return std::move(teapot.diagnostics);
-            Curve curve{.name = fmt::format("{}, {}", nameOf(evaluation), name(spacing))};
+            const Result<Tessellator> teapot = Tessellator::create(capabilities, evaluation, spacing, points);
+            if (!teapot) return teapot.diagnostics;
             Cracks all;
-            for (const float level : levels) {
-                const Levels stepped{.outer = level, .inner = level, .innerStep = 1};
-                Result<std::vector<TessellatedVertex>> vertices = teapot->capture(stepped);
-                if (!vertices) return std::move(vertices.diagnostics);
-                target->bind();
-                target->clearColor(0, {});
-                const Cracks found =
-                    countCracks(shared, edgeVertices(*vertices, static_cast<int>(points.size() / 16)));
-                curve.points.push_back(
-                    {.setting = static_cast<double>(level),
-                     .label = fmt::format("level {:g}", level),
-                     .error = static_cast<double>(found.different + found.withoutPartner) / found.vertices,
-                     .time = bench.time([&] { teapot->draw(stepped); }),
-                     .memory = static_cast<double>(vertices->size() * sizeof(glm::vec3))});
-                all.vertices += found.vertices;
-                all.different += found.different;
-                all.withoutPartner += found.withoutPartner;
-                all.widest = std::max(all.widest, found.widest);
-            }
+            Result<Curve> curve =
+                crackCurve(bench, *teapot, shared, static_cast<int>(points.size() / 16), *target, all);
+            if (!curve) return std::move(curve.diagnostics);
+            curve->name = fmt::format("{}, {}", nameOf(evaluation), name(spacing));
             figure.findings.push_back(fmt::format(
-                "{}: {} of {} vertices differ, by up to {} teapot units; {} have no partner", curve.name,
+                "{}: {} of {} vertices differ, by up to {} teapot units; {} have no partner", curve->name,
                 all.different, all.vertices, numberText(all.widest), all.withoutPartner));
-            figure.curves.push_back(std::move(curve));
+            figure.curves.push_back(std::move(*curve));
         }
     Result<std::string> whole = wholePatches(capabilities);
     if (!whole) return std::move(whole.diagnostics);

@@ -1,4 +1,4 @@
-// A rotation by one degree and a bit, again and again.
+// A rotation by a bit more than one degree, applied again and again.
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ glm::dmat3 multiplied(int count) {
     return glm::dmat3(m);
 }
 
-/// Gram-Schmidt after every step.
+/// Gram-Schmidt orthogonalisation after every step.
 glm::dmat3 orthonormalised(int count) {
     const glm::mat3 step = rotation<float>(static_cast<float>(kStep));
     glm::mat3 m(1);
@@ -101,7 +101,7 @@ glm::dmat3 roundedOnce(int count) {
 struct Method {
     const char* name;
     glm::dmat3 (*rotate)(int count);
-    std::size_t bytes;  ///< of what is kept from one rotation to the next
+    std::size_t bytes;  ///< of the state between two rotations
 };
 
 constexpr Method kMethods[] = {
@@ -175,7 +175,7 @@ Figure chainFigure(Bench& bench, Diagnostics& problems) {
         for (const int count : counts)
             curve.points.push_back(
                 pointOf(count, largestEntryError(exactRotation(count), method.rotate(count)), bench.time([&] {
-                    // The result must reach memory, or the work is left out.
+                    // The result must reach memory, otherwise the compiler removes the work.
                     volatile double kept = method.rotate(count)[1][0];
                     static_cast<void>(kept);
                 }),

@@ -1,4 +1,4 @@
-// Normals under scales that differ by direction.
+// Normals under scales that differ by axis.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kNormals = 512;
 
-/// A turned object, scaled by 1, sqrt(ratio) and ratio along its axes, and turned again.
+/// Rotates an object, scales it by 1, sqrt(ratio) and ratio along its axes, and rotates it again.
 glm::dmat3 modelOf(double ratio) {
     const glm::dmat3 first(glm::rotate(glm::dmat4(1), .6, glm::dvec3(1, -.3, .8))),
         second(glm::rotate(glm::dmat4(1), 2.1, glm::dvec3(.2, 1, .5)));
@@ -32,7 +32,7 @@ glm::dmat3 modelOf(double ratio) {
     return first * scale * second;
 }
 
-/// Spread over the sphere (Fibonacci lattice), as floats, as a mesh has them.
+/// Normals spread over the sphere (Fibonacci lattice), as floats, as in a mesh.
 std::vector<glm::vec3> normals() {
     std::vector<glm::vec3> all;
     for (int i = 0; i < kNormals; ++i) {
@@ -43,7 +43,7 @@ std::vector<glm::vec3> normals() {
     return all;
 }
 
-/// Cofactors: the inverse transpose but for a factor, without division.
+/// Cofactors: the inverse transpose up to a factor, without a division.
 template <class Number>
 glm::mat<3, 3, Number> cofactors(const glm::mat<3, 3, Number>& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
@@ -72,7 +72,7 @@ constexpr const char* kShader = R"(uniform mat3 uModel;
 vec4 value() { return vec4(normalize(transpose(inverse(uModel)) * given(0).xyz), 0.); }
 )";
 
-/// The normals as they should be, in the order of normals().
+/// The exact normals, in the order of normals().
 std::vector<ExactVector> exactNormals(const glm::dmat3& model) {
     const ExactMatrix matrix = exactCofactors(exact(model));
     std::vector<ExactVector> all;

@@ -1,4 +1,4 @@
-// Points of an object seen by a camera beside it, when both are far from the origin, or small.
+// Points of an object seen by a nearby camera, both far from the origin or both small.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kPoints = 1024;
 
-/// eye space = turnView * (turnModel * (size * p) + place - eye), p within a cube of side 2.
+/// eye space = turnView * (turnModel * (size * p) + place - eye); p is in a cube of side 2.
 struct Placement {
     glm::dmat3 turnModel, turnView;
     glm::dvec3 place{0}, eye{0};

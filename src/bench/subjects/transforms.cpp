@@ -13,7 +13,7 @@ Result<std::vector<Figure>> measureTransforms(Bench& bench) {
     figures.push_back(placementFigure(bench, false, problems));
     figures.push_back(chainFigure(bench, problems));
     figures.push_back(normalMatrixFigure(bench, problems));
-    // Each figure asks for the driver: one message is enough.
+    // Each figure asks for the driver; one message is enough.
     const auto isKnown = [&, seen = std::vector<std::string>()](const Diagnostic& each) mutable {
         if (std::ranges::find(seen, each.text) != seen.end()) return true;
         seen.push_back(each.text);

@@ -9,12 +9,12 @@
 
 namespace glibra::bench {
 
-/// Subject 7: objects far away and of all sizes, chained rotations, normals under uneven scales; in float and
-/// double, on the CPU and in a shader, against 100 digits. Without a driver the shaders' curves are missing,
-/// with gpu-E01 among the diagnostics.
+/// Objects far away and of all sizes, chained rotations, and normals under uneven scales; in float and
+/// double, on the CPU and in a shader, against 100 digits. Without a driver, the curves of the shaders are
+/// missing and gpu-E01 is among the diagnostics.
 Result<std::vector<Figure>> measureTransforms(Bench& bench);
 
-// The figures one by one. They add what went wrong to `problems`.
+// The single figures. They add errors to `problems`.
 Figure placementFigure(Bench& bench, bool byDistance, Diagnostics& problems);  ///< or by size
 Figure chainFigure(Bench& bench, Diagnostics& problems);
 Figure normalMatrixFigure(Bench& bench, Diagnostics& problems);

@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kBlockSide = 4;  ///< texels
 
-/// What a ray caster does beside adding up.
+/// What a ray caster does besides adding up.
 struct Casting {
     std::string name;
-    double offset = .5;       ///< where in a step the field is sampled: 0 its begin, .5 its middle
-    bool isLinear = false;    ///< a step's opacity as strength * density * length, not 1 - exp(-...)
-    double threshold = 0;     ///< a ray ends when its transmittance is below
+    double offset = .5;       ///< where in a step the field is sampled: 0 at its start, .5 in its middle
+    bool isLinear = false;    ///< the opacity of a step is strength * density * length, not 1 - exp(-...)
+    double threshold = 0;     ///< a ray ends when its transmittance falls below
     bool skipsEmpty = false;  ///< jumps over empty blocks
 };
 
@@ -67,8 +67,8 @@ STOP
 }
 )";
 
-/// Samples stay where they are, and only those are left out that are certainly in the empty block: one before
-/// its border, since that is computed in float.
+/// The other samples keep their places. Only samples that are certainly in the empty block are skipped: up to
+/// one before its border, because the border is computed in float.
 constexpr std::string_view kSkip = R"(
         vec3 cell = floor(p * uBlockCount);
         if (texelFetch(uBlocks, clamp(ivec3(cell), ivec3(0), ivec3(int(uBlockCount) - 1)), 0).r == 0.) {
@@ -96,14 +96,14 @@ std::string fragmentOf(const Casting& casting) {
                         : "");
 }
 
-/// The field and its blocks on the device, and what they are drawn into.
+/// The field and its blocks on the device, and the target.
 struct Volume {
     VolumeField field;
     gpu::Texture texels, blocks;
     gpu::Sampler linear{gpu::Wrap::clampToEdge};
     gpu::Target target;
 
-    /// Of the texels and the picture, and of the blocks where they are read.
+    /// Bytes of the texels and the picture, and of the blocks if they are read.
     [[nodiscard]] double bytes(bool withBlocks) const {
         const auto cube = [](const gpu::Texture& texture) {
             return std::pow(texture.size().width, 3) * static_cast<double>(sizeof(float));
@@ -183,7 +183,7 @@ double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) 
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// Draws once, for its picture, and then again for its time.
+/// Draws once for the picture, then repeatedly for the time.
 Result<Point> measure(Bench& bench, const gpu::Capabilities& capabilities, const Volume& volume,
                       const gpu::Program& program, const std::vector<float>& wanted,
                       std::vector<float>* kept = nullptr) {
@@ -211,7 +211,7 @@ Result<Figure> stepsFigure(Bench& bench, const gpu::Capabilities& capabilities, 
     const int most = bench.isQuick() ? 128 : 1024;
     const std::vector<float> wanted = reference(volume, kStrength, 8 * most);
     const std::vector<Casting> castings{{.name = "all steps"},
-                                        {.name = "sampled at the begin of each step", .offset = 0},
+                                        {.name = "sampled at the start of each step", .offset = 0},
                                         {.name = "opacity of a step linear in its length", .isLinear = true},
                                         {.name = "ends below 1/100 of the light", .threshold = .01},
                                         {.name = "skips empty blocks", .skipsEmpty = true},

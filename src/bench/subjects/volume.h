@@ -1,5 +1,5 @@
 #pragma once
-// Subject 10: volume ray casting by steps against a fine integration.
+// Volume ray casting in steps against a fine integration.
 
 #include <vector>
 

@@ -34,7 +34,7 @@ void FileRemarks::warn(std::string_view id, std::string_view text, int line, int
     auto count = warningCounts_.find(id);
     if (count == warningCounts_.end()) count = warningCounts_.emplace(id, 0).first;
     if (count->second++ < kMostOfAKind)
-        warnings_.push_back(warning(std::string(id), std::string(text), place(line, column)));
+        warnings_.push_back(diagnose(std::string(id), std::string(text), place(line, column)));
 }
 
 void FileRemarks::ignored(std::string_view word, int line, int column) {
@@ -51,21 +51,21 @@ void FileRemarks::ignored(std::string_view word, int line, int column) {
 
 Diagnostics FileRemarks::finish() && {
     for (const auto& [word, where] : ignored_)
-        warnings_.push_back(warning("file-W04",
-                                    fmt::format("{} '{}' {} ignored", grouped(where.count), shown(word),
-                                                where.count == 1 ? "line" : "lines"),
-                                    place(where.line, where.column)));
+        warnings_.push_back(diagnose("file-W04",
+                                     fmt::format("{} '{}' {} ignored", grouped(where.count), shown(word),
+                                                 where.count == 1 ? "line" : "lines"),
+                                     place(where.line, where.column)));
     std::stable_sort(warnings_.begin(), warnings_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
     if (otherIgnored_ > 0)
-        warnings_.push_back(warning("file-W04",
-                                    fmt::format("{} lines with other words ignored", grouped(otherIgnored_)),
-                                    place(1, 1)));
+        warnings_.push_back(diagnose("file-W04",
+                                     fmt::format("{} lines with other words ignored", grouped(otherIgnored_)),
+                                     place(1, 1)));
     for (const auto& [id, count] : warningCounts_)
         if (count > kMostOfAKind)
-            warnings_.push_back(
-                warning(id, fmt::format("{} more of this kind", grouped(count - kMostOfAKind)), place(1, 1)));
+            warnings_.push_back(diagnose(
+                id, fmt::format("{} more of this kind", grouped(count - kMostOfAKind)), place(1, 1)));
     return std::move(warnings_);
 }
 

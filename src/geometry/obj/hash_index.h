@@ -9,7 +9,7 @@
 
 namespace glibra::geometry {
 
-/// Spreads 64 bits ("splitmix64": Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
+/// Mixes 64 bits ("splitmix64": Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
 constexpr std::uint64_t spread(std::uint64_t x) {
     x ^= x >> 30;
     x *= 0xbf58476d1ce4e5b9U;
@@ -18,14 +18,14 @@ constexpr std::uint64_t spread(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// The table holds numbers only; the caller keeps the keys and compares them.
+/// The table holds only numbers; the caller keeps the keys and compares them.
 class HashIndex {
   public:
-    /// For at most `most` different keys.
+    /// Makes a table for at most `most` different keys.
     explicit HashIndex(std::size_t most) : slots_(std::bit_ceil(most + most / 2 + 2), kNoIndex) {}
 
-    /// The number for which isKey(number) is true among those entered with that hash; if there is none,
-    /// enters and returns `next`.
+    /// Returns the number entered with that hash for which isKey(number) is true. If there is none, enters
+    /// `next` and returns it.
     template <class IsKey>
     std::uint32_t findOrEnter(std::uint64_t hash, std::uint32_t next, IsKey isKey) {
         const std::size_t mask = slots_.size() - 1;

@@ -9,15 +9,16 @@
 namespace glibra::geometry {
 namespace {
 
-/// The edges of triangles, each found by the welded positions of its ends, with the first two triangles at
-/// it.
+/// The edges of triangles. Each is found by the welded positions of its ends and knows the first two
+/// triangles that share it.
 class EdgeTable {
   public:
     explicit EdgeTable(std::size_t triangles) : known_(3 * triangles) {
         edges_.reserve(triangles + triangles / 2);
     }
 
-    /// Side s of triangle t goes from its corner s to the next one; entered in the order of the triangles.
+    /// Enters the sides in the order of the triangles. Side s of a triangle goes from its corner s to the
+    /// next.
     void enter(std::uint32_t from, std::uint32_t to, std::uint32_t side) {
         const auto next = static_cast<std::uint32_t>(edges_.size());
         const std::uint64_t key = keyOf(from, to);
@@ -30,7 +31,7 @@ class EdgeTable {
         ofSide_.push_back(edge);
     }
 
-    /// The first side of another triangle at the same edge, or kNoIndex.
+    /// Returns the first side of another triangle at the same edge, or kNoIndex.
     [[nodiscard]] std::uint32_t across(std::uint32_t side) const {
         const Edge& edge = edges_[ofSide_[side]];
         return edge.first / 3 == side / 3 ? edge.second : edge.first;
@@ -91,7 +92,7 @@ Mesh objAdj(const ObjModel& model, bool withTangents) {
         const bool hasLength = place(side) != place(nextSide(side));
         const std::uint32_t other = hasLength ? edges.across(side) : kNoIndex;
         mesh.indices.push_back(triangles[side]);
-        // The corner of the other triangle that its side does not touch comes after the side's end.
+        // The far corner of the other triangle is the one after the end of its side.
         mesh.indices.push_back(other == kNoIndex ? triangles[side] : triangles[nextSide(nextSide(other))]);
     }
     return mesh;

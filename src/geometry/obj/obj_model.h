@@ -1,5 +1,5 @@
 #pragma once
-// Wavefront OBJ models as written in the file: positions, texture coordinates, normals, polygons.
+// Wavefront OBJ models as the file has them: positions, texture coordinates, normals, polygons.
 
 #include <glibra/result.h>
 
@@ -12,11 +12,11 @@
 
 namespace glibra::geometry {
 
-/// Largest sizes that are read; beyond them: file-E09.
+/// The largest sizes that are read; beyond them: file-E09.
 inline constexpr std::uint64_t kLargestModelFile = std::uint64_t{1} << 30;  ///< bytes
 inline constexpr std::uint64_t kMostTriangles = 16'777'216;                 ///< also segments of a shapefile
 
-/// No texture coordinate, no normal.
+/// The corner has no texture coordinate, or no normal.
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// One corner of a polygon: indices from 0 into the model's arrays.
@@ -34,22 +34,26 @@ struct ObjModel {
     std::vector<std::array<float, 3>> texCoords;  ///< s, t, p; missing ones 0
     std::vector<std::array<float, 3>> normals;    ///< as written, not yet of unit length
     std::vector<ObjCorner> corners;               ///< of all faces, face after face
-    std::vector<std::uint32_t> faceStarts;        ///< first corner of each face, then the number of corners
+    std::vector<std::uint32_t> faceStarts;  ///< the first corner of each face; last, the number of corners
 
     [[nodiscard]] std::size_t faceCount() const { return faceStarts.empty() ? 0 : faceStarts.size() - 1; }
-    /// Triangles of all faces cut into fans.
+    /// The number of triangles that all faces have as fans.
     [[nodiscard]] std::uint64_t triangleCount() const {
         return corners.size() - 2 * std::uint64_t{faceCount()};
     }
 };
 
-/// Reads the whole text of a model; `path` is for messages. Read are v, vt, vn and f; o, g, s, usemtl, mtllib
-/// and comments mean nothing; other words are named once each (file-W04). Indices count from 1, negative ones
-/// from the end of what stands above; positive ones may also point further down. Faces with fewer than three
-/// corners or with an index out of range are dropped (file-W05), malformed numbers are 0 or their longest
-/// numeric prefix (file-W06); of these two at most a hundred messages each and then one with the number of
-/// the rest. Errors: file-E07 no face, file-E08 a compiler's object file, file-E09 too large. Any bytes may
-/// be given.
+/// Reads the whole text of a model; `path` is for messages. It may hold any bytes.
+///
+/// v, vt, vn and f are read. o, g, s, usemtl, mtllib and comments are skipped; any other word is reported
+/// once (file-W04). Indices count from 1; negative ones count back from the last element above the face;
+/// positive ones may also refer to elements further down. Faces with fewer than three corners or with an
+/// index out of range are dropped (file-W05). A malformed number is replaced by its longest numeric prefix,
+/// or by 0 (file-W06). file-W05 and file-W06 are given at most a hundred times each, then once with the
+/// number of the rest. Errors: file-E07 no face, file-E08 a compiler's object file, file-E09 too large.
+///
+/// A file without anything to report is read by obj_plain.h, every other one by a reader that goes line by
+/// line and knows the line and column of everything.
 Result<ObjModel> parseObj(std::string_view text, std::string path);
 
 }  // namespace glibra::geometry

@@ -13,21 +13,21 @@ namespace {
 
 using Triple = std::array<float, 3>;
 
-/// A model cannot use more of a kind than its triangles have corners.
+/// No model uses more elements of a kind than its triangles have corners.
 constexpr std::uint64_t kMostElements = 3 * kMostTriangles;
 
 constexpr std::array<std::string_view, 5> kMeaningless{"o", "g", "s", "usemtl", "mtllib"};
 
-/// A face with an index that may be defined further down, to be looked at again when all is read.
+/// A face with an index that may be defined further down. It is checked again at the end of the file.
 struct ForwardFace {
     std::size_t face = 0;
     int line = 1, column = 1;
 };
 
-/// What an index of the file refers to.
+/// The elements that an index refers to.
 struct Kind {
     std::string_view name;
-    std::size_t count = 0;  ///< defined so far
+    std::size_t count = 0;  ///< how many are defined so far
 };
 
 class ObjReader {
@@ -72,7 +72,7 @@ Result<ObjModel> ObjReader::read() {
     return {std::move(model_), std::move(remarks_).finish()};
 }
 
-/// False if a limit is passed.
+/// Returns false if a limit is exceeded.
 bool ObjReader::readStatement(std::string_view word, int line, int column) {
     if (word == "v") return readTriple(model_.positions, word, 3, line, column);
     if (word == "vt") return readTriple(model_.texCoords, word, 1, line, column);
@@ -83,7 +83,7 @@ bool ObjReader::readStatement(std::string_view word, int line, int column) {
     return true;
 }
 
-/// The next number of the statement, 0 for one that is none. False where the statement ends.
+/// Reads the next number of the statement, 0 if it is malformed. Returns false at the end of the statement.
 bool ObjReader::readNumber(float& value) {
     scanner_.skipBlanks();
     if (scanner_.statementEnds()) return false;
@@ -143,7 +143,8 @@ bool ObjReader::readFace(int line, int column) {
     return true;
 }
 
-/// v, v/t, v//n or v/t/n; an empty t or n is none. False with `fault` set if it cannot be used.
+/// Reads v, v/t, v//n or v/t/n; t and n may be empty. Returns false and sets `fault` if the corner is
+/// invalid.
 bool ObjReader::readCorner(ObjCorner& corner, bool& isForward, std::string& fault) {
     const TextScanner start = scanner_;
     if (!readIndex({"vertex", model_.positions.size()}, corner.position, isForward, fault)) return false;
@@ -172,7 +173,7 @@ bool ObjReader::readCorner(ObjCorner& corner, bool& isForward, std::string& faul
 bool ObjReader::readIndex(const Kind& kind, std::uint32_t& index, bool& isForward, std::string& fault) {
     long long written = 0;
     if (!scanner_.integer(written)) {
-        fault = fmt::format("'{}' is no index", shown(scanner_.token()));
+        fault = fmt::format("'{}' is not an index", shown(scanner_.token()));
         return false;
     }
     const auto count = static_cast<long long>(kind.count);
@@ -186,7 +187,7 @@ bool ObjReader::readIndex(const Kind& kind, std::uint32_t& index, bool& isForwar
     return true;
 }
 
-/// Which index of the corner does not exist, or nothing.
+/// Describes the index of the corner that does not exist; empty if all exist.
 std::string ObjReader::outOfRange(const ObjCorner& corner) const {
     const auto missing = [](std::string_view name, std::uint32_t index, std::size_t count) {
         return index == kNoIndex || index < count
@@ -199,7 +200,7 @@ std::string ObjReader::outOfRange(const ObjCorner& corner) const {
     return fault;
 }
 
-/// Drops those faces whose indices were not defined further down either.
+/// Drops the faces whose indices were not defined further down either.
 void ObjReader::dropForwardFaces() {
     std::vector<bool> dropped;
     for (const ForwardFace& each : forward_) {
@@ -227,15 +228,15 @@ void ObjReader::dropForwardFaces() {
 }
 
 Result<ObjModel> ObjReader::failed(std::string_view id, std::string text) && {
-    Diagnostic fault =
-        error(std::string(id), fmt::format("'{}' {}", fileName(remarks_.path()), text), remarks_.place(1, 1));
+    Diagnostic fault = diagnose(std::string(id), fmt::format("'{}' {}", fileName(remarks_.path()), text),
+                                remarks_.place(1, 1));
     Diagnostics all = std::move(remarks_).finish();
     all.push_back(std::move(fault));
     return all;
 }
 
-/// The first bytes of what compilers and linkers write: COFF for usual machines, anonymous COFF objects, ELF,
-/// Mach-O, and Intel's OMF. A text does not hold the zero bytes that all of them do.
+/// True if the file begins like one that a compiler or linker writes: COFF for usual machines, anonymous COFF
+/// objects, ELF, Mach-O, or Intel's OMF. All of these contain zero bytes, and a text does not.
 bool isCompilerOutput(std::string_view text) {
     using namespace std::string_view_literals;
     constexpr std::array<std::string_view, 12> kMagic{"\x4c\x01"sv,
@@ -260,7 +261,7 @@ bool isCompilerOutput(std::string_view text) {
 
 Result<ObjModel> parseObj(std::string_view text, std::string path) {
     const auto failure = [&](std::string_view id, std::string_view what) {
-        return error(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
+        return diagnose(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
     };
     if (text.size() > kLargestModelFile)
         return failure("file-E09", fmt::format("has {:.1f} GiB, the limit is 1 GiB",

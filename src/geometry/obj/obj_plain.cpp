@@ -5,10 +5,9 @@
 #include <charconv>
 #include <new>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <utility>
 
+#include "base/parallel.h"
 #include "geometry/obj/decimal.h"
 
 namespace glibra::geometry {
@@ -16,12 +15,12 @@ namespace {
 
 using Triple = std::array<float, 3>;
 
-/// A piece of whole lines, and what it holds.
+/// A piece of whole lines and its content.
 struct Piece {
     std::string_view text;
     std::vector<Triple> positions, texCoords, normals;
     std::vector<ObjCorner> corners;
-    std::vector<std::uint32_t> faceEnds;  ///< in `corners`
+    std::vector<std::uint32_t> faceEnds;  ///< indices into `corners`
     std::uint32_t positionsNeeded = 0, texCoordsNeeded = 0, normalsNeeded = 0;
     bool isPlain = false;
 };
@@ -35,8 +34,8 @@ const char* skipBlanks(const char* at) {
     return at;
 }
 
-/// Reads lines that end with LF. All functions return the place behind what they read, or null where the line
-/// is not a plain one. No pointer passes the last LF of the text, and behind that stand enough bytes for
+/// Reads lines that end with LF. All functions return the place after what they have read, or null if the
+/// line is not a plain one. No pointer passes the last LF of the text, and enough bytes follow that LF for
 /// everything that reads ahead.
 class PieceReader {
   public:
@@ -45,7 +44,7 @@ class PieceReader {
     void read() {
         const char* at = piece_.text.data();
         const char* const end = at + piece_.text.size();
-        // About what such a file holds, so that vectors are seldom moved.
+        // About the content of a usual file, so that the vectors seldom grow.
         piece_.positions.reserve(piece_.text.size() / 128);
         piece_.corners.reserve(piece_.text.size() / 32);
         while (at != nullptr && at < end) at = readLine(skipBlanks(at));
@@ -74,7 +73,7 @@ class PieceReader {
         return word == "o" || word == "g" || word == "s" || word == "usemtl" || word == "mtllib";
     }
 
-    /// Over whatever else the line has.
+    /// Skips the rest of the line.
     static const char* endOfLine(const char* at) {
         for (; *at != '\n'; ++at) {
             if (*at == '#') return endOfComment(at);
@@ -90,7 +89,7 @@ class PieceReader {
 
     static bool endsNumber(char c) { return isBlank(c) || c == '\n' || c == '\r'; }
 
-    /// A number with an exponent or many digits.
+    /// Reads a number with an exponent or many digits.
     static const char* readLongNumber(const char* at, float& value) {
         if (*at == '+') ++at;
         const char* end = at;
@@ -117,7 +116,7 @@ class PieceReader {
         return endOfLine(at);
     }
 
-    /// A positive index; `index` counts from 0.
+    /// Reads a positive index; `index` counts from 0.
     static const char* readIndex(const char* at, std::uint32_t& index) {
         const Digits digits = digitsAt(at);
         if (digits.count == 0 || digits.count == 8 || digits.value == 0) return nullptr;
@@ -160,7 +159,8 @@ class PieceReader {
     Piece& piece_;
 };
 
-/// Pieces of whole lines, up to where everything that reads ahead still finds bytes; and the rest.
+/// Cuts the text into pieces of whole lines. `rest` becomes the end of the text, where too few bytes follow
+/// for everything that reads ahead.
 std::vector<Piece> cut(std::string_view text, std::size_t pieceBytes, std::string_view& rest) {
     std::vector<Piece> pieces;
     const std::size_t last =
@@ -177,24 +177,7 @@ std::vector<Piece> cut(std::string_view text, std::size_t pieceBytes, std::strin
     return pieces;
 }
 
-/// Calls work(i) for every i below `count`, on as many threads as the machine has.
-template <class Work>
-void forEachIndex(std::size_t count, const Work& work) {
-    std::atomic<std::size_t> next{0};
-    const auto drain = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    std::vector<std::jthread> others;
-    try {
-        const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-        for (std::size_t i = 1; i < std::min(threads, count); ++i) others.emplace_back(drain);
-    } catch (const std::system_error&) {
-        // The machine gives no more threads; those that run do all the work.
-    }
-    drain();
-}
-
-/// All pieces' values of one kind, piece after piece.
+/// Joins the values of one kind from all pieces.
 template <class Value>
 std::vector<Value> joined(std::vector<Piece>& pieces, std::vector<Value> Piece::*member) {
     std::size_t count = 0;
@@ -228,11 +211,11 @@ std::optional<ObjModel> readPlainObj(std::string_view text, std::size_t pieceByt
     pieces.back().text = std::string_view(padded).substr(0, restBytes);
 
     std::atomic<bool> isPlain{true};
-    forEachIndex(pieces.size(), [&](std::size_t i) {
+    base::forEachIndex(pieces.size(), 0, [&](std::size_t i) {
         try {
             if (isPlain) PieceReader(pieces[i]).read();
         } catch (const std::bad_alloc&) {
-            // The line-by-line reader needs less, and throws where the caller expects it.
+            // The line-by-line reader needs less memory, and throws where the caller expects it.
         }
         if (!pieces[i].isPlain) isPlain = false;
     });

@@ -27,7 +27,8 @@ bool hasOwnNormal(const ObjModel& model, const ObjCorner& corner) {
     return corner.normal != kNoIndex && model.normals[corner.normal] != std::array<float, 3>{0, 0, 0};
 }
 
-/// The sum of the area vectors of the faces around each position, of unit length; zero where there is none.
+/// Returns for each position the sum of the area vectors of the faces around it, made a unit vector; zero if
+/// there are no faces.
 std::vector<glm::dvec3> smoothNormals(const ObjModel& model) {
     std::vector<glm::dvec3> normals(model.positions.size(), glm::dvec3(0));
     std::vector<glm::dvec3> someFace(model.positions.size(), glm::dvec3(0));
@@ -46,7 +47,7 @@ std::vector<glm::dvec3> smoothNormals(const ObjModel& model) {
             if (someFace[position] == glm::dvec3(0)) someFace[position] = area;
         }
     }
-    // Where faces cancel each other, as the two sides of a sheet do, the first of them decides.
+    // Where faces cancel each other, as the two sides of a sheet do, the first face decides.
     for (std::size_t i = 0; i < normals.size(); ++i)
         normals[i] = unitOr(normals[i], unitOr(someFace[i], {0, 0, 1}));
     return normals;
@@ -70,8 +71,8 @@ glm::dvec3 texCoordOf(const ObjModel& model, const ObjCorner& corner) {
     return corner.texCoord == kNoIndex ? glm::dvec3(0) : precise(model.texCoords[corner.texCoord]);
 }
 
-/// dP/dt of a triangle whose texture coordinates are linear: |dP/dt| area-weighted to the triangle's area;
-/// zero where the texture coordinates are a line or missing.
+/// Returns the direction of dP/dt on a triangle, with the triangle's area as its length; zero if the texture
+/// coordinates are missing or lie on a line.
 glm::dvec3 growingT(const ObjModel& model, const ObjCorner& a, const ObjCorner& b, const ObjCorner& c) {
     if (a.texCoord == kNoIndex || b.texCoord == kNoIndex || c.texCoord == kNoIndex) return glm::dvec3(0);
     const glm::dvec3 p = precise(model.positions[a.position]);
@@ -101,7 +102,7 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const glm::dvec3 sum = unitOr(sums[i], glm::dvec3(0));
         const glm::dvec3 level = sum - glm::dot(sum, normals[i]) * normals[i];
-        // A direction along the normal leaves rounding errors only.
+        // A direction along the normal leaves only rounding errors.
         put(values, glm::length(level) < 1e-9 ? fallbackTangent(normals[i]) : glm::normalize(level));
     }
     return values;
@@ -112,7 +113,7 @@ std::vector<float> tangentValues(const ObjModel& model, const ObjVertices& verti
 ObjVertices objVertices(const ObjModel& model) {
     ObjVertices vertices;
     vertices.ofCorner.reserve(model.corners.size());
-    // Most positions have one vertex, found without a hash and near the last one in memory.
+    // Most positions have one vertex. It is found without a hash, and near the last one in memory.
     std::vector<std::uint32_t> firstAt(model.positions.size(), kNoIndex);
     std::optional<HashIndex> others;
     for (const ObjCorner& corner : model.corners) {

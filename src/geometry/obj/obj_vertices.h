@@ -1,5 +1,5 @@
 #pragma once
-// The vertices that the corners of a model's polygons make.
+// The vertices that the corners of a model's polygons become.
 
 #include <cstdint>
 #include <vector>
@@ -10,22 +10,22 @@
 namespace glibra::geometry {
 
 struct ObjVertices {
-    std::vector<std::uint32_t> ofCorner;  ///< a corner's vertex
-    std::vector<ObjCorner> corners;       ///< of each vertex: its triple (v, vt, vn)
+    std::vector<std::uint32_t> ofCorner;  ///< the vertex of each corner
+    std::vector<ObjCorner> corners;       ///< the triple (v, vt, vn) of each vertex
 };
 
-/// One vertex for each different triple, in the order of first use.
+/// Makes one vertex per different triple, in the order of first use.
 ObjVertices objVertices(const ObjModel& model);
 
-/// Three vertices for each triangle of the polygons' fans.
+/// Returns three vertices for each triangle of the polygons' fans.
 std::vector<std::uint32_t> fanIndices(const ObjModel& model, const ObjVertices& vertices);
 
-/// Position, normal, texture coordinate (if the model has one) and, if wanted, tangent of each vertex, as
-/// obj_mesh.h says.
+/// Returns position, normal, texture coordinate (if the model has any) and, if wanted, tangent of each
+/// vertex, as described in obj_mesh.h.
 std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& vertices,
                                      const std::vector<std::uint32_t>& triangles, bool withTangents);
 
-/// For each position the number of the first with equal coordinates; 0 and -0 are equal.
+/// Returns for each position the number of the first one with equal coordinates; 0 and -0 are equal.
 std::vector<std::uint32_t> weldPositions(const std::vector<std::array<float, 3>>& positions);
 
 }  // namespace glibra::geometry

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kHeaderLength = 100, kRecordHeaderLength = 8, kBoxLength = 32, kRangeLength = 16;
 
-/// Shape types are kind + 10 with z, kind + 20 with measures only.
+/// The shape type is kind + 10 with z, or kind + 20 with measures only.
 enum Kind : std::uint32_t {
     kNull = 0,
     kPoint = 1,
@@ -42,7 +42,7 @@ std::optional<ShapeType> shapeType(std::uint32_t code) {
     return type;
 }
 
-/// Bytes of a file or of one record. Reading beyond the end is the caller's mistake: ask `holds` first.
+/// The bytes of a file or of one record. Callers check with `holds` before they read.
 class Bytes {
   public:
     explicit Bytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -75,7 +75,7 @@ class ShapeReader {
   public:
     explicit ShapeReader(std::span<const std::byte> bytes) : file_(bytes) {}
 
-    /// What is wrong with the file, or nothing.
+    /// Describes what is wrong with the file; empty if nothing is.
     std::string read();
     [[nodiscard]] Mesh mesh() &&;
     [[nodiscard]] std::size_t multipatches() const { return multipatches_; }
@@ -91,7 +91,7 @@ class ShapeReader {
     void addSegment(std::uint32_t from, std::uint32_t to) { indices_.insert(indices_.end(), {from, to}); }
 
     Bytes file_;
-    std::optional<bool> isPoints_;  // what the first shape is, all others must be, too
+    std::optional<bool> isPoints_;  // set by the first shape; all others must be of the same kind
     std::vector<Point> points_;
     std::vector<std::uint32_t> indices_;
     std::size_t multipatches_ = 0;
@@ -102,13 +102,13 @@ std::string ShapeReader::read() {
     if (!file_.holds(0, kHeaderLength) || file_.big(0) != 9994) return "is not a shapefile";
     const std::uint64_t length = 2 * std::uint64_t{file_.big(24)};
     if (length < kHeaderLength || !file_.holds(0, length))
-        return fmt::format("its length is said to be {} bytes", grouped(length));
+        return fmt::format("its header gives the length as {} bytes", grouped(length));
     std::uint64_t at = kHeaderLength;
     for (std::uint64_t number = 1; at < length; ++number) {
-        if (at + kRecordHeaderLength + 4 > length) return fmt::format("data end in record {}", number);
+        if (at + kRecordHeaderLength + 4 > length) return fmt::format("the data end in record {}", number);
         const std::uint64_t content = 2 * std::uint64_t{file_.big(static_cast<std::size_t>(at) + 4)};
         if (content < 4 || content > length - at - kRecordHeaderLength)
-            return fmt::format("record {} is said to have {} bytes", number, grouped(content));
+            return fmt::format("record {} gives its length as {} bytes", number, grouped(content));
         const std::string fault = readRecord(file_.part(static_cast<std::size_t>(at + kRecordHeaderLength),
                                                         static_cast<std::size_t>(content)));
         if (!fault.empty()) return fmt::format("record {} {}", number, fault);
@@ -151,9 +151,9 @@ std::string ShapeReader::readPoints(const Bytes& record, const ShapeType& type) 
     const std::uint64_t pointsAt = partsAt + 4 * parts;
     const std::uint64_t zAt = pointsAt + 16 * count + kRangeLength;
     if (!record.holds(pointsAt, 16 * count) || (type.hasZ && !record.holds(zAt, 8 * count)))
-        return fmt::format("cannot hold the {} points it is said to have", grouped(count));
+        return fmt::format("is too short for its {} points", grouped(count));
 
-    // Twice as many as segments: lines of two points each.
+    // Each segment adds two points.
     hasTooManyPoints_ = points_.size() + count > 2 * kMostTriangles;
     if (hasTooManyPoints_) return {};
     const auto first = static_cast<std::uint32_t>(points_.size());
@@ -176,7 +176,7 @@ std::string ShapeReader::readPoints(const Bytes& record, const ShapeType& type) 
     return {};
 }
 
-/// False for a coordinate that is not finite as a float.
+/// Returns false if a coordinate is not finite as a float.
 bool ShapeReader::addPoint(double x, double y, double z) {
     constexpr double kLargest = std::numeric_limits<float>::max();
     for (const double coordinate : {x, y, z})
@@ -207,7 +207,7 @@ Mesh ShapeReader::mesh() && {
 Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
     const Place place{path, 1, 1};
     const auto failure = [&](std::string id, std::string_view what) {
-        return error(std::move(id), fmt::format("'{}': {}", fileName(path), what), place);
+        return diagnose(std::move(id), fmt::format("'{}': {}", fileName(path), what), place);
     };
     if (bytes.size() > kLargestModelFile)
         return failure("file-E09", fmt::format("{:.1f} GiB, the limit is 1 GiB",
@@ -219,7 +219,7 @@ Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
         return failure("file-E09", fmt::format("more than {} segments or points", grouped(kMostTriangles)));
     Diagnostics remarks;
     if (const std::size_t skipped = reader.multipatches(); skipped > 0)
-        remarks.push_back(warning(
+        remarks.push_back(diagnose(
             "file-W11",
             fmt::format("{} multipatch {} skipped", grouped(skipped), skipped == 1 ? "shape" : "shapes"),
             place));

@@ -11,12 +11,14 @@
 
 namespace glibra::geometry {
 
-/// Polylines and the rings of polygons as lines, rings closed; points and multipoints as points; in file
-/// order, z where the type has it, else 0, measures ignored. Coordinates are those of the file rounded to
-/// float, neither moved nor scaled. Normal (0, 0, 1), tangent (0, 1, 0), no texture coordinates. Null shapes
-/// are skipped, multipatches too (file-W11). Errors: file-E04 where lengths, counts or coordinates cannot be
-/// true, file-E09 beyond the limits of obj_model.h. Any bytes may be given; `path` is for messages. Format:
-/// ESRI Shapefile Technical Description, 1998.
+/// Reads a shapefile; `path` is for messages. It may hold any bytes.
+///
+/// Polylines and the rings of polygons become lines, with the rings closed; points and multipoints become
+/// points. They keep the order of the file. z is that of the file, or 0 if the type has none; measures are
+/// ignored. Coordinates are rounded to float, but not moved or scaled. Normal (0, 0, 1), tangent (0, 1, 0),
+/// no texture coordinates. Null shapes are skipped, and so are multipatches (file-W11). Errors: file-E04 if
+/// lengths, counts or coordinates are impossible, file-E09 beyond the limits of obj_model.h. Format: ESRI
+/// Shapefile Technical Description, 1998.
 Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path);
 
 }  // namespace glibra::geometry

@@ -10,7 +10,7 @@ namespace glibra::geometry {
 bool TextScanner::number(float& value) {
     const char* digits = at_;
     if (digits != end_ && (*digits == '+' || *digits == '-')) ++digits;
-    // from_chars takes "inf" and "nan", too, but no plus sign.
+    // from_chars also accepts "inf" and "nan", but no plus sign.
     const bool begins =
         digits != end_ && (isDigit(*digits) || (*digits == '.' && digits + 1 != end_ && isDigit(digits[1])));
     if (!begins) return false;
@@ -18,7 +18,8 @@ bool TextScanner::number(float& value) {
     float result = 0;
     const auto [rest, failure] = std::from_chars(start, end_, result);
     if (failure == std::errc::result_out_of_range) {
-        // Too large or too small: a double tells which, and beyond its range the sign of the exponent.
+        // Too large or too small: as a double it is clear which; beyond a double's range the sign of the
+        // exponent decides.
         double wide = 0;
         const bool isWide = std::from_chars(start, rest, wide).ec == std::errc{};
         const char* const exponent = std::find_if(start, rest, [](char c) { return c == 'e' || c == 'E'; });

@@ -5,8 +5,8 @@
 
 namespace glibra::geometry {
 
-/// Statements end with the line (LF, CR LF or CR) or with a `#` that begins a token. A backslash at the end
-/// of a line joins the next one to it. Blanks are space, tab, vertical tab and form feed.
+/// A statement ends with the line (LF, CR LF or CR) or at a `#` that begins a token. A backslash at the end
+/// of a line joins the next line to it. Blanks are space, tab, vertical tab and form feed.
 class TextScanner {
   public:
     explicit TextScanner(std::string_view text)
@@ -14,9 +14,9 @@ class TextScanner {
 
     [[nodiscard]] bool atEnd() const { return at_ == end_; }
     [[nodiscard]] int line() const { return line_; }
-    /// From 1, in bytes.
+    /// The column, in bytes from 1.
     [[nodiscard]] int column() const { return static_cast<int>(at_ - lineStart_) + 1; }
-    /// The next byte, a line feed at the end.
+    /// The next byte; a line feed at the end of the text.
     [[nodiscard]] char current() const { return at_ == end_ ? '\n' : *at_; }
     void advance() { ++at_; }
 
@@ -27,10 +27,10 @@ class TextScanner {
         }
     }
 
-    /// True where no further token stands in the statement; to be asked after skipBlanks.
+    /// True if the statement has no further token. Call skipBlanks first.
     [[nodiscard]] bool statementEnds() const { return at_ == end_ || isLineEnd(*at_) || *at_ == '#'; }
 
-    /// Everything up to a blank, a line end or a join.
+    /// Reads everything up to a blank, a line end or a join.
     std::string_view token() {
         const char* const start = at_;
         while (at_ != end_ && !isBlank(*at_) && !isLineEnd(*at_) && !(*at_ == '\\' && joinLength(at_) > 0))
@@ -43,15 +43,14 @@ class TextScanner {
         return at_ == end_ || isBlank(*at_) || isLineEnd(*at_) || (*at_ == '\\' && joinLength(at_) > 0);
     }
 
-    /// Reads the longest prefix that is a number: [+-] digits [. digits] [exponent]. False, and nothing is
-    /// read, if there is none or if it is not finite as a float; a number too small for a float is 0.
+    /// Reads the longest prefix that is a number: [+-] digits [. digits] [exponent]. Returns false and reads
+    /// nothing if there is none or if it is not finite as a float. A number too small for a float is 0.
     bool number(float& value);
 
-    /// Reads [+-] digits; what does not fit is limited to +-9e18. False, and nothing is read, if there are
-    /// none.
+    /// Reads [+-] digits, limited to +-9e18. Returns false and reads nothing if there are no digits.
     bool integer(long long& value);
 
-    /// Goes to the start of the next line, over joined ones, too.
+    /// Goes to the start of the next line that is not joined to this one.
     void nextLine();
 
   private:
@@ -59,7 +58,8 @@ class TextScanner {
     static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
     static bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-    /// Bytes of the backslash at `at`, blanks and the line end behind it; 0 if it joins nothing.
+    /// The number of bytes of the backslash at `at` with the blanks and the line end after it; 0 if it does
+    /// not join lines.
     [[nodiscard]] std::size_t joinLength(const char* at) const;
     bool skipJoin();
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
@@ -37,5 +38,29 @@ Mesh xarrow(int slices, int sides) {
                 kShaftRadius, circle);
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {countArgument("slices", 100, 2), fixedCount("sides", 24, 3, 24)};
+
+double deviation(Numbers n, Fidelity fidelity) {
+    const double onHead = n[0] - xarrowShaftSlices(countAt(n, 0));
+    return coneSideDeviation(.1, n[1], onHead, fidelity);
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kXarrowRow{
+    .names = {"Xarrow"},
+    .arguments = kArguments,
+    .summary = "arrow along x",
+    .counts = [](Numbers n) { return xarrowCounts(countAt(n, 0), countAt(n, 1)); },
+    .make = [](Numbers n) { return xarrow(countAt(n, 0), countAt(n, 1)); },
+    .isClosed = true,
+    .deviation = deviation,
+    .extent =
+        [](Numbers) {
+            return boxExtent({-1, -.1, -.1}, {1, .1, .1});
+        }};
 
 }  // namespace glibra::geometry

@@ -1,19 +1,25 @@
 #pragma once
-// The arrow whose range along x existing shaders rely on.
+// The arrow along x. Existing shaders rely on its range.
 
-#include "geometry/mesh.h"
+#include "geometry/shapes/primitive.h"
 
 namespace glibra::geometry {
 
-/// Triangles, counter-clockwise from outside, closed, around the x axis (the language has 24 sides; at least
-/// 3): shaft of radius .05 from x
-/// = -1 to .6, head from radius .1 at x = .6 to the tip at x = 1. slices >= 2 along the arrow, about four
-/// fifths of them on the shaft. Shaft and head: t = (x + 1) / 2, s around, 0 at +y, .25 at +z. Tail cap and
-/// the head's back ring: s = .5 + z / 2R, t = .5 + y / 2R, R their outer radius. In this order: shaft, head,
-/// tail cap, back ring. Sizes: xarrowCounts.
+constexpr Counts xarrowCounts(std::int64_t slices, std::int64_t sides = 24) {
+    return detail::counted((sides + 1) * slices + 6 * sides + 4, 2 * sides * (slices + 1));
+}
+
+/// Makes a closed arrow around the x axis, as triangles that are counter-clockwise seen from outside. The
+/// shaft has the radius .05 and goes from x = -1 to .6; the head narrows from the radius .1 at x = .6 to the
+/// tip at x = 1. `slices` >= 2 cells along the arrow, about four fifths of them on the shaft; `sides` >= 3
+/// around it (the language fixes 24). On shaft and head t = (x + 1) / 2 and s runs around the axis, 0 at +y,
+/// .25 at +z. On the tail cap and on the back ring of the head s = .5 + z / 2R and t = .5 + y / 2R with their
+/// outer radius R. Order of the vertices: shaft, head, tail cap, back ring. Size: xarrowCounts.
 Mesh xarrow(int slices, int sides = 24);
 
-/// How many of them are on the shaft.
+/// The number of slices on the shaft.
 int xarrowShaftSlices(int slices);
+
+extern const PrimitiveSpec kXarrowRow;
 
 }  // namespace glibra::geometry

@@ -52,4 +52,36 @@ Mesh wireBox(double dx, double dy, double dz) {
     return std::move(surface).finish();
 }
 
+namespace {
+
+constexpr ShapeArgument kSides[] = {sizeArgument("dx", 2), sizeArgument("dy", 2), sizeArgument("dz", 2)};
+constexpr ShapeArgument kSide[] = {sizeArgument("side", 1)};
+
+}  // namespace
+
+constexpr PrimitiveSpec kBoxRow{.names = {"Box", "Cube"},
+                                .arguments = kSides,
+                                .summary = "box with these sides, centred",
+                                .counts = [](Numbers) { return boxCounts(); },
+                                .make = [](Numbers n) { return box(n[0], n[1], n[2]); },
+                                .isClosed = true,
+                                .oneSizeForAll = true,
+                                .twin = &kWireBoxRow};
+
+constexpr PrimitiveSpec kWireCubeRow{.names = {"WireCube"},
+                                     .arguments = kSide,
+                                     .summary = "edges of a cube",
+                                     .topology = Topology::lines,
+                                     .counts = [](Numbers) { return wireBoxCounts(); },
+                                     .make = [](Numbers n) { return wireBox(n[0], n[0], n[0]); },
+                                     .twin = &kBoxRow};
+
+constexpr PrimitiveSpec kWireBoxRow{.names = {"WireBox"},
+                                    .arguments = kSides,
+                                    .summary = "edges of a box",
+                                    .topology = Topology::lines,
+                                    .counts = [](Numbers) { return wireBoxCounts(); },
+                                    .make = [](Numbers n) { return wireBox(n[0], n[1], n[2]); },
+                                    .twin = &kBoxRow};
+
 }  // namespace glibra::geometry

@@ -1,17 +1,30 @@
 #pragma once
 // Boxes about the origin.
 
-#include "geometry/mesh.h"
+#include "geometry/shapes/primitive.h"
 
 namespace glibra::geometry {
 
-/// Triangles, counter-clockwise from outside, closed; side lengths >= 0. Six faces with their own vertices, s
-/// and t 0..1 on each, in this order (direction of s, of t): +x (-z, +y); -x (+z, +y); +y (+x, -z); -y (+x,
-/// +z); +z (+x, +y); -z (-x, +y). Sizes: boxCounts.
+constexpr Counts boxCounts() {
+    return {24, 12};
+}
+constexpr Counts wireBoxCounts() {
+    return {8, 12};
+}
+
+/// Makes a closed box with these side lengths >= 0, as triangles that are counter-clockwise seen from
+/// outside. Each face has its own four vertices, with s and t from 0 to 1. Order of the faces, with the
+/// directions of s and t: +x (-z, +y); -x (+z, +y); +y (+x, -z); -y (+x, +z); +z (+x, +y); -z (-x, +y).
+/// Size: boxCounts.
 Mesh box(double dx, double dy, double dz);
 
-/// The twelve edges as lines on eight corners: x fastest, then y, then z; normals along the box's diagonals,
-/// s, t, p 0 or 1 with x, y, z, tangent T0(N). Sizes: wireBoxCounts.
+/// Makes the twelve edges as lines between eight corners, in the order x fastest, then y, then z. Normals
+/// point along the diagonals of the box; s, t, p are 0 or 1 with x, y, z; tangents are T0(N). Size:
+/// wireBoxCounts.
 Mesh wireBox(double dx, double dy, double dz);
+
+extern const PrimitiveSpec kBoxRow;
+extern const PrimitiveSpec kWireCubeRow;
+extern const PrimitiveSpec kWireBoxRow;
 
 }  // namespace glibra::geometry

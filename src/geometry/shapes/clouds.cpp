@@ -13,7 +13,7 @@ double gridPlace(int i, int n) {
     return n == 1 ? 0 : -1 + 2 * static_cast<double>(i) / (n - 1);
 }
 
-/// Calls displace(point, q) for every grid point, q its number, and adds what it returns.
+/// Calls displace(point, q) for every grid point, where q is its number, and adds the point that it returns.
 template <class Displace>
 Mesh cloud(int nx, int ny, int nz, Displace displace) {
     assert(nx >= 1 && ny >= 1 && nz >= 1);
@@ -55,5 +55,41 @@ Mesh jitterCloud(int nx, int ny, int nz, std::uint32_t seed) {
         return place;
     });
 }
+
+namespace {
+
+constexpr ShapeArgument kAlongX = countArgument("nx", 10, 1), kAlongY = countArgument("ny", 10, 1),
+                        kAlongZ = countArgument("nz", 10, 1);
+constexpr ShapeArgument kPointArguments[] = {kAlongX, kAlongY, kAlongZ};
+constexpr ShapeArgument kJitterArguments[] = {
+    kAlongX,
+    kAlongY,
+    kAlongZ,
+    {.name = "seed", .kind = ArgumentKind::seed, .byDefault = 0, .least = -0x1p31, .most = 0x1p32 - 1}};
+
+Counts countsOf(Numbers n) {
+    return cloudCounts(countAt(n, 0), countAt(n, 1), countAt(n, 2));
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kPointCloudRow{
+    .names = {"PointCloud"},
+    .arguments = kPointArguments,
+    .summary = "regular grid of points",
+    .topology = Topology::points,
+    .counts = countsOf,
+    .make = [](Numbers n) { return pointCloud(countAt(n, 0), countAt(n, 1), countAt(n, 2)); }};
+
+constexpr PrimitiveSpec kJitterCloudRow{
+    .names = {"JitterCloud"},
+    .arguments = kJitterArguments,
+    .summary = "grid of displaced points",
+    .topology = Topology::points,
+    .counts = countsOf,
+    .make = [](Numbers n) {
+        const auto seed = static_cast<std::uint32_t>(static_cast<std::int64_t>(n[3]));
+        return jitterCloud(countAt(n, 0), countAt(n, 1), countAt(n, 2), seed);
+    }};
 
 }  // namespace glibra::geometry

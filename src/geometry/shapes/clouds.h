@@ -3,17 +3,25 @@
 
 #include <cstdint>
 
-#include "geometry/mesh.h"
+#include "geometry/shapes/primitive.h"
 
 namespace glibra::geometry {
 
-/// Points at -1 + 2i/(n-1) along each axis (n = 1: 0), counts >= 1; x fastest, then y, then z. Normal (0, 0,
-/// 1), (s, t, p) = (P + 1) / 2. Sizes: cloudCounts.
+/// For pointCloud and jitterCloud.
+constexpr Counts cloudCounts(std::int64_t nx, std::int64_t ny, std::int64_t nz) {
+    return detail::counted(nx * ny * nz, nx * ny * nz);
+}
+
+/// Makes points at -1 + 2i/(n-1) along each axis (at 0 for n = 1); the counts are at least 1. Order: x
+/// fastest, then y, then z. Normal (0, 0, 1), texture coordinates (s, t, p) = (P + 1) / 2. Size: cloudCounts.
 Mesh pointCloud(int nx, int ny, int nz);
 
-/// The same points in the same order, each displaced along every axis by up to half a cell; a point that
-/// leaves the cube is reflected at its border. The displacement is a hash of the seed and the point's number
-/// (`mix`): the same on every machine.
+/// Makes the same points in the same order and displaces each along every axis by up to half a cell. A point
+/// that would leave the cube is reflected at its border. The displacement is a hash of the seed and the
+/// point's number (`mix`), so it is the same on every machine.
 Mesh jitterCloud(int nx, int ny, int nz, std::uint32_t seed);
+
+extern const PrimitiveSpec kPointCloudRow;
+extern const PrimitiveSpec kJitterCloudRow;
 
 }  // namespace glibra::geometry

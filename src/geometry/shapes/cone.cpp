@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
@@ -37,5 +38,39 @@ Mesh wireCone(double radius, double height, int slices, int stacks) {
     addBandEdges(surface, 0, band, static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1), sizeArgument("height", 1),
+                                        countArgument("slices", 60, 3, kSmoothTurn),
+                                        countArgument("stacks", 20, 1)};
+constexpr ShapeArgument kWireArguments[] = {sizeArgument("radius", 1), sizeArgument("height", 1),
+                                            countArgument("slices", 20, 3), countArgument("stacks", 5, 1)};
+
+double deviation(Numbers n, Fidelity fidelity) {
+    return coneSideDeviation(n[0], n[2], n[3], fidelity);
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kConeRow{
+    .names = {"Cone"},
+    .arguments = kArguments,
+    .summary = "closed cone, base at y = 0",
+    .counts = [](Numbers n) { return coneCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return cone(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
+    .twin = &kWireConeRow,
+    .deviation = deviation,
+    .extent = [](Numbers n) { return standingExtent(n[0], n[1]); }};
+
+constexpr PrimitiveSpec kWireConeRow{
+    .names = {"WireCone"},
+    .arguments = kWireArguments,
+    .summary = "cone as lines",
+    .topology = Topology::lines,
+    .counts = [](Numbers n) { return wireConeCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return wireCone(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .twin = &kConeRow};
 
 }  // namespace glibra::geometry

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
@@ -39,5 +40,40 @@ Mesh wireCylinder(double radius, double height, int slices, int stacks) {
     addBandEdges(surface, 0, band, static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1), sizeArgument("height", 1),
+                                        countArgument("slices", 60, 3, kSmoothTurn),
+                                        countArgument("stacks", 20, 1)};
+constexpr ShapeArgument kWireArguments[] = {sizeArgument("radius", 1), sizeArgument("height", 1),
+                                            countArgument("slices", 20, 3), countArgument("stacks", 5, 1)};
+
+double deviation(Numbers n, Fidelity fidelity) {
+    const double around = 2 * std::numbers::pi / n[2];
+    return fidelity == Fidelity::shape ? chordDeviation(n[0], n[2]) : n[0] * around * around / 8;
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kCylinderRow{
+    .names = {"Cylinder"},
+    .arguments = kArguments,
+    .summary = "closed cylinder, base at y = 0",
+    .counts = [](Numbers n) { return cylinderCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return cylinder(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
+    .twin = &kWireCylinderRow,
+    .deviation = deviation,
+    .extent = [](Numbers n) { return standingExtent(n[0], n[1]); }};
+
+constexpr PrimitiveSpec kWireCylinderRow{
+    .names = {"WireCylinder"},
+    .arguments = kWireArguments,
+    .summary = "cylinder as lines",
+    .topology = Topology::lines,
+    .counts = [](Numbers n) { return wireCylinderCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return wireCylinder(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .twin = &kCylinderRow};
 
 }  // namespace glibra::geometry

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
@@ -16,5 +17,26 @@ Mesh diskXY(double z, double radius, int slices, int rings) {
            rings, unitCircle(slices));
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {numberArgument("z", 0), sizeArgument("radius", 1),
+                                        countArgument("slices", 60, 3, kSmoothTurn),
+                                        countArgument("rings", 10, 1)};
+
+}  // namespace
+
+constexpr PrimitiveSpec kDiskXYRow{
+    .names = {"DiskXY"},
+    .arguments = kArguments,
+    .summary = "disk parallel to XY",
+    .counts = [](Numbers n) { return diskXYCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return diskXY(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    // s and t are linear in x and y, so only the rim is off.
+    .deviation = [](Numbers n, Fidelity) { return chordDeviation(n[1], n[2]); },
+    .extent =
+        [](Numbers n) {
+            return boxExtent({-n[1], -n[1], n[0]}, {n[1], n[1], n[0]});
+        }};
 
 }  // namespace glibra::geometry

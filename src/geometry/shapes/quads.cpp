@@ -9,8 +9,8 @@
 namespace glibra::geometry {
 namespace {
 
-/// A square through `centre`: cells run along `right`, rows along `up`. Mirrored s or t turn the texture
-/// frame only.
+/// A square through `centre`. Cells run along `right`, rows along `up`. mirrorS and mirrorT change only the
+/// texture coordinates and the tangent.
 struct Square {
     glm::dvec3 centre, right, up;
     bool mirrorS = false, mirrorT = false;
@@ -62,5 +62,51 @@ Mesh quadBox(int n) {
     }
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kSize = sizeArgument("size", 1);
+constexpr ShapeArgument kAlongX = countArgument("nx", 4, 1), kAlongY = countArgument("ny", 4, 1),
+                        kAlongZ = countArgument("nz", 4, 1);
+constexpr ShapeArgument kXYArguments[] = {numberArgument("z", 0), kSize, kAlongX, kAlongY};
+constexpr ShapeArgument kXZArguments[] = {numberArgument("y", 0), kSize, kAlongX, kAlongZ};
+constexpr ShapeArgument kYZArguments[] = {numberArgument("x", 0), kSize, kAlongY, kAlongZ};
+constexpr ShapeArgument kBoxArguments[] = {
+    countArgument("quads", 10, 1, kAsGiven, static_cast<int>(kMostVertices / 4))};
+
+}  // namespace
+
+constexpr PrimitiveSpec kQuadXYRow{
+    .names = {"QuadXY"},
+    .arguments = kXYArguments,
+    .summary = "square -size..size parallel to XY",
+    .counts = [](Numbers n) { return quadCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return quadXY(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .deviation = [](Numbers, Fidelity) { return 0.; },
+    .extent = [](Numbers) { return Extent{}; }};
+
+constexpr PrimitiveSpec kQuadXZRow{
+    .names = {"QuadXZ"},
+    .arguments = kXZArguments,
+    .summary = "square -size..size parallel to XZ",
+    .counts = [](Numbers n) { return quadCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return quadXZ(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .deviation = [](Numbers, Fidelity) { return 0.; },
+    .extent = [](Numbers) { return Extent{}; }};
+
+constexpr PrimitiveSpec kQuadYZRow{
+    .names = {"QuadYZ"},
+    .arguments = kYZArguments,
+    .summary = "square -size..size parallel to YZ",
+    .counts = [](Numbers n) { return quadCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return quadYZ(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .deviation = [](Numbers, Fidelity) { return 0.; },
+    .extent = [](Numbers) { return Extent{}; }};
+
+constexpr PrimitiveSpec kQuadBoxRow{.names = {"QuadBox"},
+                                    .arguments = kBoxArguments,
+                                    .summary = "stack of squares filling -1..1",
+                                    .counts = [](Numbers n) { return quadBoxCounts(countAt(n, 0)); },
+                                    .make = [](Numbers n) { return quadBox(countAt(n, 0)); }};
 
 }  // namespace glibra::geometry

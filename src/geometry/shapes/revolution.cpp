@@ -7,7 +7,7 @@
 namespace glibra::geometry {
 namespace {
 
-/// Exact at both ends.
+/// Interpolates; exact at both ends.
 double mix(double from, double to, double part) {
     return (1 - part) * from + part * to;
 }
@@ -34,8 +34,8 @@ glm::dvec3 ringPoint(const Axis& axis, double along, double radius, const glm::d
 
 void addBandPoints(Surface& surface, const Axis& axis, const Band& band, std::span<const glm::dvec2> circle) {
     const auto slices = static_cast<int>(circle.size()) - 1;
-    // (along, outward) of the profile's direction and of the normal, a quarter turn away; a profile that is a
-    // point is taken as a cylinder's.
+    // The direction of the profile as (along, outward); the normal is a quarter turn away. A profile without
+    // length is treated as a cylinder's.
     const glm::dvec3 direction =
         unitOr({band.endAlong - band.startAlong, band.endRadius - band.startRadius, 0}, {1, 0, 0});
     const auto point = [&](double part, const glm::dvec2& around, double s) {

@@ -1,5 +1,5 @@
 #pragma once
-// Bands, caps and rings of surfaces of revolution, from which cylinders, cones, disks and arrows are made.
+// Parts of surfaces of revolution: bands, caps and rings. Cylinders, cones, disks and arrows consist of them.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,7 +17,7 @@ struct Axis {
 };
 
 /// A straight profile from (startAlong, startRadius) to (endAlong, endRadius), in equal rows with t from
-/// startT to endT. endRadius 0 makes an apex, which holds one vertex a slice.
+/// startT to endT. If `apex` is set, endRadius is 0, and the apex has one vertex per slice.
 struct Band {
     double startAlong = 0, startRadius = 0, startT = 0;
     double endAlong = 0, endRadius = 0, endT = 1;
@@ -25,29 +25,30 @@ struct Band {
     bool apex = false;
 };
 
-/// A flat disk or ring across the axis. s and t are the coordinates along sDirection and tDirection, 0..1
-/// across the outer radius; the normal is sDirection x tDirection, +along or -along.
+/// A flat disk or ring across the axis. s and t are the coordinates along sDirection and tDirection, from 0
+/// to 1 across the outer circle. The normal is sDirection x tDirection, which is +along or -along.
 struct Cap {
     double along = 0, radius = 0;
     glm::dvec3 sDirection, tDirection;
 };
 
-/// The point of that ring, the same bits whatever surface it belongs to. `circle` is (cos, sin) of 2 pi s.
+/// Returns the point of a ring. It has the same bits whatever surface it belongs to. `circle` is (cos, sin)
+/// of 2 pi s.
 glm::dvec3 ringPoint(const Axis& axis, double along, double radius, const glm::dvec2& circle);
 
-/// Vertices of the band, row after row. `circle` is unitCircle(slices). Normals point away from the axis, s
-/// and t directions and normal are right-handed.
+/// Adds the vertices of the band, row after row. `circle` is unitCircle(slices). Normals point away from the
+/// axis; the direction of s, the direction of t and the normal are right-handed.
 void addBandPoints(Surface& surface, const Axis& axis, const Band& band, std::span<const glm::dvec2> circle);
 void addBandCells(Surface& surface, std::uint32_t base, const Band& band, std::uint32_t slices);
 void addBandEdges(Surface& surface, std::uint32_t base, const Band& band, std::uint32_t slices);
 
-/// Vertices of a cap: the centre once a slice, then `rings` circles at equal steps of the radius; and its
+/// Adds a cap: the centre once per slice, then `rings` circles at equal steps of the radius, and the
 /// triangles.
 void addCap(Surface& surface, const Axis& axis, const Cap& cap, int rings,
             std::span<const glm::dvec2> circle);
 
-/// The part of a cap with normal -along outside innerRadius, one cell wide: inner circle, outer circle,
-/// cells.
+/// Adds the part of a cap outside innerRadius, one cell wide: inner circle, outer circle, cells. The cap's
+/// normal is -along.
 void addBackRing(Surface& surface, const Axis& axis, const Cap& cap, double innerRadius,
                  std::span<const glm::dvec2> circle);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
@@ -17,7 +18,7 @@ namespace {
 
 using Icosahedron = std::array<glm::dvec3, 12>;
 
-/// Unit vectors, numbered as the pentagons.
+/// Twelve unit vectors, numbered like the pentagons.
 Icosahedron icosahedron() {
     const double sine = 1 / std::sqrt(5.), cosine = 2 / std::sqrt(5.);  // of the latitude atan(1/2)
     const auto at = [&](int twentieth, double height) {                 // s = twentieth / 20
@@ -35,7 +36,7 @@ Icosahedron icosahedron() {
 }
 
 /// A corner of the truncated icosahedron: a third of the way from one vertex of the icosahedron to another.
-/// The number tells corners apart and puts the two ends of an edge in the same order whichever face asks.
+/// The number identifies the corner; by it both faces at an edge see the ends of the edge in the same order.
 struct Corner {
     int number = 0;
     glm::dvec3 place{0};
@@ -55,7 +56,7 @@ Face pentagon(const Icosahedron& vertices, std::size_t vertex) {
     for (std::size_t other = 0; other < vertices.size(); ++other)
         if (other != vertex && glm::dot(vertices[vertex], vertices[other]) > 0)
             face.corners.push_back(cornerBetween(vertices, vertex, other));
-    // The corners' plane is at (2 + cos of the edge's angle) / 3.
+    // The plane of the corners is at the distance (2 + cos of the edge's angle) / 3.
     face.centre = vertices[vertex] * ((2 + 1 / std::sqrt(5.)) / 3);
     return face;
 }
@@ -97,7 +98,7 @@ void sortCorners(Face& face, const Frame& frame) {
     const auto angle = [&](const Corner& corner) {
         const glm::dvec3 arm = corner.place - face.centre;
         constexpr double kTurn = 2 * std::numbers::pi;
-        // A corner exactly at the t direction is the first, whichever way it was rounded.
+        // A corner exactly in the t direction comes first, however it was rounded.
         const double fromT = std::atan2(-glm::dot(arm, frame.s), glm::dot(arm, frame.t)) + .01;
         return fromT < 0 ? fromT + kTurn : fromT;
     };
@@ -105,7 +106,7 @@ void sortCorners(Face& face, const Frame& frame) {
               [&](const Corner& a, const Corner& b) { return angle(a) < angle(b); });
 }
 
-/// centre * c + a * wa + b * wb; the same bits on a shared edge from either side, also where the compiler
+/// Returns centre * c + a * wa + b * wb. Both faces at a shared edge get the same bits, even if the compiler
 /// fuses operations.
 glm::dvec3 blend(const glm::dvec3& centre, double c, const Corner& a, double wa, const Corner& b, double wb) {
     if (b.number < a.number) return blend(centre, c, b, wb, a, wa);
@@ -114,7 +115,7 @@ glm::dvec3 blend(const glm::dvec3& centre, double c, const Corner& a, double wa,
     return point;
 }
 
-/// What the fans of a ball share.
+/// The values that all fans of a ball share.
 struct Ball {
     double radius = 1;
     int cuts = 8;
@@ -172,5 +173,32 @@ Mesh soccerball(double radius, int cuts) {
     mesh.attributes.push_back(std::move(faceIndex));
     return mesh;
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1), fixedCount("cuts", 8, 1, 3)};
+
+/// The middle of a hexagon is pushed out furthest, by 1/d, where d is its distance in radii. The small
+/// triangles there have the side e / (d cuts), where e is the edge of the truncated icosahedron, and the
+/// circumradius q. They lie 1 - sqrt(1 - q^2) <= q^2 / (1 + sqrt(1 - q^2)) inside. Measured, the pattern
+/// moves by less than 2.2 times that.
+double deviation(Numbers n, Fidelity fidelity) {
+    constexpr double kEdge = .403548, kDistance = .914958;
+    const double circumradius = std::min(1., kEdge / (kDistance * n[1] * std::numbers::sqrt3));
+    const double inside = 1 - std::sqrt(1 - circumradius * circumradius);
+    return n[0] * inside * (fidelity == Fidelity::shape ? 1 : 2.2);
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kSoccerballRow{.names = {"Soccerball"},
+                                       .arguments = kArguments,
+                                       .summary = "sphere of 12 pentagons and 20 hexagons",
+                                       .counts = [](Numbers n) { return soccerballCounts(countAt(n, 1)); },
+                                       .make = [](Numbers n) { return soccerball(n[0], countAt(n, 1)); },
+                                       .isClosed = true,
+                                       .hasFaceIndex = true,
+                                       .deviation = deviation,
+                                       .extent = [](Numbers n) { return ballExtent(n[0]); }};
 
 }  // namespace glibra::geometry

@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
 namespace {
 
-/// Around the axis: (cos, sin) of 2 pi s. Along it: (cos, sin) of the latitude f.
+/// `around` is (cos, sin) of 2 pi s, `latitude` is (cos, sin) of the latitude f.
 SurfacePoint spherePoint(double radius, const glm::dvec2& around, const glm::dvec2& latitude, double s,
                          double t) {
     const glm::dvec3 normal{-around.x * latitude.x, latitude.y, around.y * latitude.x};
@@ -63,5 +64,39 @@ Mesh wireSphere(double radius, int slices, int stacks) {
     for (std::uint32_t i = 0; i < a; ++i) surface.segment(lastRing + i, north + i);
     return std::move(surface).finish();
 }
+
+namespace {
+
+constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1),
+                                        countArgument("slices", 60, 3, kSmoothTurn),
+                                        countArgument("stacks", 60, 2, kSmoothTurn / 2)};
+constexpr ShapeArgument kWireArguments[] = {sizeArgument("radius", 1), countArgument("slices", 20, 3),
+                                            countArgument("stacks", 20, 2)};
+
+double deviation(Numbers n, Fidelity fidelity) {
+    return ballDeviation(n[0], 2 * std::numbers::pi / n[1], std::numbers::pi / n[2], fidelity);
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kSphereRow{
+    .names = {"Sphere"},
+    .arguments = kArguments,
+    .summary = "sphere, poles on the y axis",
+    .counts = [](Numbers n) { return sphereCounts(countAt(n, 1), countAt(n, 2)); },
+    .make = [](Numbers n) { return sphere(n[0], countAt(n, 1), countAt(n, 2)); },
+    .isClosed = true,
+    .twin = &kWireSphereRow,
+    .deviation = deviation,
+    .extent = [](Numbers n) { return ballExtent(n[0]); }};
+
+constexpr PrimitiveSpec kWireSphereRow{
+    .names = {"WireSphere"},
+    .arguments = kWireArguments,
+    .summary = "sphere as lines",
+    .topology = Topology::lines,
+    .counts = [](Numbers n) { return wireSphereCounts(countAt(n, 1), countAt(n, 2)); },
+    .make = [](Numbers n) { return wireSphere(n[0], countAt(n, 1), countAt(n, 2)); },
+    .twin = &kSphereRow};
 
 }  // namespace glibra::geometry

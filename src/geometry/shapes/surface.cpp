@@ -8,7 +8,7 @@ namespace glibra::geometry {
 namespace {
 
 void write(std::vector<float>& values, std::size_t at, const glm::dvec3& v) {
-    // + 0.0 turns -0 into 0: equal coordinates are then equal bits.
+    // + 0.0 turns -0 into 0, so that equal coordinates have equal bits.
     values[at] = static_cast<float>(v.x + 0.0);
     values[at + 1] = static_cast<float>(v.y + 0.0);
     values[at + 2] = static_cast<float>(v.z + 0.0);

@@ -3,8 +3,8 @@
 namespace glibra::geometry {
 namespace {
 
-/// A control point of a profile that is turned around the z axis. `pull` is how far the two inner control
-/// points of a quarter circle stand off, .56 of the radius but for the knob.
+/// A control point of a profile that is turned around the z axis. `pull` is the distance of the two inner
+/// control points of a quarter circle from its ends, .56 of the radius except at the knob.
 struct ProfilePoint {
     double radius = 0, z = 0;
     double pull = .56;
@@ -18,11 +18,11 @@ constexpr Profile kRim{{{1.5, 2.4}, {1.4375, 2.53125}, {1.3375, 2.53125}, {1.4, 
 constexpr Profile kLid{{{1.3, 2.4}, {1.3, 2.55}, {.4, 2.55}, {.2, 2.7}}};
 constexpr Profile kKnob{{{.2, 2.7}, {0, 2.85}, {.8, 3.15, .5625}, {0, 3.15}}};
 
-/// One cross-section of handle or spout: half a closed curve through y <= 0, from its one end in the plane y
-/// = 0 to the other.
+/// One cross-section of handle or spout: half of a closed curve, through y <= 0, with both ends in the plane
+/// y = 0.
 struct Section {
-    double x0 = 0, z0 = 0;  ///< of the first two control points
-    double x1 = 0, z1 = 0;  ///< of the last two
+    double x0 = 0, z0 = 0;  ///< the first two control points
+    double x1 = 0, z1 = 0;  ///< the last two
     double width = 0;       ///< |y| of the inner two; the outer two are at y = 0
 };
 using Sections = std::array<Section, 4>;
@@ -66,7 +66,7 @@ Patch nearHalf(const Sections& sections) {
     return patch;
 }
 
-/// The other half, y >= 0, which goes on where the near half ends.
+/// The other half, y >= 0, which continues where the near half ends.
 Patch farHalf(const Sections& sections) {
     Patch patch = nearHalf(sections);
     for (auto& row : patch) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/frame.h"
+#include "geometry/shapes/deviation.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
@@ -41,5 +42,47 @@ Mesh wireTorus(double a, double b, int sides, int rings) {
     addGridEdges(surface, 0, {.columns = columns, .rows = rows, .endRow = rows, .endColumn = columns});
     return std::move(surface).finish();
 }
+
+namespace {
+
+/// The 20 sides by default are fewer than a smooth turn; 36 would be more than the language asks for.
+constexpr ShapeArgument kArguments[] = {sizeArgument("radius", 1), sizeArgument("radius", .5),
+                                        countArgument("sides", 20, 3, 20),
+                                        countArgument("rings", 40, 3, kSmoothTurn)};
+
+double deviation(Numbers n, Fidelity fidelity) {
+    const double ring = std::max(n[0], n[1]), tube = std::min(n[0], n[1]);
+    if (fidelity == Fidelity::shape) return chordDeviation(tube, n[2]) + chordDeviation(ring + tube, n[3]);
+    // |P_uu| = R + r cos v, |P_uv| = r |sin v|, |P_vv| = r: the largest sum over v.
+    const double u = 2 * std::numbers::pi / n[3], v = 2 * std::numbers::pi / n[2];
+    return (ring * u * u + tube * v * v + std::hypot(tube * u * u, 2 * tube * u * v)) / 8;
+}
+
+Extent extent(Numbers n) {
+    const double tube = std::min(n[0], n[1]), all = n[0] + n[1];
+    return {{-all, -all, -tube}, {all, all, tube}, all};
+}
+
+}  // namespace
+
+constexpr PrimitiveSpec kTorusRow{
+    .names = {"Torus"},
+    .arguments = kArguments,
+    .summary = "torus about the z axis; the larger radius is the ring's",
+    .counts = [](Numbers n) { return torusCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return torus(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .isClosed = true,
+    .twin = &kWireTorusRow,
+    .deviation = deviation,
+    .extent = extent};
+
+constexpr PrimitiveSpec kWireTorusRow{
+    .names = {"WireTorus"},
+    .arguments = kArguments,
+    .summary = "torus as lines",
+    .topology = Topology::lines,
+    .counts = [](Numbers n) { return wireTorusCounts(countAt(n, 2), countAt(n, 3)); },
+    .make = [](Numbers n) { return wireTorus(n[0], n[1], countAt(n, 2), countAt(n, 3)); },
+    .twin = &kTorusRow};
 
 }  // namespace glibra::geometry

@@ -50,11 +50,12 @@ bool isKnown(const BmpHeader& header) {
     return false;
 }
 
-/// Sets the masks; `at` is where the palette would begin and is moved past masks that follow the header.
-/// False if the file ends before.
+/// Sets the masks. `at` is the start of the palette and is moved past masks that follow the header. False if
+/// the file ends before.
 bool readMasks(Bytes file, std::uint32_t headerSize, BmpHeader& header, std::size_t& at) {
     if (header.compression == BmpCompression::none) {
-        // Masks in the header hold only with bit fields; the fourth byte of plain 32 bit means nothing.
+        // Masks in the header apply only with bit fields; the fourth byte of plain 32-bit pixels has no
+        // meaning.
         if (header.bits == 16) header.masks = {0x7c00, 0x03e0, 0x001f, 0};
         if (header.bits == 32) header.masks = {0xff0000, 0x00ff00, 0x0000ff, 0};
         return true;
@@ -72,7 +73,7 @@ bool readMasks(Bytes file, std::uint32_t headerSize, BmpHeader& header, std::siz
     }
     if (file.size() < from + 4 * count) return false;
     for (std::size_t i = 0; i < count; ++i) header.masks.at(i) = little32(file, from + 4 * i);
-    if (header.bits != 32) header.masks[3] = 0;  // 8.2: alpha of 32-bit pixels only
+    if (header.bits != 32) header.masks[3] = 0;  // language, 8.2: only 32-bit pixels have alpha
     return true;
 }
 
@@ -82,7 +83,8 @@ void readPalette(Bytes file, std::uint32_t headerSize, std::uint32_t colorsUsed,
     const std::size_t entryBytes = headerSize == 12 ? 3 : 4;
     const std::size_t most = std::size_t{1} << header.bits;
     std::size_t count = colorsUsed == 0 ? most : std::min<std::size_t>(colorsUsed, most);
-    count = std::min(count, (header.dataOffset - at) / entryBytes);  // old writers store fewer than they may
+    count = std::min(count, (header.dataOffset - at) /
+                                entryBytes);  // old writers store fewer entries than the header allows
     for (std::size_t i = 0; i < count; ++i) {
         const Bytes entry = file.subspan(at + i * entryBytes, 3);
         header.palette.push_back({std::to_integer<std::uint8_t>(entry[2]),
@@ -99,28 +101,28 @@ Result<BmpHeader> readBmpHeader(Bytes file, const FileLabel& label) {
     const std::uint32_t headerSize = little32(file, 14);
     constexpr std::array<std::uint32_t, 7> kHeaderSizes{12, 40, 52, 56, 64, 108, 124};
     if (std::find(kHeaderSizes.begin(), kHeaderSizes.end(), headerSize) == kHeaderSizes.end())
-        return damaged(label, fmt::format("no BMP header has {} bytes", headerSize));
+        return damaged(label, fmt::format("unknown BMP header of {} bytes", headerSize));
     std::size_t at = kFileHeader + headerSize;
     if (file.size() < at) return tooShort();
 
     BmpHeader header;
     std::uint32_t colorsUsed = 0;
     if (!readGeometry(file, headerSize, header, colorsUsed))
-        return damaged(label, "the BMP header gives no pixels");
-    // OS/2 2.x numbers two compressions of its own with 3 and 4.
+        return damaged(label, "the picture has no pixels by its BMP header");
+    // OS/2 2.x uses the numbers 3 and 4 for its own compressions.
     const auto code = static_cast<std::uint32_t>(header.compression);
     if (!isKnown(header) || (headerSize == 64 && code >= 3))
         return damaged(label,
-                       fmt::format("BMP compression {} with {} bits a pixel is unknown", code, header.bits));
+                       fmt::format("unknown BMP compression {} with {} bits per pixel", code, header.bits));
     if (!readMasks(file, headerSize, header, at)) return tooShort();
 
     header.dataOffset = little32(file, 10);
     if (header.dataOffset < at)
         return damaged(
-            label, fmt::format("the pixel data begin at byte {}, inside the BMP header", header.dataOffset));
+            label, fmt::format("the pixel data start at byte {}, inside the BMP header", header.dataOffset));
     if (header.dataOffset >= file.size())
         return damaged(label,
-                       fmt::format("the pixel data begin at byte {} of {}", header.dataOffset, file.size()));
+                       fmt::format("the pixel data start at byte {} of {}", header.dataOffset, file.size()));
     readPalette(file, headerSize, colorsUsed, at, header);
     return header;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The headers of a BMP file, checked and brought to one form. Layouts: Microsoft's BITMAPFILEHEADER,
+// The headers of a BMP file, checked and converted to one form. Layouts: Microsoft's BITMAPFILEHEADER,
 // BITMAPCOREHEADER, BITMAPINFOHEADER, BITMAPV4HEADER and BITMAPV5HEADER, IBM's 64-byte OS/2 2.x header.
 
 #include <glibra/result.h>
@@ -26,14 +26,14 @@ enum class BmpCompression : std::uint32_t {
 struct BmpHeader {
     std::uint32_t width = 0, height = 0;
     bool topDown = false;
-    std::uint32_t bits = 0;  ///< a pixel: 1, 4, 8, 16, 24, 32 (0 for a wrapped JPEG or PNG)
+    std::uint32_t bits = 0;  ///< bits per pixel: 1, 4, 8, 16, 24, 32 (0 for a wrapped JPEG or PNG)
     BmpCompression compression = BmpCompression::none;
     std::array<std::uint32_t, 4> masks{};              ///< red, green, blue, alpha of 16- and 32-bit pixels
     std::vector<std::array<std::uint8_t, 3>> palette;  ///< red, green, blue
     std::size_t dataOffset = 0;                        ///< within the file
 };
 
-/// Reads and checks everything in front of the pixels. Errors: file-E04.
+/// Reads and checks everything before the pixels. Errors: file-E04.
 Result<BmpHeader> readBmpHeader(std::span<const std::byte> file, const FileLabel& label);
 
 }  // namespace glibra::image

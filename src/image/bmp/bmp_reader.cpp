@@ -103,7 +103,7 @@ Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits
     const Bytes data = file.subspan(header.dataOffset);
     const std::uint64_t rowBits = std::uint64_t{header.width} * header.bits;
     const std::uint64_t stride = (rowBits + 31) / 32 * 4;
-    // The padding of the last row is left out by some writers.
+    // Some writers omit the padding of the last row.
     if (!packed && data.size() < stride * (header.height - 1) + (rowBits + 7) / 8)
         return endsEarly(label, data.size() / stride, header.height);
 

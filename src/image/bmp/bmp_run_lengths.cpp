@@ -7,7 +7,7 @@ namespace {
 
 using Pixel = std::array<std::uint8_t, 4>;
 
-/// Where the next pixel goes; rows count in the order of the file.
+/// The place of the next pixel; rows are counted in the order of the file.
 class Canvas {
   public:
     Canvas(const RunLengthLayout& layout, std::span<const Pixel> colors, std::span<Pixel> pixels)
@@ -47,7 +47,8 @@ std::uint64_t decodeRunLengths(std::span<const std::byte> data, const RunLengthL
     std::fill(pixels.begin(), pixels.end(), colors[0]);
     Canvas canvas(layout, colors, pixels);
     const auto byteAt = [&](std::size_t at) { return std::to_integer<std::uint32_t>(data[at]); };
-    // Pixel number i of a run (`from` points at its one byte) or of literal pixels (at their first byte).
+    // Pixel i of a run (`from` points at its only byte) or of literal pixels (`from` points at their first
+    // byte).
     const auto index = [&](std::size_t from, std::uint32_t i, bool literal) {
         if (layout.bits == 8) return byteAt(from + (literal ? i : 0));
         return byteAt(from + (literal ? i / 2 : 0)) >> (i % 2 == 0 ? 4U : 0U) & 15U;

@@ -14,10 +14,10 @@ struct RunLengthLayout {
     std::uint32_t bits;  ///< 4 or 8
 };
 
-/// Fills `pixels` (top row first) by the commands in `data`; what no command reaches is colors[0]. `colors`
-/// has 2^bits entries. Pixels beyond the end of a row are dropped. Gives the number of rows that are there:
-/// layout.height if the picture is complete (all rows reached, or an end-of-picture command), less if the
-/// data end early.
+/// Fills `pixels` (top row first) by the commands in `data`; pixels that no command sets are colors[0].
+/// `colors` has 2^bits entries. Pixels beyond the end of a row are dropped. Returns the number of complete
+/// rows: layout.height if the picture is complete (all rows reached, or an end-of-picture command), fewer if
+/// the data end early.
 std::uint64_t decodeRunLengths(std::span<const std::byte> data, const RunLengthLayout& layout,
                                std::span<const std::array<std::uint8_t, 4>> colors,
                                std::span<std::array<std::uint8_t, 4>> pixels);

@@ -1,5 +1,5 @@
 #pragma once
-// Two pictures of one size brought to the same components and type, without a copy where they have them.
+// Converts two pictures of equal size to the same components and type, without a copy if they already match.
 
 #include <algorithm>
 #include <type_traits>
@@ -9,8 +9,8 @@
 
 namespace glibra::image {
 
-/// Calls use(a, b) with pictures of one component count and type: RGBA if the counts differ, the wider type
-/// if the types do. Both must be consistent.
+/// Calls use(a, b) with pictures of equal component count and type: RGBA if the counts differ, the wider type
+/// if the types differ. Both must be consistent.
 template <class Use>
 std::invoke_result_t<Use, const Image&, const Image&> withAlike(const Image& a, const Image& b, Use use) {
     if (a.components != b.components && a.components != 4) return withAlike(withComponents(a, 4), b, use);

@@ -11,7 +11,7 @@
 namespace glibra::image {
 namespace {
 
-/// Values of a row that are summed before the sum of their squares could leave its type.
+/// The number of values of a row that can be summed before the sum of their squares could overflow.
 constexpr std::size_t kChunk = 4096;
 
 /// Steps between two values; integers for integer types, so that sums of squares are exact.
@@ -35,7 +35,7 @@ Value valueAt(const std::byte* row, std::size_t index) {
     return value;
 }
 
-/// Largest distance and sum of squares of `count` values; loops that the compiler turns into vector code.
+/// Largest distance and sum of squares of `count` values; the compiler vectorises the loops.
 template <class Value, class Distance>
 void addDistances(const std::byte* a, const std::byte* b, std::size_t count, Distance& largest,
                   Distance& squares) {
@@ -47,7 +47,7 @@ void addDistances(const std::byte* a, const std::byte* b, std::size_t count, Dis
 }
 
 std::uint64_t countDiffering4(const std::byte* a, const std::byte* b, std::size_t pixels) {
-    std::uint32_t count = 0;  // a row has fewer pixels than that
+    std::uint32_t count = 0;  // a row has fewer pixels
     for (std::size_t i = 0; i < pixels; ++i)
         count += valueAt<std::uint32_t>(a, i) != valueAt<std::uint32_t>(b, i) ? 1U : 0U;
     return count;

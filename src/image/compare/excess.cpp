@@ -29,11 +29,11 @@ constexpr double kFull = std::is_integral_v<Value> ? static_cast<double>(std::nu
 template <class Value>
 Step<Value> limitOf(const ExcessLimits& limits) {
     const double limit = std::clamp(limits.largest, 0., 255.) / 255 * kFull<Value>;
-    // A limit like 3/255 of 65535 must not become 770.99...
+    // A limit such as 3/255 of 65535 must not become 770.99...
     return static_cast<Step<Value>>(std::is_integral_v<Value> ? std::floor(limit + 1e-9) : limit);
 }
 
-/// Adds the differences of a row, each limited to +-limit, to `sums`; true if any is beyond the limit.
+/// Adds the differences of a row, each limited to +-limit, to `sums`; true if any exceeds the limit.
 template <class Value>
 bool addRow(const std::byte* a, const std::byte* b, std::size_t count, Step<Value> limit, Step<Value>* sums) {
     int beyond = 0;
@@ -47,7 +47,8 @@ bool addRow(const std::byte* a, const std::byte* b, std::size_t count, Step<Valu
     return beyond != 0;
 }
 
-/// The same for floats: equal infinities and NaN are no difference, NaN against a number is one of `limit`.
+/// The same for floats: equal infinities and NaN against NaN are no difference; NaN against a number is a
+/// difference of `limit`.
 template <>
 bool addRow<float>(const std::byte* a, const std::byte* b, std::size_t count, double limit, double* sums) {
     bool beyond = false;
@@ -62,7 +63,7 @@ bool addRow<float>(const std::byte* a, const std::byte* b, std::size_t count, do
     return beyond;
 }
 
-/// True if the values differ by more than they may.
+/// True if the values differ by more than allowed.
 template <class Value>
 bool isBeyond(Value a, Value b, Step<Value> limit, const ExcessLimits& limits) {
     if constexpr (std::is_integral_v<Value>) {
@@ -78,7 +79,7 @@ bool isBeyond(Value a, Value b, Step<Value> limit, const ExcessLimits& limits) {
     }
 }
 
-/// Sums over a row of blocks become means; the largest is kept.
+/// Turns sums over a row of blocks into means and keeps the largest.
 class BlockMeans {
   public:
     BlockMeans(int block, int width, int height, std::size_t components)
@@ -94,7 +95,7 @@ class BlockMeans {
         return y + 1 == height_ || ((y + 1) % block_ == 0 && (y + 1) / block_ < rows_);
     }
 
-    /// `sums` are those of the columns of a row of blocks that ends with row y of pixels; they are reset.
+    /// `sums` are the sums of the columns of a row of blocks that ends with row y of pixels; they are reset.
     template <class Sum>
     void add(std::vector<Sum>& sums, int y, double unit, Excess& excess) const {
         const int row = std::min(y / block_, rows_ - 1), top = row * block_;
@@ -120,7 +121,7 @@ class BlockMeans {
     std::size_t components_;
 };
 
-/// Which pixels are beyond the limit; memory only once there is one.
+/// The pixels beyond the limit; needs memory only if there is one.
 class BeyondMap {
   public:
     BeyondMap(int width, int height)
@@ -157,7 +158,7 @@ class BeyondMap {
         excess.lineY = -1;
     }
 
-    /// The largest group of touching pixels, by flooding; empties the map.
+    /// The largest group of touching pixels, by flood fill; empties the map.
     void findCluster(Excess& excess) {
         if (pixels_.empty()) return;
         for (std::size_t first = firstRow_ * width_; first < (lastRow_ + 1) * width_; ++first) {
@@ -170,7 +171,7 @@ class BeyondMap {
     }
 
   private:
-    /// Size of the group that a pixel belongs to, which is taken out of the map.
+    /// The size of the group that a pixel belongs to; removes the group from the map.
     std::uint64_t take(std::size_t first) {
         if (!pixels_[first]) return 0;
         std::uint64_t size = 0;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <thread>
 
+#include "base/parallel.h"
 #include "image/compare/alike.h"
 #include "image/compare/flip_color.h"
 #include "image/compare/flip_filters.h"
@@ -16,11 +15,11 @@
 namespace glibra::image {
 namespace {
 
-// A tile's planes fit a core's second-level cache.
+// The planes of a tile fit into the second-level cache of a core.
 constexpr int kTileWidth = 128, kTileHeight = 64;
 constexpr std::size_t kTileColumns = kTileWidth;
 
-/// Rows are filled up to a multiple of this.
+/// Rows are padded to a multiple of this.
 constexpr std::size_t kRowUnit = 8;
 constexpr std::size_t roundedUp(std::size_t count) {
     return (count + kRowUnit - 1) / kRowUnit * kRowUnit;
@@ -54,11 +53,11 @@ float linearValue(const std::byte* row, std::size_t index) {
         return linearTable<Value>()[valueAt<Value>(row, index)];
     } else {
         const float value = valueAt<float>(row, index);
-        return value > 0 ? linearOf(std::min(value, 1.F)) : 0.F;  // NaN is not above 0
+        return value > 0 ? linearOf(std::min(value, 1.F)) : 0.F;  // 0 for NaN
     }
 }
 
-/// Linear RGB of `count` pixels from column x on; columns beyond the picture are its edge's.
+/// Linear RGB of `count` pixels from column x; columns beyond the picture repeat its edge.
 template <class Value>
 void loadRow(const Image& image, int x, int y, std::size_t count, float* r, float* g, float* b) {
     const std::byte* row = image.row(std::clamp(y, 0, image.height - 1)).data();
@@ -83,7 +82,8 @@ void loadRow(const Image& image, int x, int y, std::size_t count, float* r, floa
     }
 }
 
-/// One picture's part of a tile: rows of the tile and of `radius` above and below, filtered along the rows.
+/// The part of one picture in a tile: the rows of the tile and `radius` rows above and below, filtered along
+/// the rows.
 class FilteredTile {
   public:
     explicit FilteredTile(const FlipFilters& filters)
@@ -109,7 +109,7 @@ class FilteredTile {
         }
     }
 
-    /// A row of the tile, filtered down the columns too; valid until the next call.
+    /// A row of the tile, also filtered down the columns; valid until the next call.
     FilteredRow row(int y) {
         const std::size_t at = (static_cast<std::size_t>(y) + filters_.radius) * kTileColumns;
         const auto down = [&](int plane, const HalfFilter& weights, int result) {
@@ -141,7 +141,8 @@ class FilteredTile {
     std::array<std::vector<float>, 8> done_;
 };
 
-/// True if the pictures have the same bytes in the tile and `radius` pixels around it: its errors are 0.
+/// True if the pictures have the same bytes in the tile and `radius` pixels around it, so that its errors are
+/// 0.
 bool sameAround(const Image& a, const Image& b, int left, int top, int radius) {
     const int x = std::max(left - radius, 0), y = std::max(top - radius, 0);
     const int right = std::min(left + kTileWidth + radius, a.width);
@@ -160,13 +161,20 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
     std::vector<float> errors(static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height));
     const int columns = (a.width + kTileWidth - 1) / kTileWidth;
     const int tiles = columns * ((a.height + kTileHeight - 1) / kTileHeight);
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        FilteredTile first(filters), second(filters);
+    struct Tiles {
+        FilteredTile first, second;
         std::array<float, kTileColumns> rowErrors{};
-        for (int tile = next++; tile < tiles; tile = next++) {
+    };
+    base::forEachIndex(
+        static_cast<std::size_t>(tiles), options.threads,
+        [&] {
+            return Tiles{FilteredTile(filters), FilteredTile(filters)};
+        },
+        [&](std::size_t index, Tiles& buffers) {
+            auto& [first, second, rowErrors] = buffers;
+            const int tile = static_cast<int>(index);
             const int left = tile % columns * kTileWidth, top = tile / columns * kTileHeight;
-            if (sameAround(a, b, left, top, static_cast<int>(filters.radius))) continue;
+            if (sameAround(a, b, left, top, static_cast<int>(filters.radius))) return;
             const int height = std::min(kTileHeight, a.height - top);
             first.load(a, left, top, height);
             second.load(b, left, top, height);
@@ -178,14 +186,7 @@ std::vector<float> errorsOf(const Image& a, const Image& b, const FlipOptions& o
                                 static_cast<std::size_t>(top + y) * static_cast<std::size_t>(a.width) +
                                 static_cast<std::size_t>(left));
             }
-        }
-    };
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int threads = std::min(options.threads > 0 ? options.threads : std::max(cores, 1), tiles);
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-    others.clear();
+        });
     return errors;
 }
 
@@ -198,7 +199,7 @@ bool isOpaque(const Image& image) {
     return true;
 }
 
-/// The RGBA picture over a grey background, as a browser shows it: mixed in sRGB.
+/// The RGBA picture over a grey background, blended in sRGB as browsers do.
 Image over(const Image& image, float background) {
     Image seen = withType(image, Component::f32);
     for (std::size_t at = 0; at < seen.data.size(); at += 16) {
@@ -212,7 +213,7 @@ Image over(const Image& image, float background) {
     return seen;
 }
 
-/// Error 1 where one of two float pictures is NaN and the other is not.
+/// Sets the error to 1 where one of two float pictures is NaN and the other is not.
 void markNan(const Image& a, const Image& b, std::vector<float>& errors) {
     const auto components = static_cast<std::size_t>(a.components);
     for (std::size_t i = 0; i < errors.size() * components; ++i)

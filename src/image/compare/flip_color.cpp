@@ -11,7 +11,7 @@
 namespace glibra::image {
 namespace {
 
-// Linear RGB to XYZ, sRGB's primaries and D65, in the fractions that the authors use; and its inverse.
+// Linear RGB to XYZ for sRGB's primaries and D65, with the fractions of the authors, and the inverse.
 constexpr float kToXyz[3][3] = {
     {10135552.F / 24577794.F, 8788810.F / 24577794.F, 4435075.F / 24577794.F},
     {2613072.F / 12288897.F, 8788810.F / 12288897.F, 887015.F / 12288897.F},
@@ -29,10 +29,10 @@ inline Lanes row(const float (&matrix)[3], Lanes x, Lanes y, Lanes z) {
     return matrix[0] * x + matrix[1] * y + matrix[2] * z;
 }
 
-/// log2 of positive normal numbers, by the series of artanh after the exponent is taken off; relative error
+/// log2 of positive normal numbers: the exponent, plus the series of artanh for the mantissa. Relative error
 /// below 2e-7.
 inline Lanes log2Of(Lanes x) {
-    constexpr std::int32_t kRootHalf = 0x3f3504f3;  // the mantissa is brought to sqrt(1/2)..sqrt(2)
+    constexpr std::int32_t kRootHalf = 0x3f3504f3;  // moves the mantissa to sqrt(1/2)..sqrt(2)
     const auto bits = std::bit_cast<IntLanes>(x);
     const IntLanes exponent = (bits - kRootHalf) >> 23;
     const auto mantissa = std::bit_cast<Lanes>(bits - (exponent << 23));
@@ -43,7 +43,7 @@ inline Lanes log2Of(Lanes x) {
     return __builtin_convertvector(exponent, Lanes) + series;
 }
 
-/// 2^x for x in -126..127, by the series of exp; relative error below 2e-7.
+/// 2^x for x in -126..127 by the series of exp. Relative error below 2e-7.
 inline Lanes exp2Of(Lanes x) {
     constexpr float kRound = 12582912.F;  // 1.5 * 2^23: adding and subtracting it rounds
     const Lanes whole = (x + kRound) - kRound;
@@ -55,17 +55,18 @@ inline Lanes exp2Of(Lanes x) {
     return series * std::bit_cast<Lanes>((__builtin_convertvector(whole, IntLanes) + 127) << 23);
 }
 
-/// x^y for x in 0..10^4 and y in 0..2.4; 0 for what is no larger than 1e-15.
+/// x^y for x in 0..10^4 and y in 0..2.4; 0 for x up to 1e-15.
 inline Lanes power(Lanes x, Lanes y) {
     const Lanes least = allLanes(1e-15F);
     const Lanes result = exp2Of(y * log2Of(larger(x, least)));
     return x > least ? result : allLanes(0);
 }
 
-/// Cube root of positive normal numbers: a third of the exponent, then Halley's iteration twice, each of
-/// which triples the digits; relative error below 2e-7.
+/// Cube root of positive normal numbers: a third of the exponent, then two Halley iterations, each of which
+/// triples the digits. Relative error below 2e-7.
 inline Lanes cubeRoot(Lanes x) {
-    constexpr float kTwoThirdsOfOne = 709921077.F;  // 2/3 of the bits of 1, less the mean error of the guess
+    constexpr float kTwoThirdsOfOne =
+        709921077.F;  // 2/3 of the bits of 1, minus the mean error of the first guess
     const Lanes third = __builtin_convertvector(std::bit_cast<IntLanes>(x), Lanes) * (1.F / 3.F);
     auto root = std::bit_cast<Lanes>(__builtin_convertvector(third + kTwoThirdsOfOne, IntLanes));
     for (int i = 0; i < 2; ++i) {
@@ -75,7 +76,7 @@ inline Lanes cubeRoot(Lanes x) {
     return root;
 }
 
-/// CIE 1976: the cube root with its straight piece near black.
+/// CIE 1976: the cube root, and a straight line near black.
 inline Lanes labCurve(Lanes t) {
     constexpr float kDelta = 6.F / 29.F;
     const Lanes cube = allLanes(kDelta * kDelta * kDelta);
@@ -88,8 +89,8 @@ struct Lab {
     Lanes l, a, b;
 };
 
-/// Filtered YCxCz to L*a*b*, limited to what a screen can show on the way, a* and b* after Hunt: chroma is
-/// seen the better, the brighter it is.
+/// Filtered YCxCz to L*a*b*, limited to the colours of a screen, with Hunt's adjustment of a* and b*: the eye
+/// sees chroma better in brighter colours.
 inline Lab toHuntLab(const FilteredRow& in, std::size_t at) {
     const Lanes y = (loadLanes(in.y + at) + 16) * (1.F / 116);
     const Lanes x = (y + loadLanes(in.cx + at) * (1.F / 500)) * kWhite[0];
@@ -101,11 +102,11 @@ inline Lab toHuntLab(const FilteredRow& in, std::size_t at) {
     return {l, 0.01F * l * (500 * (lab[0] - lab[1])), 0.01F * l * (200 * (lab[1] - lab[2]))};
 }
 
-// Section 4 of the paper: exponents of the color and of the feature difference, and the share of the largest
-// color difference that is mapped to the share of the range.
+// Section 4 of the paper: exponents of the colour and of the feature difference, and which share of the
+// largest colour difference is mapped to which share of the range.
 constexpr float kColorPower = 0.7F, kColorShare = 0.4F, kRangeShare = 0.95F;
 
-/// The color difference of pure green and pure blue, the largest there is, after the exponent (0.7).
+/// The colour difference of pure green and pure blue, the largest one, after the exponent (0.7).
 float largestColorDifference() {
     const auto huntLab = [](double r, double g, double b) {
         double f[3];
@@ -134,10 +135,12 @@ inline Lanes colorDifferences(const Lab& a, const Lab& b, float largest) {
     return d < knee ? below : above;
 }
 
-/// Section 4.2: how much stronger an edge or a point is in one picture than in the other, as the power 1/2.
+/// Section 4.2: by how much an edge or a point is stronger in one picture than in the other, to the power
+/// 1/2.
 inline Lanes featureDifferences(const FilteredRow& a, const FilteredRow& b, std::size_t at) {
     constexpr float kRootHalf = 0.70710678F;
-    constexpr float kScale = 1.F / 116.F;  // the achromatic plane has 0..116, features are defined on 0..1
+    constexpr float kScale =
+        1.F / 116.F;  // the achromatic plane has 0..116, but features are defined for 0..1
     const auto strength = [at](const float* first, const float* second) {
         const Lanes x = loadLanes(first + at), y = loadLanes(second + at);
         return squareRoot(x * x + y * y);

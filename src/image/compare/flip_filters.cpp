@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 /// Values that are computed together: enough independent sums to keep the processor busy.
 constexpr std::size_t kChunk = 2 * kLanes;
 
-/// Drops the ends of a filter that no float result can show.
+/// Drops the ends of a filter that are too small to change a float result.
 HalfFilter narrowed(const std::vector<double>& weights) {
     double largest = 0;
     for (const double each : weights) largest = std::max(largest, std::abs(each));
@@ -26,14 +26,14 @@ HalfFilter narrowed(const std::vector<double>& weights) {
     return result;
 }
 
-/// Sum over both sides.
+/// The sum over both sides.
 double sumOf(const std::vector<double>& half) {
     double sum = half[0];
     for (std::size_t k = 1; k < half.size(); ++k) sum += 2 * half[k];
     return sum;
 }
 
-/// exp(-pi^2 x^2 / b) at k pixels, x in degrees: the contrast sensitivity's Gaussian in the space domain
+/// exp(-pi^2 x^2 / b) at k pixels, x in degrees: the Gaussian of the contrast sensitivity in the space domain
 /// (Andersson et al. 2020, equation 4).
 std::vector<double> gaussian(double b, std::size_t radius, double pixelsPerDegree) {
     std::vector<double> half;
@@ -49,7 +49,7 @@ std::vector<double> scaled(std::vector<double> half, double factor) {
     return half;
 }
 
-/// To one number of weights, by zeros.
+/// Pads filters with zeros to equal lengths.
 void widen(std::initializer_list<HalfFilter*> filters) {
     std::size_t count = 0;
     for (const HalfFilter* each : filters) count = std::max(count, each->size());
@@ -106,8 +106,8 @@ FlipFilters::FlipFilters(double pixelsPerDegree) {
     const auto cx = gaussian(kRedGreen, contrastRadius, pixelsPerDegree);
     achromatic = narrowed(scaled(y, 1 / sumOf(y)));
     redGreen = narrowed(scaled(cx, 1 / sumOf(cx)));
-    // a sqrt(pi / b) belongs to the two-dimensional filter: its root to each direction; the sum of both
-    // products is 1.
+    // The two-dimensional filter has the factor a sqrt(pi / b), so each direction has its root. The sum of
+    // both products is 1.
     const auto part = [&](double a, double b) {
         return scaled(gaussian(b, contrastRadius, pixelsPerDegree), std::sqrt(a * std::sqrt(kPi / b)));
     };

@@ -25,7 +25,7 @@ constexpr double kMagma[7][3] = {
 
 using Color = std::array<std::byte, 3>;
 
-/// 256 colors, so that a picture costs a look-up a pixel.
+/// 256 colours, so that a pixel costs one look-up.
 const std::array<Color, 256>& palette() {
     static const std::array<Color, 256> colors = [] {
         std::array<Color, 256> all{};
@@ -34,7 +34,7 @@ const std::array<Color, 256>& palette() {
             magma(static_cast<double>(i) / 255, rgb[0], rgb[1], rgb[2]);
             for (std::size_t c = 0; c < 3; ++c) all[i][c] = static_cast<std::byte>(std::lround(rgb[c] * 255));
         }
-        all[0] = {};  // no difference is black, and nothing else is
+        all[0] = {};  // black means no difference, and only that
         return all;
     }();
     return colors;
@@ -46,7 +46,7 @@ Image emptyMap(int width, int height) {
     return map;
 }
 
-/// `value` in 0..1; what is above 0 is never black.
+/// `value` is in 0..1; values above 0 are never black.
 void paint(Image& map, std::size_t pixel, double value) {
     const auto index = value > 0 ? std::max<long>(1, std::lround(std::min(value, 1.) * 255)) : 0;
     std::memcpy(map.data.data() + 3 * pixel, palette()[static_cast<std::size_t>(index)].data(), 3);
@@ -61,7 +61,7 @@ double difference(float a, float b) {
 }  // namespace
 
 void magma(double value, double& red, double& green, double& blue) {
-    const double t = value < 1 ? std::max(value, 0.) : 1;  // NaN is 1
+    const double t = value < 1 ? std::max(value, 0.) : 1;  // 1 for NaN
     const auto polynomial = [t](std::size_t c) {
         double sum = 0;
         for (std::size_t i = std::size(kMagma); i-- > 0;) sum = sum * t + kMagma[i][c];

@@ -38,8 +38,8 @@ ExcessLimits limitsFor(const Image& a, const Image& b, const Tolerance& toleranc
     return limits;
 }
 
-/// The rungs of plain figures: what they decide, with the reason. `line` names the row or column with the
-/// most pixels beyond.
+/// The plain measures: their decision with the reason. `line` names the row or column with the most pixels
+/// beyond the limit.
 void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const std::string& line,
                   Judgement& result) {
     const std::string limit = limits.relativeOnly
@@ -47,36 +47,37 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
                                   : fmt::format("{:g} of 255", limits.largest);
     result.decidedBy = Rung::differences;
     if (result.beyond > limits.allowed) {
-        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.beyond), limit,
+        result.reason = fmt::format("{} by more than {} (allowed: {}); {}", differ(result.beyond), limit,
                                     limits.allowed, largestDifference(result.comparison));
     } else if (result.cluster > static_cast<std::uint64_t>(std::max(tolerance.cluster, 0))) {
         result.reason = fmt::format(
-            "{} by more than {}, {} may; {}",
+            "{} by more than {} (allowed: {}); {}",
             differ(result.cluster, fmt::format(" that touch at {}, {}", result.clusterX, result.clusterY)),
             limit, tolerance.cluster, largestDifference(result.comparison));
     } else if (result.line > static_cast<std::uint64_t>(std::max(tolerance.line, 0))) {
-        result.reason = fmt::format("{} by more than {}, {} may; {}", differ(result.line, " in " + line),
-                                    limit, tolerance.line, largestDifference(result.comparison));
+        result.reason =
+            fmt::format("{} by more than {} (allowed: {}); {}", differ(result.line, " in " + line), limit,
+                        tolerance.line, largestDifference(result.comparison));
     } else if (result.bias > tolerance.bias) {
         result.decidedBy = Rung::bias;
         result.reason =
-            fmt::format("the mean difference of the block at {}, {} is {:.3g} of 255, it may be {:g}",
+            fmt::format("the mean difference of the block at {}, {} is {:.3g} of 255, the limit is {:g}",
                         result.biasX, result.biasY, result.bias, tolerance.bias);
     } else {
         result.same = true;
-        result.reason =
-            result.beyond == 0
-                ? fmt::format("{}, within {}", largestDifference(result.comparison), limit)
-                : fmt::format("{} by more than {}, {} may", differ(result.beyond), limit, limits.allowed);
+        result.reason = result.beyond == 0
+                            ? fmt::format("{}, within {}", largestDifference(result.comparison), limit)
+                            : fmt::format("{} by more than {} (allowed: {})", differ(result.beyond), limit,
+                                          limits.allowed);
     }
 }
 
-/// One perceptual measure has its say: false if it refuses.
+/// Applies one perceptual measure: false if the picture fails it.
 bool judgeMeasure(Rung rung, const char* what, double value, double limit, Judgement& result) {
     result.same = value <= limit;
     result.decidedBy = rung;
     result.reason =
-        fmt::format("{} is {:.4g}, {} {:g}", what, value, result.same ? "within" : "it may be", limit);
+        fmt::format("{} is {:.4g}, {} {:g}", what, value, result.same ? "within" : "the limit is", limit);
     return result.same;
 }
 
@@ -100,7 +101,7 @@ Judgement equalBytes(const Image& picture) {
     result.comparison.nonFinite = found.nan + found.infinite;
     if (result.comparison.nonFinite > 0)
         result.reason =
-            fmt::format("equal, but {} components are no finite numbers", result.comparison.nonFinite);
+            fmt::format("equal, but {} components are NaN or infinite", result.comparison.nonFinite);
     return result;
 }
 
@@ -124,7 +125,7 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
         !isConsistent(got)) {
         result.decidedBy = Rung::size;
         result.comparison.sameSize = result.comparison.identical = false;
-        result.reason = fmt::format("the sizes differ: {} x {} expected, {} x {} got", expected.width,
+        result.reason = fmt::format("the sizes differ: expected {} x {}, found {} x {}", expected.width,
                                     expected.height, got.width, got.height);
         return result;
     }

@@ -1,6 +1,7 @@
 #pragma once
-// Whether two pictures are the same as far as anybody cares: a ladder of measures that stops as soon as it
-// knows. Bytes, then plain differences, then their means over blocks, then the perceptual measures.
+// Decides whether two pictures are the same within a tolerance, by measures of growing cost: bytes, then
+// plain differences, then their means over blocks, then the perceptual measures. It stops at the first
+// measure that decides.
 
 #include <cstdint>
 #include <optional>
@@ -11,21 +12,22 @@
 
 namespace glibra::image {
 
-/// What may differ. The defaults pass what drivers and processors differ in and nothing that a person sees:
-/// measured on 112 pictures of 66 scenes, Mesa 22.3 against itself without AVX and without SSE 4.1, with
-/// vectors of 128 bits, through OSMesa, and against Mesa 25.0 and 26.1. Those that are not equal differ by at
-/// most 3 nearly everywhere; by more in at most 0.015 % of the pixels, in groups and lines of at most 6; no
-/// block is lighter or darker by more than 0.11. Only a fractal and a picture of thresholds need more, where
-/// rounding grows without bound.
+/// The differences that pass. The defaults pass the differences between drivers and between processors, which
+/// nobody sees: measured on 112 pictures of 66 scenes, Mesa 22.3 against itself without AVX and without SSE
+/// 4.1, with vectors of 128 bits, through OSMesa, and against Mesa 25.0 and 26.1. Pictures that are not equal
+/// differ by at most 3 nearly everywhere; by more in at most 0.015 % of the pixels, in groups and lines of at
+/// most 6; no block is lighter or darker by more than 0.11. Only a fractal and a picture of thresholds need
+/// more, because rounding grows without bound there.
 struct Tolerance {
-    double largest = 3;  ///< 255ths of the range that any component may differ by; float pictures: see below
-    double fraction = 0.0003;  ///< of the pixels may differ by more (an edge that falls to the other side)
+    double largest = 3;  ///< 255ths of the range by which any component may differ; float pictures: see below
+    double fraction = 0.0003;  ///< share of the pixels that may differ by more (edges)
     int cluster = 8;  ///< pixels that differ by more and touch, also at corners; a larger group is a shape
     int line = 16;    ///< pixels that differ by more in one row or column; more is a row that has moved
     double bias = 1;  ///< 255ths that the mean of the signed differences over any block of pixels may be:
                       ///< a value just between two steps may fall to either. Float pictures have no such test
-    std::optional<double> flip;       ///< mean FLIP (0..1) that passes where the five above do not
-    std::optional<double> structure;  ///< structural difference (0..1) likewise; if both are set, both count
+    std::optional<double> flip;  ///< mean FLIP (0..1) that passes where the five above fail
+    std::optional<double>
+        structure;           ///< structural difference (0..1) likewise; both must pass if both are set
     double relative = 1e-4;  ///< two float pictures, in place of `largest`: |a - b| <= absolute + relative
     double absolute = 1e-6;  ///< max(|a|, |b|), infinities equal themselves, NaN equals NaN
 };
@@ -33,34 +35,35 @@ struct Tolerance {
 /// Passes equal values only.
 Tolerance exactTolerance();
 
-/// Side of the blocks of `bias` in pixels. Blocks at the right and lower edge take what is left, up to 31.
+/// Side of the blocks of `bias` in pixels. Blocks at the right and lower edge include the remainder, up to
+/// 31.
 inline constexpr int kBiasBlock = 16;
 
-/// The rung of the ladder that decided: of a failure, the one that did not hold (the last one, if several
-/// could have made it pass); of a pass, the one that let it pass: `bias` never does.
+/// The measure that decided. After a failure, the one that failed (the last one if several could have made it
+/// pass). After a success, the one that let it pass, which is never `bias`.
 enum class Rung { size, bytes, differences, bias, structure, flip };
 
 /// "size", "bytes", ...
 const char* name(Rung rung);
 
-/// Places are counted from the top left.
+/// Places are relative to the top left.
 struct Judgement {
     bool same = false;
     Rung decidedBy = Rung::bytes;
-    std::string reason;                     ///< one sentence with the figure that decided and its limit
-    Comparison comparison;                  ///< filled unless the sizes or the bytes decided
+    std::string reason;                     ///< one sentence with the deciding figure and its limit
+    Comparison comparison;                  ///< empty if the sizes or the bytes decided
     std::uint64_t beyond = 0;               ///< pixels that differ by more than `largest`
     std::uint64_t cluster = 0;              ///< size of the largest group of them; counted only if they are
     int clusterX = 0, clusterY = 0;         ///< not too many. Place of its first pixel
     std::uint64_t line = 0;                 ///< most of them in one row or column, likewise
     double bias = 0;                        ///< largest mean of a block, 255ths
     int biasX = 0, biasY = 0;               ///< top left pixel of that block
-    std::optional<double> flip, structure;  ///< where they were needed or asked for
+    std::optional<double> flip, structure;  ///< if needed or requested
 };
 
-/// Whether the picture is as expected. Equal bytes are the same also where they are NaN; the reason says so.
-/// Alpha counts like any component. `bias` sums differences limited to +-`largest`, so that single pixels
-/// beyond, which `fraction` allows for, do not decide it. `everything` computes all figures even when an
+/// Compares a picture with the expected one. Equal bytes are the same even if they are NaN; the reason then
+/// mentions it. Alpha counts like any component. `bias` limits differences to +-`largest`, so that single
+/// pixels beyond, which `fraction` allows, do not decide it. `everything` computes all figures even if an
 /// early one decides (for reports of failures).
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything = false);
 

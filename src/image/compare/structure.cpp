@@ -15,11 +15,11 @@ namespace {
 constexpr int kWindow = 4, kWindowStep = 2;
 constexpr int kBlockWindows = 16, kBlockStep = 8;  // in windows: 32 and 16 pixels
 
-/// Stands for NaN: one against a number moves a window's mean so far that the window is lost.
+/// Replaces NaN: against a number it moves the mean of a window so far that the loss is 1.
 constexpr float kNan = -16.F * kWindow * kWindow;
 
-/// RGBA in 0..255, a pixel in the lanes of one vector; each row goes on by one pixel on either side, as do
-/// the columns, so that windows can move.
+/// RGBA in 0..255, one pixel per vector. Rows and columns are extended by one pixel on either side, so that
+/// windows can move.
 class Plane {
   public:
     explicit Plane(const Image& image) : stride_(static_cast<std::size_t>(image.width) + 2) {
@@ -60,7 +60,7 @@ bool sameAround(const Plane& a, const Plane& b, const Window& w) {
     return true;
 }
 
-/// The loss of the window with the second picture's one moved by (dx, dy).
+/// The loss of the window with the window of the second picture moved by (dx, dy).
 float lossAt(const Plane& a, const Plane& b, const Window& w, int dx, int dy) {
     constexpr float kContrast = 0.03F * 255 * 0.03F * 255, kBrightness = 16;
     Lanes sumA{}, sumB{}, squaresA{}, squaresB{}, products{};
@@ -92,7 +92,7 @@ float lossOf(const Plane& a, const Plane& b, const Window& window) {
     return best;
 }
 
-/// Where windows begin along a side: every 4 pixels, the last one at the end.
+/// The starts of windows along a side: every 4 pixels, the last one at the end.
 std::vector<int> windowStarts(int side) {
     std::vector<int> starts;
     for (int at = 0; at + kWindow < side; at += kWindowStep) starts.push_back(at);
@@ -100,7 +100,7 @@ std::vector<int> windowStarts(int side) {
     return starts;
 }
 
-/// Where blocks begin along a side with this many windows.
+/// The starts of blocks along a side with this many windows.
 std::vector<std::size_t> blockStarts(std::size_t windows) {
     std::vector<std::size_t> starts{0};
     while (starts.back() + kBlockWindows < windows) starts.push_back(starts.back() + kBlockStep);

@@ -1,30 +1,30 @@
 #pragma once
-// The door between the program and its OpenImageIO module: C functions, plain structs, no memory that changes
-// hands, no exception that crosses. Pixels are RGBA (reading) or RGB and RGBA (writing), top row first,
-// tightly packed.
+// The interface between the program and its OpenImageIO module: C functions and plain structs; no memory
+// changes its owner, and no exception crosses. Pixels are RGBA (reading) or RGB and RGBA (writing), top row
+// first, tightly packed.
 
 #include <stddef.h>
 #include <stdint.h>
 
 extern "C" {
 
-/// Raised whenever anything below changes; the program refuses a module with another number.
+/// Increased whenever anything below changes. The program rejects a module with another number.
 constexpr int kGlibraModuleVersion = 2;
 
 enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
 enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
 
-/// Gives room for width x height RGBA pixels of a type, or null to refuse the picture. Must not throw.
+/// Returns memory for width x height RGBA pixels of a type, or null to reject the picture. Must not throw.
 using GlibraAllocate = void* (*)(void* context, uint64_t width, uint64_t height, int type);
 
 struct GlibraReadRequest {
-    const char* format;  ///< OpenImageIO's name of the format, which the caller has told by the content
-    const char* path;    ///< the file, or null if there is none, only bytes
+    const char* format;  ///< OpenImageIO's name of the format, which the caller found by the content
+    const char* path;    ///< the file, or null if there are only bytes
     const void* bytes;   ///< its whole content
     size_t size;
     GlibraAllocate allocate;
     void* context;  ///< for `allocate`
-    char* message;  ///< gets the reason of a failure, zero-terminated
+    char* message;  ///< receives the reason of a failure, zero-terminated
     size_t messageSize;
 };
 
@@ -35,7 +35,7 @@ struct GlibraWriteRequest {
     int components;  ///< 3 or 4
     int type;
     const void* pixels;
-    const char* comment;  ///< for formats that keep one; null or empty: none
+    const char* comment;  ///< for formats that can store one; null or empty: none
     char* message;
     size_t messageSize;
 };

@@ -1,5 +1,5 @@
-// The OpenImageIO module: every picture format but our own. Built as a file of its own that is loaded when a
-// picture needs it, because linking OpenImageIO costs a process about 100 ms at every start.
+// The OpenImageIO module: every picture format except PNG, BMP and raw textures. It is a file of its own,
+// loaded when a picture needs it, because linking OpenImageIO costs a process about 100 ms at every start.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -33,7 +33,8 @@ OIIO::TypeDesc typeOf(int type) {
     return type == kGlibraU8 ? OIIO::TypeUInt8 : type == kGlibraU16 ? OIIO::TypeUInt16 : OIIO::TypeFloat;
 }
 
-/// The component type that holds a file's values without loss: bytes, 16 bits, and for everything else float.
+/// The component type that holds the values of a file without loss: bytes, 16 bits, and float for everything
+/// else.
 int typeFor(const OIIO::ImageSpec& spec) {
     if (!spec.channelformats.empty()) return kGlibraF32;
     if (spec.format == OIIO::TypeUInt8) return kGlibraU8;
@@ -41,8 +42,8 @@ int typeFor(const OIIO::ImageSpec& spec) {
     return kGlibraF32;
 }
 
-/// Index of a channel by name, or -1. ImageSpec::channelindex ends the process where a reader gave fewer
-/// names than channels.
+/// Index of a channel by name, or -1. ImageSpec::channelindex ends the process if a reader gave fewer names
+/// than channels.
 int channelNamed(const OIIO::ImageSpec& spec, const char* name) {
     const auto& names = spec.channelnames;
     const auto found = std::find(names.begin(), names.end(), name);
@@ -50,7 +51,7 @@ int channelNamed(const OIIO::ImageSpec& spec, const char* name) {
     return found != names.end() && index < spec.nchannels ? index : -1;
 }
 
-/// A file's channel for each of red, green, blue and alpha; -1: none, so that it is 1.
+/// The channel of the file for each of red, green, blue and alpha; -1: none, so the component is 1.
 std::array<int, 4> channelsOf(const OIIO::ImageSpec& spec) {
     const int red = channelNamed(spec, "R"), green = channelNamed(spec, "G"), blue = channelNamed(spec, "B");
     int alpha = channelNamed(spec, "A");
@@ -75,7 +76,8 @@ void fillAlpha(void* pixels, size_t count, int type) {
     if (type == kGlibraF32) fill<float>(pixels, count, 3, 1.F);
 }
 
-/// Component `component` of the pixels from channel `channel` of the file, or several neighbours of both.
+/// Component `component` of the pixels comes from channel `channel` of the file; or several adjacent ones of
+/// both.
 void readRun(OIIO::ImageInput& input, int channel, int count, int type, void* pixels, size_t component) {
     const OIIO::TypeDesc format = typeOf(type);
     void* to = static_cast<char*>(pixels) + component * format.size();
@@ -84,7 +86,7 @@ void readRun(OIIO::ImageInput& input, int channel, int count, int type, void* pi
         throw Failure{input.geterror()};
 }
 
-/// Moves the channels from `first` on, which lie side by side in every pixel, to where `channels` wants them.
+/// Moves the channels from `first`, which are adjacent in every pixel, to the places in `channels`.
 template <class Value>
 void arrange(void* pixels, size_t count, const std::array<int, 4>& channels, int first) {
     auto* at = static_cast<Value*>(pixels);
@@ -95,8 +97,8 @@ void arrange(void* pixels, size_t count, const std::array<int, 4>& channels, int
     }
 }
 
-/// Reads the channels in one go where that is possible: most formats decode the whole picture at every call,
-/// and some cannot begin again when they read from memory.
+/// Reads all channels at once if possible: most formats decode the whole picture at every call, and some
+/// cannot restart when they read from memory.
 void readChannels(OIIO::ImageInput& input, size_t count, const std::array<int, 4>& channels, int type,
                   void* pixels) {
     int first = channels[0], last = channels[0];
@@ -114,12 +116,12 @@ void readChannels(OIIO::ImageInput& input, size_t count, const std::array<int, 4
         for (size_t c = 0; c < 4; ++c)
             if (channels[c] >= 0) readRun(input, channels[c], 1, type, pixels, c);
     }
-    // Some readers hand over what they have of a short file and leave a remark.
+    // Some readers return the readable part of a short file and leave an error message.
     if (input.has_error()) throw Failure{input.geterror()};
 }
 
 void quieten() {
-    // Pictures here are small, and renderers run in several processes: no threads of its own.
+    // Pictures are small and rendering uses several processes, so OpenImageIO starts no threads.
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
 }
@@ -129,12 +131,12 @@ int readPicture(const GlibraReadRequest& request) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(request.format);
     if (!input) throw Failure{OIIO::geterror()};
     OIIO::Filesystem::IOMemReader memory(request.bytes, request.size);
-    // From the file where there is one: not every reader of OpenImageIO manages without.
+    // From the file if there is one: not every reader of OpenImageIO can read from memory.
     if (request.path == nullptr && !(input->supports("ioproxy") && input->set_ioproxy(&memory)))
         throw Failure{"the format can only be read from a file of its own"};
 
     OIIO::ImageSpec wish, spec;
-    wish.attribute("oiio:UnassociatedAlpha", 1);  // colours as they are in the file, not multiplied by alpha
+    wish.attribute("oiio:UnassociatedAlpha", 1);  // colours as in the file, not multiplied by alpha
     const std::string name =
         request.path != nullptr ? request.path : std::string("picture.") + request.format;
     if (!input->open(name, spec, wish)) throw Failure{input->geterror()};
@@ -161,10 +163,10 @@ int writePicture(const GlibraWriteRequest& request) {
     quieten();
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.format);
     if (!output) {
-        OIIO::geterror();  // takes away a text that names neither the file nor the reason
+        OIIO::geterror();  // clears a text that names neither the file nor the reason
         throw Failure{"OpenImageIO cannot write this format"};
     }
-    // BMP would be written with a fourth byte that means nothing.
+    // BMP would get a fourth byte without meaning.
     const bool alpha = output->supports("alpha") && std::strcmp(request.format, "bmp") != 0;
     const int components = alpha ? request.components : 3;
     const bool floats =
@@ -174,7 +176,7 @@ int writePicture(const GlibraWriteRequest& request) {
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("Compression", std::strcmp(request.format, "jpeg") == 0 ? "jpeg:95" : "zip");
     spec.attribute("jpeg:subsampling", "4:4:4");  // colours at full resolution
-    // Formats that keep a date get this one instead of now: equal pictures are equal files.
+    // Formats that store a date get this one instead of the current time: equal pictures are equal files.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (request.comment != nullptr && *request.comment != 0)
         spec.attribute("ImageDescription", request.comment);

@@ -14,7 +14,7 @@ constexpr std::size_t kDistanceSymbols = 32;
 constexpr unsigned kLongestCode = 15;
 constexpr std::uint16_t kEndOfBlock = 256;
 
-/// The next bits, lowest first; zeros behind the end.
+/// The next bits, lowest first; zeros after the end.
 class BitReader {
   public:
     explicit BitReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -44,7 +44,7 @@ class BitReader {
     std::size_t position_ = 0;
 };
 
-/// Bits behind the code of a length symbol (RFC 1951, 3.2.5).
+/// The number of extra bits of a length symbol (RFC 1951, 3.2.5).
 unsigned extraOfLength(std::size_t symbol) {
     return symbol < 265 || symbol == 285 ? 0U : static_cast<unsigned>(symbol - 261) / 4;
 }
@@ -52,10 +52,10 @@ unsigned extraOfDistance(std::size_t symbol) {
     return symbol < 4 ? 0U : static_cast<unsigned>(symbol - 2) / 2;
 }
 
-/// A Huffman code, its words in the order of their lengths.
+/// A Huffman code; its words are in the order of their lengths.
 class Code {
   public:
-    /// False if the lengths are of more words than there are.
+    /// False if the lengths need more words than exist.
     bool build(std::span<const std::uint8_t> lengths) {
         counts_ = {};
         for (const std::uint8_t each : lengths) ++counts_[each];
@@ -74,7 +74,7 @@ class Code {
         return true;
     }
 
-    /// Takes a word; nothing if there is none of these bits.
+    /// Reads a word; empty if no word has these bits.
     std::optional<std::uint16_t> take(BitReader& reader) const {
         std::uint64_t bits = reader.peek();
         std::uint32_t word = 0;
@@ -87,7 +87,7 @@ class Code {
         return std::nullopt;
     }
 
-    /// Calls `use(symbol, length, bits)` for every word, `bits` being the word as it is read, lowest first.
+    /// Calls `use(symbol, length, bits)` for every word; `bits` is the word as it is read, lowest bit first.
     template <class Use>
     void forEach(unsigned longest, const Use& use) const {
         for (unsigned length = 1; length <= longest; ++length)
@@ -107,14 +107,14 @@ class Code {
     std::array<std::uint16_t, kLiteralSymbols> symbols_{};
 };
 
-/// How far to go for the next bits of a block: over as many literals as they hold, and a length behind them;
-/// or over a distance.
+/// How many bits to skip in a block, by its next bits: as many literals as they hold and a length after them,
+/// or a distance.
 class Steps {
   public:
-    /// Bits that are looked at: a step's word ends within them.
+    /// The number of bits that select a step; the words of a step end within them.
     static constexpr unsigned kBits = 11;
-    /// In a step: a distance is next. Its lowest six bits are how far it goes; 0 where the table does not
-    /// say, for the end of a block and for longer words.
+    /// A flag in a step: a distance is next. The lowest six bits are the number of bits to skip; 0 for the
+    /// end of a block and for longer words, which the table does not cover.
     static constexpr std::uint16_t kToDistance = 1U << kBits;
 
     void build(const Code& literals, const Code& distances) {
@@ -150,7 +150,7 @@ class Steps {
         });
     }
 
-    /// What follows `last` (0 at a block's start) if these are the next bits.
+    /// The step after `last` (0 at the start of a block) if these are the next bits.
     [[nodiscard]] std::uint16_t next(std::uint16_t last, std::uint64_t bits) const {
         return steps_[(last & kToDistance) | (bits & (kCount - 1))];
     }
@@ -205,7 +205,7 @@ class Walk {
         return literals_.build(lengths) && distances_.build(distances);
     }
 
-    /// The codes of a block, whose lengths are packed themselves (RFC 1951, 3.2.7).
+    /// The codes of a block; their lengths are packed too (RFC 1951, 3.2.7).
     bool readCodes() {
         constexpr std::array<std::uint8_t, 19> kOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                       11, 4,  12, 3, 13, 2, 14, 1, 15};
@@ -243,8 +243,8 @@ class Walk {
         steps_.build(literals_, distances_);
         std::uint16_t step = 0;
         while (!reader_.isPastEnd()) {
-            // Three steps for one look: no two distances follow each other, so that the third word begins
-            // before bit 41 of 57. What the table does not know goes nowhere.
+            // Three steps per look-up: no two distances are adjacent, so the third word starts before bit 41
+            // of 57. Steps that the table does not cover skip no bits.
             std::uint64_t bits = reader_.peek();
             const std::uint16_t first = steps_.next(step, bits);
             const unsigned firstBits = first & kStepBits;
@@ -283,7 +283,7 @@ bool makeContinuable(std::vector<std::byte>& stream) {
     if (!found) return false;
     stream.resize((found->end + 7) / 8);
     stream[found->lastBlock / 8] &= static_cast<std::byte>(~(1U << found->lastBlock % 8));
-    // The header of a stored block is three zero bits; there may be as many behind the end already.
+    // The header of a stored block is three zero bits, which the end of the stream may already contain.
     if (found->end % 8 > 5 || found->end % 8 == 0) stream.push_back(std::byte{0});
     const std::size_t used = found->end % 8;
     if (used != 0) {

@@ -1,6 +1,7 @@
 #pragma once
-// Where a DEFLATE stream (RFC 1951) ends, so that another can be put behind it. libdeflate packs fastest but
-// only whole streams; with this, parts of a picture that several threads packed become one stream.
+// Finds the end of a DEFLATE stream (RFC 1951), so that another stream can follow it. libdeflate is the
+// fastest packer but makes only complete streams; this joins the parts of a picture that several threads have
+// packed.
 
 #include <cstddef>
 #include <optional>
@@ -9,17 +10,18 @@
 
 namespace glibra::image {
 
-/// Places in a stream, in bits from its start; bit 0 is the lowest of the first byte.
+/// Places in a stream, in bits from its start. Bit 0 is the lowest bit of the first byte.
 struct DeflateEnd {
-    std::size_t lastBlock = 0;  ///< the bit that says that this block is the last
-    std::size_t end = 0;        ///< behind the last block
+    std::size_t lastBlock = 0;  ///< the bit that marks the last block as the last
+    std::size_t end = 0;        ///< after the last block
 };
 
-/// Nothing if the stream is not whole, or wrong. It is read, not unpacked: distances are not looked at.
+/// Empty if the stream is incomplete or wrong. The stream is parsed but not unpacked: distances are not
+/// checked.
 std::optional<DeflateEnd> findDeflateEnd(std::span<const std::byte> stream);
 
-/// Makes the stream one that another stream continues: its last block becomes one of many, and an empty
-/// stored block leads to the next whole byte. False if the stream is wrong.
+/// Changes the stream so that another one can follow: its last block is no longer marked as the last, and an
+/// empty stored block fills the last byte. False if the stream is wrong.
 bool makeContinuable(std::vector<std::byte>& stream);
 
 }  // namespace glibra::image

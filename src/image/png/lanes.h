@@ -1,6 +1,6 @@
 #pragma once
-// Four floats that are computed together, by the vector types of GCC and Clang. The same operations on the
-// same numbers as in scalar code, so the same bits.
+// Four floats that are computed together, with the vector types of GCC and Clang. The operations are those of
+// scalar code, so the results have the same bits.
 
 #include <bit>
 #include <cmath>

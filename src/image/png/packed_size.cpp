@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kShortest = 4, kLongest = 258;
 constexpr std::size_t kWindow = 32768;
 
-/// How many bytes are the same, beyond the first four; `end` is that of the later text.
+/// The number of equal bytes after the first four; `end` is the end of the later text.
 std::size_t matchLength(const std::uint8_t* earlier, const std::uint8_t* later, const std::uint8_t* end) {
     const auto most = std::min(kLongest, static_cast<std::size_t>(end - later));
     std::size_t length = kShortest;

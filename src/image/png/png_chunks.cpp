@@ -15,7 +15,7 @@ std::uint32_t big32(std::span<const std::byte> bytes, std::size_t at) {
     return value;
 }
 
-/// Adds what a chunk says; false if it may not stand here.
+/// Adds the content of a chunk; false if it must not occur here.
 bool add(std::string_view type, std::span<const std::byte> content, PngChunks& chunks, bool dataEnded) {
     if (type == "IHDR") {
         if (content.size() != 13 || chunks.bitDepth != 0) return false;
@@ -33,7 +33,7 @@ bool add(std::string_view type, std::span<const std::byte> content, PngChunks& c
         chunks.data.push_back(content);
         return true;
     }
-    return type == "PLTE" || type == "IEND" || type[0] >= 'a';  // small letters are ancillary
+    return type == "PLTE" || type == "IEND" || type[0] >= 'a';  // lower case marks ancillary chunks
 }
 
 }  // namespace

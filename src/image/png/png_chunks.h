@@ -1,5 +1,5 @@
 #pragma once
-// What a PNG file says about itself, found without decoding its pixels.
+// The facts about a PNG file that are known without decoding its pixels.
 
 #include <cstdint>
 #include <optional>
@@ -16,8 +16,8 @@ struct PngChunks {
     std::vector<std::span<const std::byte>> data;  ///< contents of the IDAT chunks
 };
 
-/// Nothing unless the file is whole: signature, header, consecutive data chunks, an end, every checksum
-/// right, no critical chunk that the PNG specification does not know, nothing behind the end.
+/// Empty unless the file is complete: signature, header, consecutive data chunks and an end, every checksum
+/// correct, no critical chunk that the PNG specification does not define, and nothing after the end.
 std::optional<PngChunks> pngChunks(std::span<const std::byte> file);
 
 }  // namespace glibra::image

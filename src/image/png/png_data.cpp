@@ -3,13 +3,11 @@
 #include <libdeflate.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <new>
-#include <system_error>
-#include <thread>
 
+#include "base/parallel.h"
 #include "image/bytes.h"
 #include "image/png/deflate_end.h"
 #include "image/png/png_rows.h"
@@ -38,13 +36,13 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
 };
 
-/// A stripe's DEFLATE stream, and the checksum of what is packed in it.
+/// The DEFLATE stream of a stripe, and the checksum of the packed bytes.
 struct PackedStripe {
     std::vector<std::byte> stream;
     std::uint32_t adler = 1;
 };
 
-/// What one thread needs, used for one stripe after another.
+/// The buffers of one thread, used for one stripe after another.
 class StripePacker {
   public:
     StripePacker(const Image& image, int level, std::size_t mostBytes)
@@ -76,36 +74,26 @@ class StripePacker {
     std::size_t bound_ = 0;
 };
 
-/// All stripes, by this thread and others; nothing if there is not enough memory.
+/// Packs all stripes, with this thread and others; empty if there is not enough memory.
 std::vector<PackedStripe> packStripes(const Image& image, const std::vector<Stripe>& stripes, int level,
-                                      unsigned threads) {
+                                      int threads) {
     std::vector<PackedStripe> packed(stripes.size());
-    std::atomic<std::size_t> next = 0;
-    std::atomic<bool> failed = false;
-    const auto work = [&] {
-        try {
-            const auto mostRows = static_cast<std::size_t>(stripes.front().rows);
-            StripePacker packer(image, level, (1 + image.rowBytes()) * mostRows);
-            for (std::size_t i = next++; i < stripes.size(); i = next++)
+    const auto mostRows = static_cast<std::size_t>(stripes.front().rows);
+    try {
+        base::forEachIndex(
+            stripes.size(), threads,
+            [&] { return StripePacker(image, level, (1 + image.rowBytes()) * mostRows); },
+            [&](std::size_t i, StripePacker& packer) {
                 packed[i] = packer.pack(stripes[i], i + 1 == stripes.size());
-        } catch (const std::bad_alloc&) {
-            failed = true;
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        try {
-            while (others.size() + 1 < std::min<std::size_t>(threads, stripes.size()))
-                others.emplace_back(work);
-        } catch (const std::system_error&) {  // the machine gives no more; this thread goes on
-        }
-        work();
+            });
+    } catch (const std::bad_alloc&) {
+        return {};
     }
-    return failed ? std::vector<PackedStripe>{} : packed;
+    return packed;
 }
 
-/// The Adler-32 checksum of two texts one behind the other, from those of both (RFC 1950, section 9: a is 1
-/// plus the sum of the bytes, b is the sum of all a on the way).
+/// The Adler-32 checksum of two consecutive texts from the checksums of both (RFC 1950, section 9: a is 1
+/// plus the sum of the bytes, b is the sum of all intermediate values of a).
 std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t secondSize) {
     constexpr std::uint64_t kPrime = 65521;
     const std::uint64_t firstA = first & 0xffffU, firstB = first >> 16U;
@@ -137,11 +125,10 @@ std::vector<std::byte> packPngData(const Image& image, int level, unsigned threa
     const std::size_t rowSize = 1 + image.rowBytes();
     if (level == 0) return packAtOnce(image);
     const std::vector<Stripe> stripes = stripesOf(image);
-    const unsigned usual = std::max(1U, std::thread::hardware_concurrency());
-    const auto packed = packStripes(image, stripes, level, threads > 0 ? threads : usual);
+    const auto packed = packStripes(image, stripes, level, static_cast<int>(threads));
     if (packed.empty()) return {};
 
-    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // a window of 32 KiB, quickly packed
+    std::vector<std::byte> stream{std::byte{0x78}, std::byte{0x5e}};  // window of 32 KiB, packed fast
     std::size_t size = stream.size() + 4;
     for (const PackedStripe& each : packed) size += each.stream.size();
     stream.reserve(size);

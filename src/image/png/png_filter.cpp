@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-// The compiler makes the loops below for several kinds of processor, and the loader takes the best one.
+// The compiler generates the loops below for several kinds of processor, and the loader chooses the best one.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define GLIBRA_FOR_EACH_PROCESSOR [[gnu::target_clones("default", "avx2")]]
@@ -15,8 +15,8 @@
 namespace glibra::image {
 namespace {
 
-// The loops below are written so that compilers make vector instructions of them: no branches, no more than
-// 16 bits, input and output apart.
+// The loops below are written so that compilers vectorise them: no branches, at most 16 bits, no overlap of
+// input and output.
 
 GLIBRA_FOR_EACH_PROCESSOR
 void subtractLeft(const std::uint8_t* row, std::size_t count, std::size_t pixel,
@@ -48,11 +48,11 @@ void subtractPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size
     }
 }
 
-/// The sum of the differences' sizes, as bytes with a sign.
+/// The sum of the absolute values of signed bytes.
 GLIBRA_FOR_EACH_PROCESSOR
 std::uint64_t sumOfSizes(const std::uint8_t* bytes, std::size_t count) {
     constexpr std::size_t kLanes = 32;
-    constexpr std::size_t kMostAdded = 511;  // of at most 128 each into 16 bits
+    constexpr std::size_t kMostAdded = 511;  // this many values of at most 128 fit into 16 bits
     std::uint64_t sum = 0;
     const auto size = [](std::uint8_t a) { return std::min<std::uint8_t>(a, static_cast<std::uint8_t>(-a)); };
     std::size_t i = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// PNG's row filters (PNG specification, section 9): what is left of a row after a guess of each byte from its
+// The row filters of PNG (PNG specification, section 9): the difference of each byte from a prediction by its
 // neighbours.
 
 #include <cstddef>
@@ -9,24 +9,24 @@
 
 namespace glibra::image {
 
-/// The filter's number stands in front of the filtered row in the file.
+/// The number that precedes the filtered row in the file.
 enum class PngFilter : std::uint8_t { none = 0, sub = 1, up = 2, paeth = 4 };
 
 class PngRowFilter {
   public:
-    /// Rows of `rowBytes`, pixels of `pixelBytes`, which divides it.
+    /// Rows of `rowBytes`; `pixelBytes`, the size of a pixel, divides it.
     PngRowFilter(std::size_t rowBytes, std::size_t pixelBytes);
 
-    /// Writes the filter's number and the filtered row to `to`, 1 + rowBytes.
+    /// Writes the number of the filter and the filtered row to `to`: 1 + rowBytes bytes.
     void write(PngFilter filter, const std::uint8_t* row, const std::uint8_t* above, std::uint8_t* to) const;
-    /// The same with that of none, sub, up and Paeth which leaves the least sum of absolute differences, as
-    /// libpng chooses among all five (PNG specification, 12.8); the fifth made pictures of 22 scenes smaller
-    /// by 0.1 %.
+    /// The same with the best of none, sub, up and Paeth: the one with the least sum of absolute differences,
+    /// by which libpng chooses among all five (PNG specification, 12.8). The fifth filter made the pictures
+    /// of 22 scenes smaller by only 0.1 %.
     void writeBest(const std::uint8_t* row, const std::uint8_t* above, std::uint8_t* to);
 
   private:
     std::size_t rowBytes_, pixelBytes_;
-    std::vector<std::uint8_t> other_;  ///< a candidate that may be better than what is in the output
+    std::vector<std::uint8_t> other_;  ///< a candidate that may be better than the output so far
 };
 
 }  // namespace glibra::image

@@ -1,6 +1,6 @@
 #pragma once
-// The usual PNG file, fast: 8 bits, RGB or RGBA, not interlaced, by libdeflate in one piece. Three to four
-// times as fast as libspng on a rendered picture.
+// Reads the most common kind of PNG file fast: 8 bits, RGB or RGBA, not interlaced, unpacked by libdeflate in
+// one piece. Three to four times as fast as libspng on a rendered picture.
 
 #include <optional>
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace glibra::image {
 
-/// The picture as RGBA, u8. Nothing if the file is of another kind or anything about it is wrong; the
-/// general reader then says what. Reserves memory for width x height pixels, which the caller has checked.
+/// The picture as RGBA, u8. Empty if the file is of another kind or anything in it is wrong; the general
+/// reader then reports the error. Reserves memory for width x height pixels, which the caller has checked.
 std::optional<Image> decodeUsualPng(std::span<const std::byte> file);
 
 }  // namespace glibra::image

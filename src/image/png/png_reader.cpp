@@ -15,15 +15,15 @@ struct FreeContext {
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
-/// Deflate cannot pack more than 1032 bytes into one (zlib's technical notes), so a short file that claims a
-/// huge picture is found out before memory is reserved for it.
+/// Deflate packs at most 1032 bytes into one (zlib's technical notes). So a short file that claims a huge
+/// picture is rejected before memory is reserved.
 constexpr std::uint64_t kLargestRatio = 1032;
 
 Diagnostic broken(const FileLabel& label, int code) {
     return damaged(label, fmt::format("damaged PNG file ({})", spng_strerror(code)));
 }
 
-/// Bytes of the unfiltered picture, a lower bound (interlacing adds a little).
+/// A lower bound of the bytes of the unfiltered picture (interlacing adds a little).
 std::uint64_t packedBytes(const spng_ihdr& header) {
     constexpr std::uint64_t kChannels[] = {1, 0, 3, 1, 2, 0, 4};
     const std::uint64_t bits =
@@ -36,8 +36,7 @@ std::uint64_t packedBytes(const spng_ihdr& header) {
 Result<Image> decodePng(std::span<const std::byte> file, const FileLabel& label, const Limits& limits) {
     const Context context(spng_ctx_new(0));
     if (!context) return damaged(label, "there is not enough memory to read it");
-    // Compressed text and profiles may grow to this and no further; no chunk of an honest file is longer than
-    // the file.
+    // Compressed text and profiles may grow to this size; no chunk of a valid file is longer than the file.
     constexpr std::size_t kSpareBytes = std::size_t{16} << 20;
     spng_set_chunk_limits(context.get(), std::min<std::size_t>(file.size() + kSpareBytes, 0x7fffffff),
                           file.size() + 4 * kSpareBytes);

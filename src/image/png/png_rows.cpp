@@ -12,7 +12,7 @@
 namespace glibra::image {
 namespace {
 
-/// Gives rows in PNG's byte order, each until the next but one is asked for.
+/// Gives rows in PNG's byte order. A row is valid until the next but one is requested.
 class Rows {
   public:
     explicit Rows(const Image& image)
@@ -21,7 +21,7 @@ class Rows {
         zeros_.resize(image.rowBytes());
     }
 
-    /// -1: what counts as the row above the first.
+    /// -1: the row above the first.
     const std::uint8_t* at(int y) {
         if (y < 0) return zeros_.data();
         const auto from = image_.row(y);
@@ -45,14 +45,14 @@ std::size_t pixelBytes(const Image& image) {
     return static_cast<std::size_t>(image.components) * bytesOf(image.type);
 }
 
-/// A way to filter, and about how long sampled rows are when they are filtered so and packed.
+/// A way to filter, and the estimated size of sampled rows that are filtered in this way and packed.
 struct Candidate {
     PngFiltering filtering = PngFiltering::none;
     double bits = 0;
 };
 
-/// Rows that stand together, since most of what repeats is found in the rows above: a first half for the
-/// second to repeat, and the second, which is judged.
+/// Consecutive rows, since most repetitions are found in the rows above: a first half for the second to
+/// repeat, and the second half, whose size counts.
 struct Sample {
     int firstRow = 0, rows = 0, judgedFrom = 0;
 };
@@ -102,8 +102,8 @@ void filterRows(const Image& image, int firstRow, int rows, PngFiltering filteri
 
 PngFiltering chooseFiltering(const Image& image, int firstRow, int rows) {
     constexpr double kMuchLonger = 1.1;
-    // Packers look for more matches than PackedSize does, and unfiltered rows have most to find.
-    // The factor made the files of 68 pictures half a percent smaller.
+    // Packers find more matches than PackedSize does, and unfiltered rows have the most. The factor made the
+    // files of 68 pictures half a percent smaller.
     constexpr double kOfUnfiltered = .95;
     const std::size_t rowSize = 1 + image.rowBytes();
     const std::vector<Sample> samples = samplesOf(rowSize, firstRow, rows);

@@ -13,7 +13,7 @@
 namespace glibra::image {
 namespace {
 
-// PNG allows 2^31 - 1; a round figure below it.
+// PNG allows 2^31 - 1; this is a round number below it.
 constexpr std::size_t kLargestChunk = std::size_t{1} << 30;
 
 std::span<const std::byte> bytesOf(std::string_view text) {

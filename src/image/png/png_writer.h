@@ -1,6 +1,6 @@
 #pragma once
-// PNG files, written fast: filters chosen by a quick look at how well they pack, libdeflate, large pictures
-// by several threads.
+// Writes PNG files fast: filters chosen by a quick estimate of the packed size, libdeflate, and several
+// threads for large pictures.
 
 #include <string>
 #include <utility>
@@ -14,16 +14,15 @@ struct PngOptions {
     /// libdeflate's levels, 1 (fast) to 12 (smallest). 0: as quickly as possible, which suits the frames of
     /// animations; the files are larger.
     int level = 4;
-    /// Keyword and text (UTF-8), stored as tEXt, or as iTXt where the text is not plain ASCII. Keywords
-    /// are 1..79 printable ASCII characters; others are left out.
+    /// Keyword and text (UTF-8), stored as tEXt, or as iTXt if the text is not plain ASCII. Keywords have 1
+    /// to 79 printable ASCII characters; others are left out.
     std::vector<std::pair<std::string, std::string>> text;
-    /// Large pictures are packed by as many; 0: by as many as there are processors. The file is the same for
-    /// any number.
+    /// The number of threads that pack large pictures; 0: one per processor. It does not change the file.
     unsigned threads = 0;
 };
 
-/// A PNG file of the image: 8 or 16 bits, 1 to 4 components as grey, grey + alpha, RGB, RGBA. Empty if PNG
-/// cannot hold it: float components, no pixels, or data of another length than the size says.
+/// The image as a PNG file: 8 or 16 bits, 1 to 4 components as grey, grey + alpha, RGB, RGBA. Empty if PNG
+/// cannot hold it: float components, no pixels, or data whose length contradicts the size.
 std::vector<std::byte> encodePng(const Image& image, const PngOptions& options = {});
 
 }  // namespace glibra::image

@@ -111,6 +111,47 @@ void writeCodes(BitWriter& to, std::span<const std::uint8_t> lengths, std::size_
     for (const std::uint8_t each : all) to.put(metaCodes.at(each));
 }
 
+/// How often each symbol occurs in a block with these tokens.
+std::array<std::uint32_t, kSymbols> countSymbols(std::span<const std::uint16_t> tokens) {
+    // Two tables, so that equal tokens in a row do not wait for each other.
+    std::array<std::array<std::uint32_t, 256 + kLongestMatch + 1>, 2> tokenCounts{};
+    for (std::size_t i = 0; i < tokens.size(); ++i) ++tokenCounts[i % 2][tokens[i]];
+    const auto countOf = [&](std::size_t token) { return tokenCounts[0][token] + tokenCounts[1][token]; };
+    std::array<std::uint32_t, kSymbols> counts{};
+    for (std::size_t i = 0; i < 256; ++i) counts[i] = countOf(i);
+    counts[kEndOfBlock] = 1;
+    for (std::size_t i = kShortestMatch; i <= kLongestMatch; ++i)
+        counts.at(kLengths[i].symbol) += countOf(256 + i);
+    return counts;
+}
+
+/// All matches have the same distance. Its code, the only one, is one bit: 0.
+void writeTokens(BitWriter& writer, std::span<const std::uint16_t> tokens,
+                 const std::array<Code, kSymbols>& codes, Split distance) {
+    BitWriter to = writer;  // a local object stays in registers
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::size_t token = tokens[i];
+        if (token < 256) {
+            Code code = codes[token];
+            std::uint64_t bits = code.bits;
+            unsigned count = code.length;
+            // Up to three literals at once.
+            for (int more = 0; more < 2 && i + 1 < tokens.size() && tokens[i + 1] < 256; ++more) {
+                code = codes[tokens[++i]];
+                bits |= std::uint64_t{code.bits} << count;
+                count += code.length;
+            }
+            to.put(bits, count);
+            continue;
+        }
+        const Split& length = kLengths.at(token - 256);
+        const Code code = codes.at(length.symbol);
+        to.put(code.bits | std::uint64_t{length.extra} << code.length, code.length + length.extraBits);
+        to.put(std::uint64_t{distance.extra} << 1U, 1U + distance.extraBits);
+    }
+    writer = to;
+}
+
 }  // namespace
 
 QuickPacker::QuickPacker(std::size_t pixelBytes)
@@ -133,19 +174,9 @@ void QuickPacker::findRuns(std::span<const std::uint8_t> bytes) {
 }
 
 void QuickPacker::writeBlock() {
-    // Two tables, so that equal tokens in a row do not wait for each other.
-    std::array<std::array<std::uint32_t, 256 + kLongestMatch + 1>, 2> tokenCounts{};
-    for (std::size_t i = 0; i < tokens_.size(); ++i) ++tokenCounts[i % 2][tokens_[i]];
-    const auto countOf = [&](std::size_t token) { return tokenCounts[0][token] + tokenCounts[1][token]; };
-    std::array<std::uint32_t, kSymbols> counts{};
-    for (std::size_t i = 0; i < 256; ++i) counts[i] = countOf(i);
-    counts[kEndOfBlock] = 1;
-    for (std::size_t i = kShortestMatch; i <= kLongestMatch; ++i)
-        counts.at(kLengths[i].symbol) += countOf(256 + i);
-
     std::array<std::uint8_t, kSymbols> lengths{};
     std::array<Code, kSymbols> codes{};
-    chooseCodeLengths(counts, 15, lengths);
+    chooseCodeLengths(countSymbols(tokens_), 15, lengths);
     assignCodes(lengths, codes);
     const Split distance = splitDistance(pixelBytes_);
 
@@ -154,27 +185,7 @@ void QuickPacker::writeBlock() {
     BitWriter to(block_.data(), bits_, bitCount_);
     to.put(0b100, 3);  // not the last block; codes of its own
     writeCodes(to, lengths, distance.symbol);
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        const std::size_t token = tokens_[i];
-        if (token < 256) {
-            Code code = codes[token];
-            std::uint64_t bits = code.bits;
-            unsigned count = code.length;
-            // Up to three literals at once.
-            for (int more = 0; more < 2 && i + 1 < tokens_.size() && tokens_[i + 1] < 256; ++more) {
-                code = codes[tokens_[++i]];
-                bits |= std::uint64_t{code.bits} << count;
-                count += code.length;
-            }
-            to.put(bits, count);
-            continue;
-        }
-        const Split& length = kLengths.at(token - 256);
-        const Code code = codes.at(length.symbol);
-        to.put(code.bits | std::uint64_t{length.extra} << code.length, code.length + length.extraBits);
-        // The code of the only distance is one bit, a 0.
-        to.put(std::uint64_t{distance.extra} << 1U, 1U + distance.extraBits);
-    }
+    writeTokens(to, tokens_, codes, distance);
     to.put(codes[kEndOfBlock]);
     const auto written = std::as_bytes(std::span<const std::uint8_t>(block_.data(), to.end()));
     stream_.insert(stream_.end(), written.begin(), written.end());

@@ -19,9 +19,7 @@
 namespace glibra::suite {
 namespace {
 
-constexpr int kLargestSide = 65536;
 constexpr double kLongestTime = 1e9;
-constexpr double kLeastError = 1e-9, kMostError = 1e6;  ///< pixels
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 struct Context {
@@ -42,15 +40,15 @@ void readSize(const Context& in, const toml::node& node) {
             return in.reader.wrongType(node, "size", kWanted);
         const auto second = std::from_chars(first.ptr + 1, end, height);
         if (second.ec != std::errc() || second.ptr != end) return in.reader.wrongType(node, "size", kWanted);
-        if (std::min(width, height) < 1 || std::max(width, height) > kLargestSide)
-            return in.reader.error("suite-E04",
-                                   fmt::format("size: {} is not 1 to {} pixels a side", size, kLargestSide),
-                                   in.reader.placeOf(node));
+        if (std::min(width, height) < 1 || std::max(width, height) > kLargestPictureSide)
+            return in.reader.error(
+                "suite-E04", fmt::format("size: {} is not 1 to {} pixels a side", size, kLargestPictureSide),
+                in.reader.placeOf(node));
     } else {
         const toml::array* list = node.as_array();
         if (!list || list->size() != 2) return in.reader.wrongType(node, "size", kWanted);
-        const auto first = in.reader.whole(*list->get(0), "size", 1, kLargestSide);
-        const auto second = in.reader.whole(*list->get(1), "size", 1, kLargestSide);
+        const auto first = in.reader.whole(*list->get(0), "size", 1, kLargestPictureSide);
+        const auto second = in.reader.whole(*list->get(1), "size", 1, kLargestPictureSide);
         if (!first || !second) return;
         width = *first;
         height = *second;
@@ -284,7 +282,7 @@ constexpr std::array<Key, 31> kKeys{{
      }},
     {"max-error", true,
      [](const Context& in, const toml::node& node) {
-         if (const auto value = in.reader.number(node, "max-error", kLeastError, kMostError))
+         if (const auto value = in.reader.number(node, "max-error", kLeastMaxError, kLargestMaxError))
              in.to.shot.options.maxError = *value;
      }},
     {"override-counts", true, readFlag<&RenderOptions::overrideCounts>},

@@ -67,13 +67,13 @@ class SuiteBuilder {
     void checkAgreement(const ShotTemplate& shot) {
         if (!shot.shot.expectedError) return;
         const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
-        if (row && row->severity != Severity::error &&
-            !(row->severity == Severity::warning && shot.shot.options.strict))
+        if (row && row->severity() != Severity::error &&
+            !(row->severity() == Severity::warning && shot.shot.options.strict))
             reader_.error(
                 "suite-E12",
                 fmt::format(
-                    "expect-error: {} is a {}, which fails {}", row->id, name(row->severity),
-                    row->severity == Severity::warning ? "a scene only with strict = true" : "no scene"),
+                    "expect-error: {} is a {}, which fails {}", row->id, name(row->severity()),
+                    row->severity() == Severity::warning ? "a scene only with strict = true" : "no scene"),
                 shot.shot.place);
         for (const auto* each : {&shot.match, &shot.differ})
             if (*each)

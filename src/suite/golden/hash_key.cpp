@@ -58,7 +58,7 @@ std::string oneLine(std::string text) {
 
 std::string driverKey(const gpu::Capabilities& driver) {
     std::string key = driver.renderer + "; " + driver.version;
-    const bool drawsOnProcessor = driver.family.ends_with("pipe");
+    const bool drawsOnProcessor = driver.isSoftware;
     if (drawsOnProcessor) {
         key += "; " + processor();
         for (const char* each : kSwitches)

@@ -28,7 +28,7 @@ fs::path rootAbove(const fs::path& file) {
     }
 }
 
-/// "SH030", "D09", "GX03": the number of an exercise.
+/// True for an exercise number: "SH030", "D09", "GX03".
 bool isExercise(const std::string& word) {
     std::size_t at = 0;
     while (at < word.size() && word[at] >= 'A' && word[at] <= 'Z') ++at;

@@ -1,5 +1,5 @@
 #pragma once
-// The example scenes that come with glibra.
+// Lists the example scenes that ship with glibra.
 
 #include <filesystem>
 #include <string>
@@ -9,17 +9,18 @@ namespace glibra::view {
 
 struct ExampleScene {
     std::filesystem::path file;
-    std::string topic;    ///< its folder below `glib`
-    std::string name;     ///< of the file, without its ending
-    std::string summary;  ///< what its first line of comment says, without the numbers of exercises
+    std::string topic;    ///< its folder in `glib`
+    std::string name;     ///< file name without extension
+    std::string summary;  ///< its first comment line, without exercise numbers
 };
 
-/// The first of these that has `glib` beside `shaders`: the given roots, the folders above the program,
-/// those above the scene, and `share/glibra` in each of these folders. Empty if there is none.
+/// The folder with the examples: the first one that contains both `glib` and `shaders`. Searched are `roots`,
+/// then the folders above the program, then those above the scene, and `share/glibra` in each of them. Empty
+/// if there is none.
 std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& roots,
                                   const std::filesystem::path& scene, const std::filesystem::path& program);
 
-/// Every scene in the folders of ROOT/glib, by topic and name.
+/// All scenes in ROOT/glib and its folders, sorted by topic and name, with the topic "start" first.
 std::vector<ExampleScene> exampleScenes(const std::filesystem::path& root);
 
 }  // namespace glibra::view

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene does with a file.
+// Finds out how a scene uses a file.
 
 #include <filesystem>
 
@@ -10,16 +10,16 @@ namespace glibra::view {
 struct FileUse {
     enum class Kind {
         none,
-        text,     ///< the scene itself, a shader, an included file
-        texture,  ///< on the device
-        data      ///< a model, or a texture that nothing visible samples
+        text,     ///< the scene itself, a shader or an included file
+        texture,  ///< a texture on the device
+        data      ///< a model, or a texture that no visible object samples
     };
     Kind kind = Kind::none;
     int texture = scene::kNone;  ///< index into Scene::textures
-    Place place;                 ///< the text's first line; of textures and data, the statement that names it
+    Place place;  ///< the first line of a text; the statement that names a texture or data file
 };
 
-/// Files are the same if their names lead to the same file.
+/// Links are followed: two names of the same file are equal.
 FileUse useOf(const LiveScene& live, const std::filesystem::path& file);
 
 }  // namespace glibra::view

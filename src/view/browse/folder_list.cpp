@@ -18,7 +18,7 @@ FolderList listFolder(const fs::path& folder, std::string_view ending) {
         list.folder = list.folder.parent_path();
     fs::directory_iterator each(list.folder, fs::directory_options::none, failure);
     if (failure) {
-        list.problem = "The folder cannot be read: " + failure.message() + ".";
+        list.problem = "Cannot read this folder: " + failure.message() + ".";
         return list;
     }
     for (const fs::directory_iterator end; !failure && each != end; each.increment(failure)) {

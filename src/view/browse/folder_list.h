@@ -1,5 +1,5 @@
 #pragma once
-// What a file dialog shows of a folder.
+// Lists a folder for a file dialog.
 
 #include <filesystem>
 #include <string>
@@ -15,11 +15,12 @@ struct FolderEntry {
 
 struct FolderList {
     std::filesystem::path folder;      ///< absolute
-    std::vector<FolderEntry> entries;  ///< folders first; by name without regard to case
-    std::string problem;               ///< why there are none, as a sentence; empty if there could be
+    std::vector<FolderEntry> entries;  ///< folders first; sorted by name, ignoring case
+    std::string problem;  ///< a sentence that says why the folder cannot be read; empty on success
 };
 
-/// The folders in it and the files with that ending, hidden ones left out; links count as what they lead to.
+/// The folders in `folder` and the files with the extension `ending`, without hidden ones. Links are
+/// followed.
 FolderList listFolder(const std::filesystem::path& folder, std::string_view ending);
 
 }  // namespace glibra::view

@@ -13,7 +13,7 @@
 #include "image/image.h"
 #include "image/write.h"
 #include "suite/golden/hash.h"
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::view {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Counted up when pictures of the same files are to look different.
+/// Increase this when pictures of unchanged files should be made again.
 constexpr int kVersion = 1;
 constexpr std::uint64_t kLargestRecord = 1ULL << 20;
 
@@ -29,7 +29,7 @@ std::string textOf(const std::vector<std::byte>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The cache's file for a scene, by its whole path.
+/// The cache file for a scene, named after its absolute path.
 fs::path entryFile(const fs::path& folder, const fs::path& scene, const char* ending) {
     std::error_code failure;
     const std::string path = fs::absolute(scene, failure).lexically_normal().string();

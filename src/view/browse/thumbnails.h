@@ -1,6 +1,6 @@
 #pragma once
-// Small pictures of scenes, kept between runs. A picture counts as long as the scene and every file that it
-// was made from have the content they had then.
+// Small pictures of scenes, cached between runs. A picture is valid as long as the scene and all files that
+// it was made from have the same content.
 
 #include <filesystem>
 #include <string>
@@ -13,31 +13,32 @@ namespace glibra::view {
 inline constexpr int kThumbnailWidth = 320;
 inline constexpr int kThumbnailHeight = 240;
 
-/// $XDG_CACHE_HOME/glibra/thumbnails, by default ~/.cache/glibra/thumbnails; empty without a home.
+/// The cache folder: $XDG_CACHE_HOME/glibra/thumbnails, by default ~/.cache/glibra/thumbnails. Empty if HOME
+/// is not set.
 std::filesystem::path thumbnailFolder();
 
-/// What is known of a scene's picture.
+/// The state of a scene's picture.
 struct Thumbnail {
     enum class State {
-        missing,  ///< never made, or out of date
+        missing,  ///< not made yet, or out of date
         ready,
-        failed  ///< the scene has an error: until one of its files changes there is no picture
+        failed  ///< the scene has an error; there is no picture until one of its files changes
     };
     State state = State::missing;
     std::filesystem::path picture;  ///< PNG, if ready
-    std::string problem;            ///< if failed
+    std::string problem;            ///< why it failed
 };
 
-/// Looks into the cache; reads files only where their size or time is another one.
+/// Looks up the cache. A file is only read if its time has changed while its size has not.
 Thumbnail findThumbnail(const std::filesystem::path& folder, const std::filesystem::path& scene);
 
-/// Draws the scene without a window and puts its picture, or its failure, into the cache.
+/// Draws the scene without a window and caches its picture or its failure.
 Thumbnail makeThumbnail(gpu::Context& context, const std::filesystem::path& folder,
                         const std::filesystem::path& scene,
                         const std::vector<std::filesystem::path>& libraryRoots);
 
-/// Puts a failure into the cache that holds until the scene's own file changes: for a scene whose drawing
-/// never ended.
+/// Caches a failure that is valid until the scene's own file changes: for a scene that cannot be drawn to the
+/// end.
 void rememberFailure(const std::filesystem::path& folder, const std::filesystem::path& scene,
                      const std::string& problem);
 

@@ -18,7 +18,7 @@ constexpr std::string_view kMark = "\xEF\xBB\xBF";
 constexpr unsigned kLastLatin = 0xFF;
 constexpr unsigned kLastOfBasicPlane = 0xFFFF;
 
-/// The character that begins at `at`, which moves behind it; nothing if that is no UTF-8.
+/// The character that begins at `at`, which moves to the next one. Empty if the bytes are not UTF-8.
 std::optional<unsigned> nextCharacter(std::string_view text, std::size_t& at) {
     const auto first = static_cast<unsigned char>(text[at]);
     const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
@@ -37,7 +37,7 @@ std::optional<unsigned> nextCharacter(std::string_view text, std::size_t& at) {
     return character;
 }
 
-/// The largest character; nothing if it is not UTF-8.
+/// The largest character of the text; empty if the text is not UTF-8.
 std::optional<unsigned> largestCharacter(std::string_view text) {
     unsigned largest = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -62,7 +62,7 @@ std::string fromLatin(std::string_view bytes) {
     return text;
 }
 
-/// Nothing if a character is not in Latin-1.
+/// Empty if a character is not in Latin-1.
 std::optional<std::string> toLatin(std::string_view text) {
     std::string bytes;
     for (std::size_t at = 0; at < text.size();) {
@@ -73,7 +73,7 @@ std::optional<std::string> toLatin(std::string_view text) {
     return bytes;
 }
 
-std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+std::string replaceEach(std::string_view text, std::string_view from, std::string_view to) {
     std::string result;
     for (;;) {
         const std::size_t found = text.find(from);
@@ -108,12 +108,12 @@ bool EditedFile::readBytes(std::string& bytes) {
         bytes.assign(reinterpret_cast<const char*>(read->data()), read->size());
         return true;
     }
-    // An empty file is no error for an editor.
+    // An empty file is valid in an editor.
     std::error_code failure;
     bytes.clear();
     if (std::filesystem::is_regular_file(path_, failure) && std::filesystem::file_size(path_, failure) == 0)
         return true;
-    whyReadOnly_ = read.diagnostics.empty() ? "it cannot be read" : read.diagnostics.front().text;
+    whyReadOnly_ = read.diagnostics.empty() ? "It cannot be read." : read.diagnostics.front().text;
     return false;
 }
 
@@ -127,20 +127,20 @@ void EditedFile::decode(std::string_view bytes) {
     const auto lines = std::count(text.begin(), text.end(), '\n');
     hasCarriageReturns_ = lines > 0 && std::count(text.begin(), text.end(), '\r') == lines &&
                           text.find("\r\n") != std::string::npos;
-    if (hasCarriageReturns_) text = replaced(text, "\r\n", "\n");
+    if (hasCarriageReturns_) text = replaceEach(text, "\r\n", "\n");
     if (text.find('\0') != std::string::npos) {
-        whyReadOnly_ = "It is no text file.";
+        whyReadOnly_ = "It is not a text file.";
         text = text.substr(0, text.find('\0'));
     } else if (text.find('\r') != std::string::npos) {
-        whyReadOnly_ = "Its line ends are of several kinds; this editor would change them.";
+        whyReadOnly_ = "It mixes several kinds of line ends, which this editor would change.";
     } else if (largest && *largest > kLastOfBasicPlane) {
-        whyReadOnly_ = "It has characters beyond U+FFFF, which this editor would lose.";
+        whyReadOnly_ = "It has characters above U+FFFF, which this editor would lose.";
     }
     text_ = savedText_ = std::move(text);
 }
 
 std::string EditedFile::encoded() const {
-    std::string text = hasCarriageReturns_ ? replaced(text_, "\n", "\r\n") : text_;
+    std::string text = hasCarriageReturns_ ? replaceEach(text_, "\n", "\r\n") : text_;
     if (isLatin_)
         if (auto latin = toLatin(text)) return std::move(*latin);
     return hasMark_ ? std::string(kMark) + text : text;
@@ -150,7 +150,7 @@ bool EditedFile::lookAtDisk() {
     std::string bytes;
     std::string why = whyReadOnly_;
     if (!readBytes(bytes)) {
-        // A file that is gone may be on its way back; the text is all there is of it now.
+        // A missing file may come back soon. Until then the text here is kept.
         whyReadOnly_ = std::move(why);
         return false;
     }

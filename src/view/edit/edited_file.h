@@ -1,5 +1,5 @@
 #pragma once
-// A text file as an editor holds it: what the user has typed, and what the disk has.
+// A text file in an editor: the text that the user edits, and what is on the disk.
 
 #include <glibra/diagnostic.h>
 
@@ -17,43 +17,44 @@ class EditedFile {
     explicit EditedFile(std::filesystem::path path);
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// UTF-8, lines ended by LF, without a byte order mark: for a widget to show and change.
+    /// The text to show and edit: UTF-8, lines end with LF, no byte order mark.
     [[nodiscard]] const std::string& text() const { return text_; }
     std::string& text() { return text_; }
-    /// Why the text cannot be edited here, as a sentence; empty if it can.
+    /// A sentence that says why the text cannot be edited; empty if it can.
     [[nodiscard]] const std::string& whyReadOnly() const { return whyReadOnly_; }
-    /// True if the text is not what the file has.
+    /// True if the text has changes that are not saved.
     [[nodiscard]] bool isChanged() const { return whyReadOnly_.empty() && text_ != savedText_; }
-    /// True if somebody else has changed the file since the text was taken from it, and so has the user.
-    /// keepMine() or takeDisk() decide.
+    /// True if both the user and another program have changed the file since it was last read. keepMine() or
+    /// takeDisk() resolves the conflict.
     [[nodiscard]] bool hasConflict() const { return hasConflict_; }
 
-    /// Compares with the disk. What has changed there is taken over, unless the user has changed the text
-    /// too. True if the text is another one now, or a conflict arose.
+    /// Compares with the file on the disk. If it has changed there, it is read again, unless the user has
+    /// changed the text too: then there is a conflict. Returns true if the text has changed or a conflict
+    /// arose.
     bool lookAtDisk();
-    /// The text stays; the next save replaces what is on the disk.
+    /// Keeps the text; the next save overwrites the file on the disk.
     void keepMine();
-    /// The text is that of the disk; what was typed is lost.
+    /// Reads the file from the disk; unsaved changes are lost.
     void takeDisk();
-    /// The text as it was read or saved last.
+    /// Restores the text that was last read or saved.
     void revert();
-    /// What was typed into it, and every other text that it has had. Whoever changes text() records it.
+    /// The undo history. Record every change of text() here.
     TextHistory& history() { return history_; }
-    /// Writes the file, whole or not at all, with the line ends, mark and encoding it had. If the disk has
-    /// something that the user has not seen, nothing is written: hasConflict() is true then.
+    /// Writes the file atomically, with the line ends, byte order mark and encoding that it had. If another
+    /// program has changed it meanwhile, nothing is written and hasConflict() is true.
     Diagnostics save();
 
   private:
     void decode(std::string_view bytes);
     [[nodiscard]] std::string encoded() const;
-    /// The bytes on the disk now; false if there are none to be had.
+    /// Reads the file from the disk. Returns false if it cannot be read.
     bool readBytes(std::string& bytes);
-    /// The text has become another one at once.
+    /// Records a change of the whole text as one undo step.
     void recordWhole();
 
     std::filesystem::path path_;
     std::string text_, savedText_;
-    std::string diskBytes_;  ///< when last looked at and understood
+    std::string diskBytes_;  ///< what the file had when it was last read or saved
     std::string whyReadOnly_;
     TextHistory history_{std::string()};
     bool hasMark_ = false, hasCarriageReturns_ = false, isLatin_ = false, hasConflict_ = false;

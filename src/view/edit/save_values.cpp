@@ -16,7 +16,7 @@ struct Replacement {
     std::string text;
 };
 
-/// Byte of a line and column counted from 1; lines end with LF, CR LF or a lone CR.
+/// The byte offset of a line and column, both counted from 1. Lines end with LF, CR LF or CR.
 std::optional<std::size_t> offsetOf(std::string_view text, const Place& place) {
     std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (int line = 1; line < place.line; ++line) {
@@ -28,7 +28,7 @@ std::optional<std::size_t> offsetOf(std::string_view text, const Place& place) {
     return at < text.size() ? std::optional(at) : std::nullopt;
 }
 
-/// Where the value that begins at `begin` ends: after its closing bracket, or with the number.
+/// The end of the value that begins at `begin`: after its closing bracket, or at the end of the number.
 std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
     constexpr std::string_view kOpening = "<[{(";
     constexpr std::string_view kClosing = ">]})";
@@ -51,9 +51,10 @@ Result<std::string> withValues(std::string_view text, std::span<const Knob> knob
         const auto begin = offsetOf(text, each.place);
         const auto end = begin ? valueEnd(text, *begin) : std::nullopt;
         if (!end)
-            return error("view-E01",
-                         fmt::format("the value of '{}' cannot be found in the scene any more", each.tag),
-                         each.place);
+            return error(
+                "view-E01",
+                fmt::format("the value of '{}' is no longer at this place; reload the scene", each.tag),
+                each.place);
         replacements.push_back({*begin, *end, valueText(each)});
     }
     std::sort(replacements.begin(), replacements.end(),

@@ -1,5 +1,5 @@
 #pragma once
-// The present values of a session's knobs, put back into the text of its scene.
+// Writes the current values of knobs into the text of their scene.
 
 #include <glibra/result.h>
 
@@ -12,12 +12,11 @@
 
 namespace glibra::view {
 
-/// The scene's text with the value of every changed knob replaced in place; everything else stays byte for
-/// byte. A knob whose value is no longer where it was read from is an error (view-E01): nothing is replaced
-/// then.
+/// The scene's text with the value of every changed knob replaced; all other bytes stay. If a value is no
+/// longer where it was read from, the result is the error view-E01.
 Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs);
 
-/// The same for a file, written when it is whole.
+/// The same for a file, which is written atomically.
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs);
 
 }  // namespace glibra::view

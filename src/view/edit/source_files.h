@@ -1,5 +1,5 @@
 #pragma once
-// The text files that a scene is made of, for an editor.
+// The text files of a scene, for an editor.
 
 #include <filesystem>
 #include <string>
@@ -11,12 +11,12 @@ namespace glibra::view {
 
 struct SourceFile {
     std::filesystem::path path;
-    std::string label;  ///< its name; with its folder where another has the same name
+    std::string label;  ///< its name; with its folder if another file has the same name
     std::string role;   ///< "scene", "vertex shader of Dots, Lines", "included"
 };
 
-/// The scene, the shaders in the order of the pipeline and the programs, the files they include. Each file
-/// once; those that were not found are left out.
+/// The scene, the shaders in the order of pipeline stages and programs, and the files that they include. Each
+/// file is listed once; missing files are left out.
 std::vector<SourceFile> sourceFiles(const LiveScene& live);
 
 }  // namespace glibra::view

@@ -21,18 +21,18 @@ Excerpt excerpt(std::string_view line, int column, int most) {
     constexpr std::string_view kLeftOut = "...";
     const auto room = std::max(kLeast, static_cast<std::size_t>(std::max(0, most)));
     const auto wanted = static_cast<std::size_t>(std::max(column, 1)) - 1;
-    std::vector<std::size_t> starts;  // of characters, in bytes
+    std::vector<std::size_t> starts;  // byte offsets of the characters
     for (std::size_t i = 0; i < line.size(); ++i)
         if (i == 0 || (static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U) starts.push_back(i);
     const std::size_t count = starts.size();
     const auto behind = std::upper_bound(starts.begin(), starts.end(), wanted) - starts.begin();
     const std::size_t marked = wanted >= line.size() ? count : static_cast<std::size_t>(behind) - 1;
     starts.push_back(line.size());
-    const std::size_t all = std::max(count, marked + 1);  // the caret may stand behind the text
+    const std::size_t all = std::max(count, marked + 1);  // the caret may be after the text
     const std::size_t first =
         all <= room ? 0 : std::min(marked > room / 2 ? marked - room / 2 : 0, all - room);
     const std::size_t end = std::min(count, first + room);
-    // The column stands half way, or nearer to an end of the line where nothing is left out.
+    // The column is in the middle, or nearer to an end of the line that is not cut.
     const bool isCutBefore = first > 0, isCutBehind = end < count;
     const std::size_t from = starts[first + (isCutBefore ? kLeftOut.size() : 0)];
     const std::size_t to = starts[end - (isCutBehind ? kLeftOut.size() : 0)];

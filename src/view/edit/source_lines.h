@@ -1,5 +1,5 @@
 #pragma once
-// The line of a file that a message is about.
+// The source line of a message.
 
 #include <glibra/diagnostic.h>
 
@@ -8,18 +8,19 @@
 
 namespace glibra::view {
 
-/// The line as it stands in the file now, tabs as one blank each, without its end; empty if it is not there.
+/// The line as it is in the file now, without its end, with each tab as one blank. Empty if the file has no
+/// such line.
 std::string sourceLine(const Place& place);
 
-/// What is shown of a line where it has not enough room.
+/// The part of a line that fits into the available width, with a caret line below it.
 struct Excerpt {
     std::string text;
     std::string caret;  ///< blanks up to the column and '^'
 };
 
-/// The line with a caret under the byte of that column (from 1; beyond the end: behind it). Of a line longer
-/// than `most` characters (at least 12) only the part around the column, with "..." for what is left out.
-/// Characters are those of UTF-8.
+/// The line, with a caret under the byte at `column` (counted from 1; a column past the end puts the caret
+/// after the line). If the line is longer than `most` UTF-8 characters (at least 12), only the part around
+/// the column is shown, with "..." in place of the rest.
 Excerpt excerpt(std::string_view line, int column, int most);
 
 }  // namespace glibra::view

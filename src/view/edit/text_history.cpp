@@ -15,7 +15,7 @@ bool isBlank(char c) {
 
 }  // namespace
 
-/// Typing goes on until a new word or line begins; deleting, until something else happens.
+/// Typing joins the last step until a new word or line begins; deleting joins until another kind of change.
 bool TextHistory::join(const Step& step) {
     if (!mayJoin_ || at_ == 0 || at_ < steps_.size()) return false;
     Step& last = steps_[at_ - 1];
@@ -44,7 +44,7 @@ void TextHistory::record(std::string_view text) {
         std::mismatch(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(shorter), present_.begin())
             .first -
         text.begin());
-    // A character is never cut, so that every state is UTF-8.
+    // The common parts end at whole characters, so that every state is UTF-8.
     const auto cuts = [](std::string_view of, std::size_t at) {
         return at < of.size() && isContinuation(of[at]);
     };

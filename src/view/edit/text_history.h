@@ -1,5 +1,5 @@
 #pragma once
-// Undo and redo of what is typed into a text.
+// Undo and redo of edits of a text.
 
 #include <cstddef>
 #include <string>
@@ -10,31 +10,31 @@ namespace glibra::view {
 
 class TextHistory {
   public:
-    /// The text as it is at first.
+    /// Starts with the initial text.
     explicit TextHistory(std::string text) : present_(std::move(text)) {}
 
-    /// The text is this one now, by whatever has changed it. What follows on the change before, as the
-    /// letters of a word do, belongs to the same step.
+    /// Records the text after a change of any kind. A change that continues the last one, as the letters of a
+    /// word do, joins its step.
     void record(std::string_view text);
-    /// The next change begins a step of its own.
+    /// The next change begins a new step.
     void endStep() { mayJoin_ = false; }
 
     [[nodiscard]] bool canUndo() const { return at_ > 0; }
     [[nodiscard]] bool canRedo() const { return at_ < steps_.size(); }
-    /// A text, and where its cursor belongs, in bytes: behind what has changed.
+    /// A text, and the byte offset of the cursor: after the change.
     struct State {
         std::string text;
         std::size_t cursor = 0;
     };
-    /// The text before the last step that is not undone, or after the first that is; the present one if there
-    /// is none.
+    /// Undoes or redoes one step and returns the text after that. Without such a step it returns the current
+    /// text.
     State undo();
     State redo();
 
     static constexpr std::size_t kMostSteps = 2000;
 
   private:
-    /// `removed` stood where `added` stands.
+    /// `removed` was replaced by `added`, at byte `begin`.
     struct Step {
         std::size_t begin = 0;
         std::string removed, added;
@@ -43,7 +43,7 @@ class TextHistory {
 
     std::string present_;
     std::vector<Step> steps_;
-    std::size_t at_ = 0;  ///< the steps before it are done, the others undone
+    std::size_t at_ = 0;  ///< steps before it are done, the others are undone
     bool mayJoin_ = false;
 };
 

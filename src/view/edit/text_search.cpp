@@ -11,7 +11,7 @@ char lower(char c) {
 
 bool isOfWord(char c) {
     const char letter = lower(c);
-    // Bytes of other scripts' letters count as letters.
+    // Bytes of non-ASCII letters count as letters.
     return (letter >= 'a' && letter <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
            (static_cast<unsigned char>(c) & 0x80U) != 0;
 }

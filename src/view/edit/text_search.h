@@ -1,5 +1,5 @@
 #pragma once
-// Finding and replacing in a text.
+// Find and replace in a text.
 
 #include <cstddef>
 #include <string>
@@ -8,28 +8,29 @@
 
 namespace glibra::view {
 
-/// Bytes from the beginning of a text.
+/// Byte offsets in a text.
 struct TextRange {
     std::size_t begin = 0, end = 0;
     friend bool operator==(const TextRange&, const TextRange&) = default;
 };
 
 struct TextSearch {
-    std::string words;         ///< taken as they are
-    bool matchesCase = false;  ///< else the letters A to Z are the same as a to z
-    bool wholeWords = false;   ///< no letter, digit or '_' before and behind
+    std::string words;         ///< searched literally
+    bool matchesCase = false;  ///< if false, A to Z equal a to z
+    bool wholeWords = false;   ///< no letter, digit or '_' directly before or after
 };
 
-/// Every place of it, in order; they do not overlap. None of an empty text.
+/// All matches in order, without overlap. An empty search has no matches.
 std::vector<TextRange> findAll(std::string_view text, const TextSearch& search);
 
-/// The first of them that begins at `from` or behind it, and else the first of all; their number if there is
-/// none.
+/// The index of the first match that begins at or after `from`; without one, the first match. Returns
+/// found.size() if there are no matches.
 std::size_t nextFound(const std::vector<TextRange>& found, std::size_t from);
-/// The last of them that begins before `from`, and else the last of all; 0 if there is none.
+/// The index of the last match that begins before `from`; without one, the last match. Returns 0 if there are
+/// no matches.
 std::size_t previousFound(const std::vector<TextRange>& found, std::size_t from);
 
-/// The text with each of these places, as findAll gives them, replaced.
+/// The text with each match, as findAll returns them, replaced by `by`.
 std::string replaced(std::string_view text, const std::vector<TextRange>& places, std::string_view by);
 
 }  // namespace glibra::view

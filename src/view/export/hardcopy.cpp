@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "suite/report/verdict_commands.h"
-#include "view/export/hardcopy_job.h"
 
 namespace glibra::view {
 std::string setArguments(const Session& session) {
@@ -39,13 +38,6 @@ bool isVideo(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
-
-Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted) {
-    Result<HardcopyJob> job = HardcopyJob::begin(context, session, wanted);
-    Diagnostics diagnostics = std::move(job.diagnostics);
-    while (job && !job->isDone()) append(diagnostics, job->step());
-    return diagnostics;
 }
 
 }  // namespace glibra::view

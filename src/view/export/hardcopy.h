@@ -1,36 +1,28 @@
 #pragma once
-// The picture of a session as files, drawn by the same code as `glibra render`.
-
-#include <glibra/diagnostic.h>
+// Hardcopies: the picture of a session as files, drawn by the same code as `glibra render`.
 
 #include <filesystem>
 #include <string>
 
-#include "gpu/context.h"
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::view {
 
 struct Hardcopy {
     std::filesystem::path file;
-    int width = 0, height = 0;  ///< pixels; 0: as on the screen
-    int frames = 1;             ///< from the present time on; several that are no video: NAME_0000.png ...
+    int width = 0, height = 0;  ///< pixels; 0: the size on the screen
+    int frames = 1;             ///< from the current time on; several become NAME_0000.png ... or one video
     double framesPerSecond = 30;
 };
 
-/// The command line that gives the same files: "glibra render scene.glib -o out.png --size 800x600 ...",
-/// words quoted for a shell where they need it.
+/// The command line that writes the same files: "glibra render scene.glib -o out.png --size 800x600 ...".
+/// Words are quoted for a shell where necessary.
 std::string renderCommand(const Session& session, const Hardcopy& wanted);
 
-/// The command line's words from the scene's values on: "--set uKd=.5 --set ...".
+/// The arguments for the changed values: "--set uKd=0.5 --set ...".
 std::string setArguments(const Session& session);
 
-/// True if the ending is that of a video: .mp4, .webm, .mkv, .avi, .mov, .gif.
+/// True if the file's extension is that of a video: .mp4, .webm, .mkv, .avi, .mov, .gif.
 bool isVideo(const std::filesystem::path& file);
-
-/// Draws and writes all of it. PNG files carry the command line under the keyword "Comment", EXR, TIFF, JPEG
-/// and most videos as their comment or description; BMP has no place for it. A video is encoded by the
-/// program ffmpeg, and file-E10 without it. For one frame after the other: HardcopyJob.
-Diagnostics writeHardcopy(gpu::Context& context, const Session& session, const Hardcopy& wanted);
 
 }  // namespace glibra::view

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,12 +39,27 @@ struct HardcopyJob::State {
     [[nodiscard]] Diagnostic bad(const std::string& why) const {
         return error("file-E10", fmt::format("cannot write '{}': {}", wanted.file.string(), why));
     }
+    [[nodiscard]] Diagnostic outOfMemory() const {
+        return bad(fmt::format("not enough memory for {} x {} pixels; choose a smaller size", options.width,
+                               options.height));
+    }
+    Diagnostics begin(gpu::Context& context, const std::filesystem::path& scene);
     Diagnostics beginVideo();
+    Diagnostics drawNext();
     Diagnostics write(const image::Image& picture);
 };
 
+Diagnostics HardcopyJob::State::begin(gpu::Context& context, const std::filesystem::path& scene) {
+    Result<render::SceneRenderer> loaded = render::SceneRenderer::load(context, scene, options, stats);
+    Diagnostics diagnostics = std::move(loaded.diagnostics);
+    if (!loaded) return diagnostics;
+    renderer = std::move(loaded.value);
+    if (isVideo(wanted.file)) append(diagnostics, beginVideo());
+    return diagnostics;
+}
+
 Diagnostics HardcopyJob::State::beginVideo() {
-    if (!hasFfmpeg()) return {bad("the program ffmpeg is not installed; write single frames instead")};
+    if (!hasFfmpeg()) return {bad("ffmpeg is not installed; install it, or choose .png for single frames")};
     unfinished.emplace(wanted.file);
     if (unfinished->path().empty()) return {unfinished->failure()};
     encoder.emplace(unfinished->path(), options.width, options.height, wanted.framesPerSecond,
@@ -52,12 +68,21 @@ Diagnostics HardcopyJob::State::beginVideo() {
     return {};
 }
 
+Diagnostics HardcopyJob::State::drawNext() {
+    Result<image::Image> picture = renderer->draw(options.time + written / wanted.framesPerSecond, stats);
+    Diagnostics diagnostics = std::move(picture.diagnostics);
+    if (picture) append(diagnostics, write(*picture));
+    failed = !picture || hasError(diagnostics);
+    if (!failed) ++written;
+    return diagnostics;
+}
+
 Diagnostics HardcopyJob::State::write(const image::Image& picture) {
     if (!encoder)
         return image::writeImage(picture, render::frameFile(wanted.file, written, wanted.frames), writing);
     const bool isTaken = encoder->write(picture.data);
     if (isTaken && written + 1 < wanted.frames) return {};
-    if (!encoder->finish() || !isTaken) return {bad("ffmpeg refuses it")};
+    if (!encoder->finish() || !isTaken) return {bad("ffmpeg reported an error")};
     return unfinished->commit();
 }
 
@@ -74,26 +99,24 @@ Result<HardcopyJob> HardcopyJob::begin(gpu::Context& context, const Session& ses
     state->options.floatPixels = isFloatFormat(wanted.file);
     state->writing.comment = renderCommand(session, wanted);
     state->writing.png.text = {{"Software", "glibra"}, {"Comment", state->writing.comment}};
-    Result<render::SceneRenderer> loaded =
-        render::SceneRenderer::load(context, session.path(), state->options, state->stats);
-    if (!loaded) return std::move(loaded.diagnostics);
-    Diagnostics diagnostics = std::move(loaded.diagnostics);
-    state->renderer = std::move(loaded.value);
-    if (isVideo(wanted.file)) append(diagnostics, state->beginVideo());
-    if (hasError(diagnostics)) return diagnostics;
-    return {HardcopyJob(std::move(state)), std::move(diagnostics)};
+    try {
+        Diagnostics diagnostics = state->begin(context, session.path());
+        if (!state->renderer || hasError(diagnostics)) return diagnostics;
+        return {HardcopyJob(std::move(state)), std::move(diagnostics)};
+    } catch (const std::bad_alloc&) {
+        return state->outOfMemory();
+    }
 }
 
 Diagnostics HardcopyJob::step() {
     State& state = *state_;
     if (isDone()) return {};
-    Result<image::Image> picture =
-        state.renderer->draw(state.options.time + state.written / state.wanted.framesPerSecond, state.stats);
-    Diagnostics diagnostics = std::move(picture.diagnostics);
-    if (picture) append(diagnostics, state.write(*picture));
-    state.failed = !picture || hasError(diagnostics);
-    if (!state.failed) ++state.written;
-    return diagnostics;
+    try {
+        return state.drawNext();
+    } catch (const std::bad_alloc&) {
+        state.failed = true;
+        return {state.outOfMemory()};
+    }
 }
 
 bool HardcopyJob::isDone() const {

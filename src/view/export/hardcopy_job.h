@@ -1,5 +1,5 @@
 #pragma once
-// The files of a hardcopy, a frame at a time, so that a window stays usable while they are made.
+// Writes a hardcopy one frame at a time, so that the window stays usable meanwhile.
 
 #include <glibra/result.h>
 
@@ -12,15 +12,17 @@ namespace glibra::view {
 
 class HardcopyJob {
   public:
-    /// The scene as its files are now, with the session's present values, view and time; what happens to the
-    /// session afterwards changes nothing. file-E10 for a video without ffmpeg. The context must outlive it.
+    /// Loads the scene from its files, with the session's current values, view and time. Later changes of the
+    /// session have no effect. PNG, EXR, TIFF and JPEG files and most videos carry the command line as their
+    /// comment; BMP files cannot. Videos are encoded by the program ffmpeg; without it the result is
+    /// file-E10, as when there is not enough memory. The context must outlive the job.
     static Result<HardcopyJob> begin(gpu::Context& context, const Session& session, const Hardcopy& wanted);
     HardcopyJob(HardcopyJob&&) noexcept;
     HardcopyJob& operator=(HardcopyJob&&) noexcept;
-    /// A video that is not whole leaves no file; frames that are written stay.
+    /// An incomplete video is removed; frames that are already written stay.
     ~HardcopyJob();
 
-    /// Draws and writes the next frame; the last one completes a video. After an error nothing follows.
+    /// Draws and writes the next frame; the last one completes a video. The job is done after an error.
     Diagnostics step();
     [[nodiscard]] bool isDone() const;
     [[nodiscard]] int framesWritten() const;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "view/scene/session.h"
+#include "view/session/session.h"
 
 namespace glibra::view {
 

@@ -28,7 +28,7 @@ bool hasFfmpeg() {
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& file, int width, int height, double framesPerSecond,
                            const std::string& comment) {
-    // Video formats want even sizes; a black row or column is added where one is odd.
+    // Video formats need even sizes; a black row or column is added to an odd size.
     std::vector<std::string> arguments{"ffmpeg",     "-y",
                                        "-f",         "rawvideo",
                                        "-pix_fmt",   "rgb24",
@@ -43,7 +43,7 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& file, int width, int hei
     words.reserve(arguments.size() + 1);
     for (std::string& each : arguments) words.push_back(each.data());
     words.push_back(nullptr);
-    // A socket and no pipe: writing to an encoder that has ended is an error then and no signal.
+    // With a socket in place of a pipe, writing to an encoder that has ended is an error, not a signal.
     std::array<int, 2> ends{-1, -1};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
     posix_spawn_file_actions_t actions;

@@ -1,5 +1,5 @@
 #pragma once
-// A video, encoded by the program ffmpeg.
+// Encodes a video with the program ffmpeg.
 
 #include <sys/types.h>
 
@@ -10,26 +10,26 @@
 
 namespace glibra::view {
 
-/// True if a program ffmpeg is found in PATH.
+/// True if PATH has a program ffmpeg.
 bool hasFfmpeg();
 
-/// A running ffmpeg, which takes raw pixels at its standard input. Its messages are thrown away; its exit
-/// status says how it went.
+/// A running ffmpeg that reads raw pixels from its standard input. Its messages are discarded; its exit
+/// status tells whether it succeeded.
 class VideoEncoder {
   public:
-    /// Of frames of width x height pixels, RGB bytes, top row first. The ending of the file decides the
-    /// format; most formats keep the comment.
+    /// Frames have width x height pixels. The file's extension selects the format; most formats store the
+    /// comment.
     VideoEncoder(const std::filesystem::path& file, int width, int height, double framesPerSecond,
                  const std::string& comment);
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
-    /// Ends it, however far it is.
+    /// Closes the input and waits for ffmpeg to end.
     ~VideoEncoder() { finish(); }
 
     [[nodiscard]] bool isRunning() const { return process_ > 0; }
-    /// False if it has ended.
+    /// Sends one frame: RGB bytes, top row first. Returns false if ffmpeg has ended.
     bool write(std::span<const std::byte> frame) const;
-    /// True if it ended well.
+    /// Closes the input and waits for ffmpeg to end. Returns true if it succeeded.
     bool finish();
 
   private:

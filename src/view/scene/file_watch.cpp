@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -16,11 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Programs that save several files, or one in several steps, are waited for that long after each event.
+/// Some programs save several files, or one file in several steps. After each event the watch waits this long
+/// for another one before it reports.
 constexpr int kQuietMilliseconds = 3;
 constexpr int kMostQuietWaits = 20;
 
-fs::path whole(const fs::path& path) {
+fs::path absolutePath(const fs::path& path) {
     std::error_code failure;
     return fs::absolute(path, failure).lexically_normal();
 }
@@ -36,7 +38,12 @@ FileWatch::FileWatch(std::function<void()> wake)
     : wake_(std::move(wake)),
       inotify_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
       stop_(::eventfd(0, EFD_CLOEXEC)) {
-    if (isWorking()) thread_ = std::thread([this] { run(); });
+    if (inotify_ < 0 || stop_ < 0) return;
+    try {
+        thread_ = std::thread([this] { run(); });
+    } catch (const std::system_error&) {
+        // Without a thread nothing is watched, and isWorking() is false.
+    }
 }
 
 FileWatch::~FileWatch() {
@@ -58,7 +65,7 @@ void FileWatch::watch(const std::vector<fs::path>& files, const std::set<std::st
     names_ = names;
     std::set<fs::path> folders;
     for (const fs::path& each : files) {
-        const fs::path file = whole(each);
+        const fs::path file = absolutePath(each);
         files_.insert(file);
         folders.insert(file.parent_path());
         std::error_code failure;
@@ -89,10 +96,10 @@ FileWatch::Change FileWatch::takeChanged() {
 bool FileWatch::readEvents() {
     constexpr std::size_t kBufferBytes = 16384;
     alignas(inotify_event) std::array<char, kBufferBytes> buffer{};
-    bool counts = false;
+    bool isWatched = false;
     for (;;) {
         const ssize_t length = ::read(inotify_, buffer.data(), buffer.size());
-        if (length <= 0) return counts;
+        if (length <= 0) return isWatched;
         const std::scoped_lock lock(mutex_);
         for (ssize_t at = 0; at < length;) {
             const auto* event = reinterpret_cast<const inotify_event*>(buffer.data() + at);
@@ -104,7 +111,7 @@ bool FileWatch::readEvents() {
             if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
             if (std::find(changed_.files.begin(), changed_.files.end(), file) == changed_.files.end())
                 changed_.files.push_back(file);
-            counts = true;
+            isWatched = true;
         }
     }
 }
@@ -114,10 +121,14 @@ void FileWatch::run() {
         std::array<pollfd, 2> wanted{{{inotify_, POLLIN, 0}, {stop_, POLLIN, 0}}};
         if (::poll(wanted.data(), wanted.size(), -1) < 0) continue;
         if (wanted[1].revents != 0) return;
-        bool counts = readEvents();
-        for (int i = 0; counts && i < kMostQuietWaits && isReadable(inotify_, kQuietMilliseconds); ++i)
-            counts = readEvents() || counts;
-        if (counts) wake_();
+        try {
+            bool isWatched = readEvents();
+            for (int i = 0; isWatched && i < kMostQuietWaits && isReadable(inotify_, kQuietMilliseconds); ++i)
+                isWatched = readEvents() || isWatched;
+            if (isWatched) wake_();
+        } catch (const std::bad_alloc&) {
+            // These events are lost. The next save of a file is reported again.
+        }
     }
 }
 

@@ -1,9 +1,8 @@
 #pragma once
-// Tells when files of a scene were saved. Folders are watched, not files, so that editors that save under
-// another name and rename are seen too, and a file is only reported when its writer has closed it.
+// Reports when files of a scene are saved. It watches folders, not files, so that it also sees editors that
+// save under another name and rename. A file is reported only after its writer has closed it.
 
 #include <chrono>
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -23,21 +22,22 @@ class FileWatch {
     FileWatch& operator=(const FileWatch&) = delete;
     ~FileWatch();
 
-    /// From now on these files count, and files of these names that appear in any of their folders.
+    /// Replaces the list of watched files. Files with one of `names` are also reported when they appear in
+    /// the folder of a watched file: these are files that a scene names and that are missing.
     void watch(const std::vector<std::filesystem::path>& files, const std::set<std::string>& names);
 
     struct Change {
         std::vector<std::filesystem::path> files;
-        std::chrono::steady_clock::time_point saved;  ///< when the first of them was told
+        std::chrono::steady_clock::time_point saved;  ///< when the first of them was reported
     };
-    /// What was saved since the last call; no files if nothing was.
+    /// The files saved since the last call; empty if there are none.
     Change takeChanged();
-    /// False where the system does not tell of changes; then nothing ever comes.
-    [[nodiscard]] bool isWorking() const { return inotify_ >= 0; }
+    /// False where the system cannot report changes. Then takeChanged() always returns no files.
+    [[nodiscard]] bool isWorking() const { return thread_.joinable(); }
 
   private:
     void run();
-    /// True if an event of a file that counts was among those read.
+    /// Reads all pending events. Returns true if one of them is about a watched file.
     bool readEvents();
 
     std::function<void()> wake_;

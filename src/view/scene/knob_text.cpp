@@ -1,4 +1,4 @@
-// Knobs as the text of a scene and of a command line.
+// Knobs as text, for scenes and command lines.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace glibra::view {
 namespace {
 
-/// The shortest decimal that gives the value back.
+/// The shortest decimal number that reads back as the same value.
 std::string exact(double value) {
     if (value == std::trunc(value) && std::abs(value) < 1e9) return fmt::format("{:.0f}", value);
     return fmt::format("{}", value);

@@ -34,8 +34,8 @@ Widget widgetOf(const glib::UniformSpec& spec, const plan::ActiveUniform& unifor
     return spec.form == glib::UniformForm::range ? Widget::slider : Widget::numbers;
 }
 
-/// The limits of a range as the language reads it: of one value min(0, v) and max(1, v); exchanged, never
-/// equal.
+/// The limits of a range as the language defines them (language, 5.3): with one value v they are min(0, v)
+/// and max(1, v). Reversed limits are exchanged; equal limits are made one unit apart.
 std::pair<double, double> limitsOf(const glib::UniformSpec& spec) {
     const std::vector<double>& v = spec.values;
     double low = v.size() == 1 ? std::min(0.0, v[0]) : v[0];
@@ -61,13 +61,13 @@ Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, cons
     knob.written = spec.values;
     knob.initial = knob.current = literal.values;
     knob.place = {scene.path, spec.valuePosition.line, spec.valuePosition.column};
-    knob.placeOfUniform = uniform.type.word + " " + uniform.name;
+    knob.declaration = uniform.type.word + " " + uniform.name;
     if (spec.form == glib::UniformForm::range && !spec.values.empty())
         std::tie(knob.minimum, knob.maximum) = limitsOf(spec);
     return knob;
 }
 
-/// Of equal tags the last one counts.
+/// The program's specifications without duplicates: of several with the same tag, the last one is used.
 std::vector<const glib::UniformSpec*> countingSpecs(const scene::Program& program) {
     std::vector<const glib::UniformSpec*> specs;
     for (const glib::UniformSpec& each : program.uniforms) {

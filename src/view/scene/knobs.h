@@ -1,6 +1,6 @@
 #pragma once
-// The uniforms that a scene's Program lines set, as things to turn: one knob for each tag that reaches an
-// active uniform.
+// The uniforms that a scene's Program lines set, as controls: one knob per tag that reaches an active
+// uniform.
 
 #include <map>
 #include <span>
@@ -14,7 +14,7 @@
 namespace glibra::view {
 
 enum class Widget {
-    slider,    ///< <min cur max>: one slider a component, integer steps for int and uint
+    slider,    ///< <min cur max>: one slider per component, integer steps for int and uint
     checkBox,  ///< <true>, <false>, and every value of a bool
     color,     ///< {r g b}, {r g b a}
     numbers    ///< constants: entry fields
@@ -22,18 +22,18 @@ enum class Widget {
 
 struct Knob {
     int program = 0;    ///< index into Scene::programs
-    std::string title;  ///< of the program; numbered if the scene has several of that name
+    std::string title;  ///< the program's name; numbered if several programs have that name
     std::string tag;
     plan::ValueType type;  ///< of one element
     Widget widget = Widget::numbers;
     glib::UniformForm form = glib::UniformForm::number;
-    double minimum = 0, maximum = 1;  ///< sliders; values may lie outside
-    std::vector<double> written;      ///< as the file gives them, the numbers between the brackets
-    std::vector<double> initial;      ///< component by component, element by element
-    std::vector<double> current;      ///< as long as `initial`
+    double minimum = 0, maximum = 1;  ///< of sliders; values may lie outside
+    std::vector<double> written;      ///< the numbers between the brackets, as the file has them
+    std::vector<double> initial;      ///< all components of the first array element, then of the next
+    std::vector<double> current;      ///< same order and size as `initial`
     Place place;                      ///< of the value in the scene
-    bool isShared = false;            ///< another program has a uniform of that name, set by the scene or not
-    std::string placeOfUniform;       ///< what the interface calls it, for the tooltip: "vec3 uColor"
+    bool isShared = false;  ///< another program has a uniform of this name, whether the scene sets it or not
+    std::string declaration;  ///< type and name for the tooltip: "vec3 uColor"
 
     struct Binding {
         int program = 0;  ///< index into FramePlan::programs
@@ -47,14 +47,14 @@ struct Knob {
     [[nodiscard]] bool isChanged() const { return current != initial; }
 };
 
-/// All knobs, program by program, in the order of the file.
+/// All knobs, grouped by program, in the order of the file.
 std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan);
 
-/// Puts the knob's values where the plan has them. Returns the programs of the plan that have changed.
+/// Writes the knob's values into the plan. Returns the indices of the planned programs that have changed.
 std::vector<int> apply(const Knob& knob, plan::FramePlan& plan);
 
-/// Values as a user set them, which outlive a scene: they come back for every (program position, program
-/// name, tag) whose specification in the file is the same.
+/// The values that a user has set, kept while a scene is read again. A value returns if program position,
+/// program name, tag and the specification in the file are the same.
 class KeptValues {
   public:
     void keep(const scene::Scene& scene, std::span<const Knob> knobs);
@@ -69,14 +69,14 @@ class KeptValues {
     std::map<std::tuple<int, std::string, std::string>, Kept> values_;
 };
 
-/// "<0. .25 1.>": the knob's present value in the form that the file uses.
+/// "<0 0.25 1>": the knob's current value in the form that the file uses.
 std::string valueText(const Knob& knob);
-/// "uKd <0 .25 1>", the pair of one knob.
+/// "uKd <0 0.25 1>": the knob's tag and value.
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program.
 std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs);
-/// "Dots:uKd=.25", or "uKd=.25" if no other program has the uniform; the shortest text that gives the value
-/// back.
+/// An argument for `--set`: "uKd=0.25", or "8:uKd=0.25" with the line of the Program command if another
+/// program has the uniform too. The numbers are the shortest text that reads back as the same value.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);
 
 }  // namespace glibra::view

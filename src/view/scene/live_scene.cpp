@@ -1,6 +1,7 @@
 #include "view/scene/live_scene.h"
 
 #include <algorithm>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,7 @@
 namespace glibra::view {
 namespace {
 
-constexpr int kSamples = 1;  ///< of the pictures that a window shows
+constexpr int kSamples = 1;  ///< per pixel of the pictures that a window shows
 
 bool hasTangents(const plan::PlannedMesh& mesh) {
     return std::find(mesh.attributes.begin(), mesh.attributes.end(), geometry::kTangent) !=
@@ -24,7 +25,7 @@ bool hasTangents(const plan::PlannedMesh& mesh) {
 
 }  // namespace
 
-/// Everything that refers to something else here, in the order of dependence.
+/// The members are in order of dependence: later ones refer to earlier ones.
 struct LiveScene::State {
     State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted)
         : context(usedContext),
@@ -43,11 +44,11 @@ struct LiveScene::State {
     std::optional<render::FrameDrawer> drawer;
     std::optional<render::Axes> axes;
     render::ViewMatrices view;
-    std::optional<double> eyeAspect;  ///< for which eyeDistance holds
+    std::optional<double> eyeAspect;  ///< the aspect ratio that eyeDistance was computed for
     double eyeDistance = 0;
     std::optional<int> loopLimit;
-    bool isViewSet = false;     ///< `view` is the drawer's,
-    double setEyeDistance = 0;  ///< with this
+    bool isViewSet = false;     ///< `view` is the view of the last frame
+    double setEyeDistance = 0;  ///< the eyeDistance in `view`
 
     Diagnostics prepare(State* previous);
     void prepareFallback();
@@ -76,7 +77,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
         device.bounds(each.shape, hasTangents(each), &diagnostics);
     append(diagnostics, device.prepare(plan, programs));
     drawer.emplace(context, scene, plan, programs, device, drawStats);
-    drawer->leaveOutOfTile(kSamples);
+    drawer->cullToTile(kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
     return diagnostics;
@@ -113,15 +114,21 @@ LiveScene::~LiveScene() = default;
 
 LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem::path& path,
                                    const RenderOptions& options, LiveScene* previous) {
-    render::Stats stats;
-    Result<scene::Scene> interpreted = render::interpretFile(path, options, stats);
     Loading loading;
-    loading.diagnostics = std::move(interpreted.diagnostics);
-    if (!interpreted) return loading;
-    auto state = std::make_unique<State>(context, options, std::move(*interpreted));
-    append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
-    render::applyStrict(loading.diagnostics, false);
-    loading.scene.reset(new LiveScene(std::move(state)));
+    try {
+        render::Stats stats;
+        Result<scene::Scene> interpreted = render::interpretFile(path, options, stats);
+        loading.diagnostics = std::move(interpreted.diagnostics);
+        if (!interpreted) return loading;
+        auto state = std::make_unique<State>(context, options, std::move(*interpreted));
+        loading.isPreviousLost = previous != nullptr;  // until the new scene is complete
+        append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
+        render::applyStrict(loading.diagnostics, false);
+        loading.scene.reset(new LiveScene(std::move(state)));
+        loading.isPreviousLost = false;
+    } catch (const std::bad_alloc&) {
+        loading.diagnostics.push_back(error("draw-E05", "out of memory", {path.string(), 1, 1}));
+    }
     return loading;
 }
 
@@ -176,7 +183,7 @@ const render::Stats& LiveScene::drawStats() const {
 }
 
 void LiveScene::drawOutOfSight(bool on) {
-    state_->drawer->leaveOutOfTile(on ? 0 : kSamples);
+    state_->drawer->cullToTile(on ? 0 : kSamples);
 }
 
 void LiveScene::setValue(const Knob& knob) {
@@ -196,16 +203,16 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     Diagnostics diagnostics;
     const double aspect = static_cast<double>(target.width()) / target.height();
     state.placeEye(aspect, diagnostics);
-    // Copying the transforms of objects takes memory, which a frame of the same view does not need.
+    // Setting a view copies the transforms of objects, which allocates memory. An unchanged view is not set
+    // again.
     if (!state.isViewSet || view != state.view.state() || state.setEyeDistance != state.eyeDistance) {
         state.view = render::ViewMatrices(view, state.scene.view, state.eyeDistance);
-        state.drawer->setView(state.view);
         state.setEyeDistance = state.eyeDistance;
         state.isViewSet = true;
     }
-    state.drawer->setPictureSize(target.width(), target.height());
     const render::Tile whole{0, 0, target.width(), target.height()};
-    append(diagnostics, state.drawer->draw(target, whole, time, true));
+    append(diagnostics,
+           state.drawer->draw(target, {state.view, target.width(), target.height(), whole, time}));
     if (axes && !state.axes) {
         Result<render::Axes> made = render::Axes::create(state.context);
         append(diagnostics, std::move(made.diagnostics));
@@ -228,8 +235,8 @@ render::FrameDrawer& LiveScene::drawer() {
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
-    Diagnostics alreadyTold;
-    return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyTold);
+    Diagnostics alreadyReported;
+    return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
     return state_->device.deviceMesh(draw.mesh);

@@ -1,11 +1,10 @@
 #pragma once
-// A scene on the device that goes on living: its values, matrices and size change, and when its files do it
-// is read again and keeps what is still the same. Errors leave out what is wrong and draw the rest.
+// A scene on the device whose values, matrices and size change while it is shown. When its files change it is
+// loaded again and reuses whatever is still the same. A faulty statement is left out; the rest is drawn.
 
 #include <glibra/render.h>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,12 +23,13 @@ namespace glibra::view {
 class LiveScene {
   public:
     struct Loading {
-        std::unique_ptr<LiveScene> scene;  ///< null only if the file cannot be read
+        std::unique_ptr<LiveScene> scene;  ///< null if the file cannot be read, or memory runs out
         Diagnostics diagnostics;
+        bool isPreviousLost = false;  ///< memory ran out; `previous` must not be drawn any more
     };
-    /// Reads the scene. `previous` is the same scene as it was read before, or null: programs, meshes and
-    /// textures that have not changed are taken out of it, and it must not be drawn any more unless nothing
-    /// came of this.
+    /// Loads the scene. `previous` is the earlier state of the same scene, or null: unchanged programs,
+    /// meshes
+    /// and textures are moved out of it. If loading succeeds, `previous` must not be drawn any more.
     static Loading load(gpu::Context& context, const std::filesystem::path& path,
                         const RenderOptions& options, LiveScene* previous);
     LiveScene(const LiveScene&) = delete;
@@ -39,37 +39,37 @@ class LiveScene {
     [[nodiscard]] const scene::Scene& scene() const;
     [[nodiscard]] const plan::FramePlan& plan() const;
     [[nodiscard]] std::vector<Knob> knobs() const;
-    /// True if some program that is drawn with reads Timer.
+    /// True if a program that draws something reads Timer.
     [[nodiscard]] bool isAnimated() const;
-    /// True if a program is shown in an earlier state because its sources fail.
+    /// True if the program (index into Scene::programs) does not compile and its last good version is shown.
     [[nodiscard]] bool showsEarlierProgram(int program) const;
-    /// Every file it was made from, the scene first; those that were not found are left out.
+    /// Every file that was read for it, the scene first. Missing files are left out.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
-    /// The core GLSL that a line of a shader has become, if the driver refused that shader; else nothing.
+    /// The core GLSL that was made from a shader's line, if the driver rejected that shader; otherwise empty.
     [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const;
-    /// What translating, compiling, reading and the rest of loading took.
+    /// Times and counts of the last loading: translating, compiling, reading files.
     [[nodiscard]] const render::Stats& loadStats() const;
 
-    /// Counts of all frames: "draws", and "draws out of their tile", which were left out.
+    /// Counts over all frames: "draws", and "draws out of their tile", which were skipped.
     [[nodiscard]] const render::Stats& drawStats() const;
 
     void setValue(const Knob& knob);
-    /// The warnings about loops that the driver ends too early with the present values (draw-W08).
+    /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
-    /// Draws also what provably reaches no pixel, for views that show more of it than its surface.
+    /// With `on`, objects outside the picture are drawn too: debug views may show parts of them inside it.
     void drawOutOfSight(bool on);
-    /// Draws a frame of the target's size.
+    /// Draws a frame into the target, in the target's size. `time` is in seconds.
     Diagnostics draw(const gpu::Target& target, const ViewState& view, double time, bool axes);
-    /// Matrices of the frame drawn last.
+    /// The matrices of the last frame.
     [[nodiscard]] const render::ViewMatrices& view() const;
-    /// How far the view policy has moved the eye back for it.
+    /// How far the view policy moved the eye back in the last frame, in units of eye space.
     [[nodiscard]] double eyeDistance() const;
-    /// For looking at single draws; see FrameDrawer.
+    /// Gives access to single draws; see FrameDrawer.
     render::FrameDrawer& drawer();
-    /// The vertices of a draw in memory, and on the device; null if there are none.
+    /// The mesh of a draw in memory, and on the device; null if there is none.
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
     [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
-    /// Null if it is not on the device.
+    /// The texture (index into Scene::textures); null if it is not on the device.
     [[nodiscard]] const gpu::Texture* texture(int index) const;
 
   private:

@@ -15,7 +15,7 @@ void deleteQuery(GLuint name) {
     glDeleteQueries(1, &name);
 }
 
-/// Restricts drawing and clearing to one pixel while it lives.
+/// Restricts drawing and clearing to one pixel during its lifetime.
 class OnePixel {
   public:
     OnePixel(int x, int y) {
@@ -27,7 +27,7 @@ class OnePixel {
     ~OnePixel() { glDisable(GL_SCISSOR_TEST); }
 };
 
-/// Number of the draw among all into the window, those counted that are not drawn.
+/// Index of the draw among all draws into the window, skipped ones included.
 int ordinalOf(const scene::Scene& scene, const scene::Draw& wanted) {
     int ordinal = 0;
     for (const scene::Pass& pass : scene.passes) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which object of the scene is seen at a pixel.
+// Finds the object of the scene that is visible at a pixel.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -12,15 +12,15 @@ namespace glibra::view {
 
 struct Picked {
     int line = 0;           ///< of the scene, counted from 1
-    int ordinal = 0;        ///< which of the scene's draws into the window, counted from 0
+    int ordinal = 0;        ///< index among the scene's draws into the window, counted from 0
     std::string word;       ///< the command
-    glm::dvec3 eye{0.0};    ///< the point of the object under the pixel, in eye space with all transforms
-    glm::dvec3 point{0.0};  ///< the same in the object's model space
+    glm::dvec3 eye{0.0};    ///< the object's point at the pixel, in eye space with all transforms
+    glm::dvec3 point{0.0};  ///< the same point in the object's model space
 };
 
-/// Draws the one pixel once more, through the scene's own stages, and counts which draw's fragments last pass
-/// the depth test there: exact for whatever shaders move or discard. `picture` holds the frame of that time.
-/// Nothing where the background is seen.
+/// Draws the one pixel again through the scene's own stages, and finds the draw whose fragments are the last
+/// to pass the depth test there. This is exact whatever the shaders discard or move. `picture` holds the
+/// frame of that time; x counts to the right and y downwards. Empty where the background is visible.
 std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double time, int x, int y);
 
 }  // namespace glibra::view

@@ -16,7 +16,7 @@ double degreesOf(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-/// How far a pixel is at that point, along x and y of its space.
+/// The size of a pixel at that point, along x and y of the point's space.
 glm::dvec2 sizeOfPixel(const glm::dmat4& projection, const glm::dvec4& point, const glm::dvec2& picture) {
     const double w = (projection * point).w;
     const double scaleX = std::abs(projection[0][0]);
@@ -94,7 +94,7 @@ Similarity similarityOf(const glm::dmat4& matrix) {
         result.degrees = {degreesOf(std::atan2(-turn[2][1], turn[1][1])),
                           degreesOf(std::atan2(-turn[0][2], cosineY)), 0};
     }
-    // No -0 in a widget.
+    // Adding 0 turns -0 into 0, so that no widget shows -0.
     result.degrees += 0.0;
     return result;
 }

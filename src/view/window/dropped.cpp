@@ -29,7 +29,7 @@ std::string show(Ui& ui, const FileUse& use, const std::string& name) {
             break;
     }
     showSource(ui, use.place);
-    return fmt::format("{} is used by line {} of this scene", name, use.place.line);
+    return fmt::format("{} is used in line {} of this scene", name, use.place.line);
 }
 
 }  // namespace
@@ -43,15 +43,14 @@ Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
         shared.dialog.folder = file;
         return {};
     }
-    if (!fs::exists(file, failure))
-        return {false, {}, fmt::format("{}: there is no such file", file.string())};
-    if (!std::ifstream(file)) return {false, {}, fmt::format("{}: it cannot be read", file.string())};
+    if (!fs::exists(file, failure)) return {false, {}, fmt::format("{}: no such file", file.string())};
+    if (!std::ifstream(file)) return {false, {}, fmt::format("{}: cannot read this file", file.string())};
     if (glib::sameWord(file.extension().string(), ".glib")) {
-        if (tabs.find(file) == tabs.number()) return {false, {}, fmt::format("{} is open already", name)};
+        if (tabs.find(file) == tabs.shownIndex()) return {false, {}, fmt::format("{} is already open", name)};
         return {true, {}, {}};
     }
     for (std::size_t i = 0; i < tabs.count(); ++i) {
-        const std::size_t index = (tabs.number() + i) % tabs.count();
+        const std::size_t index = (tabs.shownIndex() + i) % tabs.count();
         Tab& tab = tabs.at(index);
         if (!tab.session.hasScene()) continue;
         const FileUse use = useOf(tab.session.live(), file);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/window/thumbnail_maker.h"
+#include "view/browse/thumbnail_maker.h"
 #include "view/window/window.h"
 
 namespace {
@@ -17,7 +17,7 @@ namespace {
 constexpr int kWrongUsage = 2;
 constexpr int kNoDriver = 4;
 
-/// Folders of the environment variable GLIBRA_PATH.
+/// The folders in the environment variable GLIBRA_PATH.
 std::vector<std::filesystem::path> libraryRoots() {
     std::vector<std::filesystem::path> roots;
     const char* variable = std::getenv("GLIBRA_PATH");
@@ -38,7 +38,8 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
         const int fields = std::sscanf(size.c_str(), "%5dx%5d%c", &arguments.options.width,
                                        &arguments.options.height, &rest);
         if (fields != 2 || arguments.options.width < 1 || arguments.options.height < 1) {
-            std::fprintf(stderr, "glibra: error: --size %s is not WxH, as 800x600\n", size.c_str());
+            std::fprintf(stderr, "glibra: error: --size %s: expected WIDTHxHEIGHT, for example 800x600\n",
+                         size.c_str());
             return kWrongUsage;
         }
     }
@@ -53,28 +54,30 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
 }
 
 int start(int argc, char** argv) {
-    CLI::App app{"glibra view: a scene in a window, with a slider for every range"};
+    CLI::App app{"glibra view: shows a scene in a window, with a slider for every range"};
     glibra::view::WindowArguments arguments;
     std::vector<std::string> scenes;
     std::string size;
     std::string thumbnails;
-    app.add_option("SCENE", scenes, "scene files (.glib), a tab each");
-    // How the window has pictures made by a process without one; see thumbnail_maker.h.
+    app.add_option("SCENE", scenes, "scene files (.glib), one tab each");
+    // The window starts this program with --thumbnails to make pictures of scenes; see thumbnail_maker.h.
     app.add_option("--thumbnails", thumbnails)->group("");
-    app.add_option("--set", arguments.set, "NAME=VALUE of a uniform; PROGRAM:NAME=VALUE for one program")
+    app.add_option("--set", arguments.set,
+                   "value of a uniform: NAME=VALUE, or PROGRAM:NAME=VALUE for one program")
         ->allow_extra_args(false);
-    app.add_option("--size", size, "WxH of the picture in pixels");
-    app.add_option("--time", arguments.options.time, "seconds at the start")->check(CLI::Range(0.0, 1e9));
-    app.add_flag("--paused", arguments.paused, "time stands still at first");
+    app.add_option("--size", size, "size of the picture in pixels: WIDTHxHEIGHT");
+    app.add_option("--time", arguments.options.time, "time at the start, in seconds")
+        ->check(CLI::Range(0.0, 1e9));
+    app.add_flag("--paused", arguments.paused, "start with the time paused");
     app.add_flag("--axes", arguments.options.axes, "draw axes two units long");
     app.add_option("--view", arguments.options.view,
-                   "auto: the eye is moved back from a scene around it; glman: never")
+                   "auto: move the eye back if the scene surrounds it; glman: never")
         ->transform(CLI::CheckedTransformer(std::map<std::string, glibra::ViewPolicy>{
             {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}}));
     app.add_option("--state", arguments.stateFile,
-                   "write the window's state as JSON into this file whenever it changes");
-    app.add_option("--record", arguments.recordFile, "write the input of every frame into this file");
-    app.add_option("--replay", arguments.replayFile, "play recorded input, then quit")
+                   "write the window's state to this file as JSON whenever it changes");
+    app.add_option("--record", arguments.recordFile, "record the input of every frame in this file");
+    app.add_option("--replay", arguments.replayFile, "play the recorded input of this file, then quit")
         ->check(CLI::ExistingFile);
     try {
         app.parse(argc, argv);

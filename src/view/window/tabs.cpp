@@ -102,7 +102,7 @@ void Tabs::watch(FileWatch& watch) const {
     watch.watch(files, missing);
 }
 
-bool Tabs::noteChanged(const std::vector<fs::path>& files) {
+void Tabs::markOutdated(const std::vector<fs::path>& files) {
     for (const std::unique_ptr<Tab>& each : tabs_) {
         if (!each->session.hasScene()) continue;
         const std::set<std::string> missing = missingNames(each->session.live());
@@ -117,17 +117,16 @@ bool Tabs::noteChanged(const std::vector<fs::path>& files) {
                 return own.contains(file) || missing.contains(file.filename().string());
             });
     }
-    return shown().isOutdated;
 }
 
-void Tabs::writeTitles() {
+void Tabs::updateTitles() {
     shared_.tabs.resize(tabs_.size());
     shared_.shownTab = shown_;
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         const Session& session = tabs_[i]->session;
         TabTitle& title = shared_.tabs[i];
         title.id = tabs_[i]->id;
-        // This is done at every frame; a path that stays is not copied.
+        // This runs in every frame. An unchanged path is not copied, so that frames allocate no memory.
         if (title.label.empty() || title.path != session.path().native()) {
             title.label = session.hasScene() ? session.path().stem().string() : "empty";
             title.path = session.path().string();

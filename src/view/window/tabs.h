@@ -1,6 +1,6 @@
 #pragma once
-// The scenes that are open, each with values, view, time and undo of its own. One of them is shown; the
-// others stand still.
+// The open scenes, each with its own values, view, time and undo. One of them is shown; the others are
+// paused.
 
 #include <filesystem>
 #include <memory>
@@ -10,8 +10,8 @@
 
 #include "gpu/context.h"
 #include "view/scene/file_watch.h"
-#include "view/scene/session.h"
-#include "view/window/ui.h"
+#include "view/session/session.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 
@@ -22,39 +22,38 @@ struct Tab {
     Session session;
     Ui ui;
     int id = 0;
-    bool isOutdated = false;  ///< files have changed while it was not shown
+    bool isOutdated = false;  ///< its files have changed while it was not shown
 };
 
 class Tabs {
   public:
-    /// One tab without a scene. What is passed must outlive it.
+    /// Begins with one empty tab. `context` and `shared` must outlive this.
     Tabs(gpu::Context& context, RenderOptions options, Shared& shared, float scale);
 
     Tab& shown() { return *tabs_[shown_]; }
     Tab& at(std::size_t tab) { return *tabs_[tab]; }
     [[nodiscard]] std::size_t count() const { return tabs_.size(); }
-    [[nodiscard]] std::size_t number() const { return shown_; }
+    [[nodiscard]] std::size_t shownIndex() const { return shown_; }
 
-    /// Number of the tab that has the scene; count() if none has.
+    /// The index of the tab with that scene; count() if there is none.
     [[nodiscard]] std::size_t find(const std::filesystem::path& scene) const;
-    /// Makes an empty tab and shows it.
+    /// Adds an empty tab and shows it.
     void add();
     void show(std::size_t tab);
-    /// The last one is emptied instead.
+    /// Closes a tab; the only tab is replaced by an empty one.
     void close(std::size_t tab);
 
-    /// Files with text that is not saved, which only this tab shows.
+    /// The files with unsaved text that only this tab shows.
     [[nodiscard]] std::vector<std::filesystem::path> unsaved(std::size_t tab) const;
-    /// The same of all tabs.
+    /// The files with unsaved text of all tabs.
     [[nodiscard]] std::vector<std::filesystem::path> unsaved() const;
 
-    /// All files of all scenes.
+    /// Watches all files of all scenes.
     void watch(FileWatch& watch) const;
-    /// These files were saved: the tabs that are not shown will be read again when they are. True if the
-    /// shown one has to be now.
-    bool noteChanged(const std::vector<std::filesystem::path>& files);
-    /// For the bar.
-    void writeTitles();
+    /// Marks the tabs that use one of these changed files as outdated.
+    void markOutdated(const std::vector<std::filesystem::path>& files);
+    /// Updates the titles for the tab bar.
+    void updateTitles();
 
   private:
     [[nodiscard]] bool uses(const Tab& tab, const std::filesystem::path& file) const;

@@ -8,33 +8,33 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <optional>
 #include <thread>
 
 #include "gpu/context.h"
 #include "image/file.h"
-#include "view/export/state_json.h"
 #include "view/scene/file_watch.h"
-#include "view/scene/frame_pacer.h"
-#include "view/window/display.h"
+#include "view/session/frame_pacer.h"
+
 #include "view/window/dropped.h"
-#include "view/window/gui.h"
-#include "view/window/input_script.h"
-#include "view/window/key_queue.h"
-#include "view/window/panels_json.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/display.h"
+#include "view/window/platform/gui.h"
+#include "view/window/platform/input_script.h"
+#include "view/window/platform/key_queue.h"
+#include "view/window/platform/theme.h"
 #include "view/window/tabs.h"
-#include "view/window/theme.h"
-#include "view/window/ui.h"
+#include "view/window/window_json.h"
 
 namespace glibra::view {
 namespace {
 
 using RealClock = std::chrono::steady_clock;
 
-/// ImGui needs the frame of an event and some after it, for what follows from it.
+/// ImGui needs the frame of an event and some more for its consequences.
 constexpr int kFramesAfterEvent = 3;
-constexpr double kLongestStep = .25;  ///< seconds of the scene's time that one frame may pass over
+constexpr double kMilliseconds = 1000;  ///< per second
+constexpr double kLongestStep = .25;    ///< seconds by which one frame may advance the scene's time
 
 double secondsSince(RealClock::time_point start) {
     return std::chrono::duration<double>(RealClock::now() - start).count();
@@ -52,16 +52,16 @@ class Window {
   private:
     Ui& ui() { return tabs_.shown().ui; }
     Session& session() { return tabs_.shown().session; }
-    void openFirst();
+    void openInitialScenes();
     void setSize();
     void openScene(const std::filesystem::path& path, bool inNewTab);
     void showScene(const std::filesystem::path& path);
     void closeTab(std::size_t tab);
-    void followTab();
-    void takeChanges();
-    void takeDropped();
-    void takeRequests();
-    void takeAnswer();
+    void updateForShownScene();
+    void reloadIfNeeded();
+    void handleDropped();
+    void handleRequests();
+    void handleAnswer();
     void quit();
     bool hasWork();
     void waitForWork();
@@ -70,7 +70,7 @@ class Window {
     void drawFrame();
     void present();
     void writeState();
-    void remember();
+    void saveSettings();
 
     const WindowArguments& arguments_;
     Display& display_;
@@ -87,13 +87,11 @@ class Window {
     std::pair<int, int> recordedSize_;
     KeyQueue keys_;
     int framesWanted_ = kFramesAfterEvent;
-    std::uint64_t framesPresented_ = 0;
-    std::uint64_t reloads_ = 0;
+    LoopState loop_;
     bool lightTheme_ = false;
     RealClock::time_point lastFrame_ = RealClock::now();
     FramePacer pacer_;
     std::optional<RealClock::time_point> changeSaved_;
-    double loadMilliseconds_ = 0, firstDrawMilliseconds_ = 0, editToPicture_ = 0;
     std::string writtenState_;
     Diagnostics setProblems_;
 };
@@ -113,8 +111,8 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     if (!arguments.replayFile.empty()) replay_ = readInput(arguments.replayFile);
 }
 
-/// The title, and the files that are watched, belong to what is shown.
-void Window::followTab() {
+/// Updates the title and the watched files after another scene is shown.
+void Window::updateForShownScene() {
     const std::string name = session().hasScene() ? session().path().filename().string() : "";
     display_.setTitle(name.empty() ? "glibra" : name + " - glibra");
     tabs_.watch(watch_);
@@ -127,17 +125,17 @@ void Window::showScene(const std::filesystem::path& path) {
         ui().history.clear();
         ui().history.record(session());
     }
-    followTab();
+    updateForShownScene();
 }
 
 void Window::openScene(const std::filesystem::path& path, bool inNewTab) {
-    if (const std::size_t known = tabs_.find(path); known < tabs_.count() && known != tabs_.number()) {
+    if (const std::size_t known = tabs_.find(path); known < tabs_.count() && known != tabs_.shownIndex()) {
         tabs_.show(known);
-        return followTab();
+        return updateForShownScene();
     }
     if (inNewTab && session().hasScene()) {
         tabs_.add();
-    } else if (std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.number()); !files.empty()) {
+    } else if (std::vector<std::filesystem::path> files = tabs_.unsaved(tabs_.shownIndex()); !files.empty()) {
         shared_.question = Question{Question::About::openScene, path, 0, std::move(files), {}};
         framesWanted_ = kFramesAfterEvent;
         return;
@@ -152,7 +150,7 @@ void Window::closeTab(std::size_t tab) {
         return;
     }
     tabs_.close(tab);
-    followTab();
+    updateForShownScene();
 }
 
 void Window::quit() {
@@ -163,46 +161,46 @@ void Window::quit() {
     framesWanted_ = kFramesAfterEvent;
 }
 
-void Window::takeAnswer() {
+void Window::handleAnswer() {
     const auto answer = std::exchange(shared_.answer, std::nullopt);
-    if (!answer || !answer->goesOn) return;
+    if (!answer || !answer->isConfirmed) return;
     switch (answer->question.about) {
         case Question::About::openScene:
             return showScene(answer->question.scene);
         case Question::About::closeTab:
             tabs_.close(answer->question.tab);
-            return followTab();
+            return updateForShownScene();
         case Question::About::quit:
             return display_.close();
     }
 }
 
-void Window::takeChanges() {
+void Window::reloadIfNeeded() {
     const FileWatch::Change change = watch_.takeChanged();
-    if (!change.files.empty()) tabs_.noteChanged(change.files);
+    if (!change.files.empty()) tabs_.markOutdated(change.files);
     Tab& tab = tabs_.shown();
     if (!tab.isOutdated && !tab.ui.requests.reload) return;
     const bool isEdit = !change.files.empty();
     tab.isOutdated = tab.ui.requests.reload = false;
     const RealClock::time_point start = RealClock::now();
     tab.session.reload();
-    loadMilliseconds_ = secondsSince(start) * 1000;
-    ++reloads_;
+    loop_.loadMilliseconds = secondsSince(start) * kMilliseconds;
+    ++loop_.reloads;
     if (isEdit) changeSaved_ = change.saved;
     tabs_.watch(watch_);
     framesWanted_ = kFramesAfterEvent;
 }
 
-/// Scenes get a tab each; of the rest those that an open scene uses are shown where it does.
-void Window::takeDropped() {
+/// Opens each dropped scene in a tab. Other files are shown where an open scene uses them.
+void Window::handleDropped() {
     for (const std::filesystem::path& each : display_.takeDropped()) dropped_.push_back(each.string());
     std::string notice;
     for (const std::string& each : dropped_) {
         const Dropped dropped = takeDroppedFile(tabs_, each);
         if (dropped.isScene) openScene(each, true);
-        if (dropped.tab && *dropped.tab != tabs_.number()) {
+        if (dropped.tab && *dropped.tab != tabs_.shownIndex()) {
             tabs_.show(*dropped.tab);
-            followTab();
+            updateForShownScene();
         }
         notice += (notice.empty() || dropped.notice.empty() ? "" : "\n") + dropped.notice;
     }
@@ -211,15 +209,15 @@ void Window::takeDropped() {
     dropped_.clear();
 }
 
-void Window::takeRequests() {
-    takeDropped();
-    takeAnswer();
+void Window::handleRequests() {
+    handleDropped();
+    handleAnswer();
     Requests requests = std::exchange(ui().requests, {});
-    // takeChanges() looks at it.
+    // reloadIfNeeded() reads this flag.
     ui().requests.reload = requests.reload || (requests.saved && !watch_.isWorking());
-    if (requests.showTab && *requests.showTab != tabs_.number()) {
+    if (requests.showTab && *requests.showTab != tabs_.shownIndex()) {
         tabs_.show(*requests.showTab);
-        followTab();
+        updateForShownScene();
     }
     if (requests.open) openScene(*requests.open, requests.inNewTab);
     if (requests.closeTab) closeTab(*requests.closeTab);
@@ -245,10 +243,10 @@ void Window::waitForWork() {
     } else if (replayed_ < replay_.size()) {
         display_.takeEvents(0);
     } else {
-        display_.takeEvents(pacer_.rest(now()));
-        // Events do not hurry a scene that moves.
-        while (session().isMoving() && pacer_.rest(now()) > 0)
-            std::this_thread::sleep_for(std::chrono::duration<double>(pacer_.rest(now())));
+        display_.takeEvents(pacer_.secondsToNext(now()));
+        // Events must not make a moving scene run faster.
+        while (session().isMoving() && pacer_.secondsToNext(now()) > 0)
+            std::this_thread::sleep_for(std::chrono::duration<double>(pacer_.secondsToNext(now())));
     }
     if (!display_.takeActivity()) return;
     framesWanted_ = kFramesAfterEvent;
@@ -258,7 +256,7 @@ void Window::waitForWork() {
 bool Window::nextInput() {
     if (replayed_ >= replay_.size()) return false;
     const FrameInput& frame = replay_[replayed_++];
-    imposeInput(frame);
+    replaceInput(frame);
     if (frame.windowSize) display_.setSize(frame.windowSize->first, frame.windowSize->second);
     if (frame.open) ui().requests.open = *frame.open;
     dropped_ = frame.dropped;
@@ -272,7 +270,7 @@ bool Window::nextInput() {
 }
 
 void Window::record() {
-    FrameInput frame = presentInput();
+    FrameInput frame = currentInput();
     if (const auto size = display_.size(); size != recordedSize_) frame.windowSize = recordedSize_ = size;
     frame.dropped = std::exchange(recordedDrops_, {});
     recorder_->add(frame);
@@ -291,7 +289,7 @@ void Window::drawFrame() {
     for (std::size_t i = 0; i < tabs_.count(); ++i) continueHardcopy(tabs_.at(i).ui);
     Ui& ui = tabs_.shown().ui;
     ui.session.advance(isReplayed ? 1.0 / 60 : passed);
-    tabs_.writeTitles();
+    tabs_.updateTitles();
     ImGui::NewFrame();
     showAll(ui);
     if (!ImGui::IsAnyItemActive() && ui.dragButton < 0 && ui.session.hasScene())
@@ -308,9 +306,9 @@ void Window::drawFrame() {
     const RealClock::time_point start = RealClock::now();
     ui.session.drawIfNeeded();
     if (changeSaved_) {
-        // Drivers compile when a program is first drawn with; that is no time of ours.
+        // Drivers compile a program at its first draw; this measures how long that takes.
         glFinish();
-        firstDrawMilliseconds_ = secondsSince(start) * 1000;
+        loop_.firstDrawMilliseconds = secondsSince(start) * kMilliseconds;
     }
     pictureOverlay(ui);
     present();
@@ -332,60 +330,40 @@ void Window::present() {
                           left + picture->width(), top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
     glViewport(0, 0, width, height);
-    // ImGui puts back the program it finds, which is gone by then if a reload has deleted it.
+    // ImGui restores the bound program afterwards, which a reload may have deleted.
     glUseProgram(0);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     display_.present();
-    ++framesPresented_;
+    ++loop_.framesPresented;
     if (const auto saved = std::exchange(changeSaved_, std::nullopt)) {
         glFinish();
-        editToPicture_ = secondsSince(*saved) * 1000;
+        loop_.editToPictureMilliseconds = secondsSince(*saved) * kMilliseconds;
     }
 }
 
 void Window::writeState() {
     if (arguments_.stateFile.empty()) return;
-    const Ui& ui = tabs_.shown().ui;
-    nlohmann::ordered_json state = stateOf(ui.session);
-    const auto [width, height] = display_.size();
-    state["window"] = {width, height};
-    state["picture"] = ui.picture;
-    state["framesPresented"] = framesPresented_;
-    state["reloads"] = reloads_;
-    state["loadMilliseconds"] = loadMilliseconds_;
-    state["firstDrawMilliseconds"] = firstDrawMilliseconds_;
-    state["editToPictureMilliseconds"] = editToPicture_;
-    state["mode"] = static_cast<int>(ui.mode);
-    state["typing"] = ui.typing;
-    state["notice"] = ui.notice;
-    state["hardcopyMessage"] = ui.hardcopy.job ? std::string() : ui.hardcopy.message;
-    state["lightTheme"] = lightTheme_;
-    state["inspected"] = ui.inspector.hovered;
-    state["refreshRate"] = display_.refreshRate();
-    state["swapControl"] = Display::hasSwapControl();
-    state["waiting"] = !hasWork();
-    timespec cpu{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-    state["cpuSeconds"] = static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * 1e-9;
-    addPanels(state, ui);
-    state["widgets"] = ui.widgets;
-    const std::string text = state.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    loop_.windowSize = display_.size();
+    loop_.refreshRate = display_.refreshRate();
+    loop_.hasSwapControl = Display::hasSwapControl();
+    loop_.isWaiting = !hasWork();
+    std::string text = windowJson(ui(), loop_);
     if (text != writtenState_)
         image::writeFileAtomically(arguments_.stateFile, std::as_bytes(std::span(text)));
-    writtenState_ = text;
+    writtenState_ = std::move(text);
 }
 
-void Window::remember() {
+void Window::saveSettings() {
     std::tie(shared_.settings.windowWidth, shared_.settings.windowHeight) = display_.size();
     shared_.settings.layout = ImGui::SaveIniSettingsToMemory();
     writeSettings(shared_.settings, settingsFile());
 }
 
-void Window::openFirst() {
+void Window::openInitialScenes() {
     for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
     tabs_.show(0);
-    followTab();
+    updateForShownScene();
     shared_.examples.isOpen = arguments_.scenes.empty() && replay_.empty();
     if (!session().hasScene()) return;
     for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
@@ -407,22 +385,21 @@ void Window::setSize() {
     const scene::Scene& scene = session().live().scene();
     const int width = arguments_.options.width > 0 ? arguments_.options.width : scene.width;
     const int height = arguments_.options.height > 0 ? arguments_.options.height : scene.height;
-    const float panel = settings.panelWidth > 0 ? settings.panelWidth : 380 * ui().scale;
-    display_.setSize(width + static_cast<int>(panel), height);
+    display_.setSize(width + static_cast<int>(panelWidth(ui())), height);
 }
 
 Diagnostics Window::run() {
-    openFirst();
+    openInitialScenes();
     setSize();
     while (display_.isOpen()) {
         waitForWork();
-        takeRequests();
-        takeChanges();
+        handleRequests();
+        reloadIfNeeded();
         if (hasWork()) drawFrame();
         writeState();
         if (!replay_.empty() && replayed_ >= replay_.size()) break;
     }
-    remember();
+    saveSettings();
     return std::move(setProblems_);
 }
 

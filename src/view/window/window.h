@@ -1,5 +1,5 @@
 #pragma once
-// The window program: a session a tab, their panels, and the loop that draws only what changed.
+// The window program: tabs with a session each, their panels, and a loop that only draws what has changed.
 
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
@@ -11,15 +11,15 @@
 namespace glibra::view {
 
 struct WindowArguments {
-    std::vector<std::filesystem::path> scenes;  ///< a tab each
-    std::vector<std::string> set;               ///< "NAME=VALUE", for the first
-    RenderOptions options;                      ///< width and height: of the picture
+    std::vector<std::filesystem::path> scenes;  ///< one tab per scene
+    std::vector<std::string> set;               ///< "NAME=VALUE", for the first scene
+    RenderOptions options;                      ///< width and height are those of the picture
     bool paused = false;
-    std::filesystem::path stateFile;  ///< JSON, written after every frame that changed it
+    std::filesystem::path stateFile;  ///< JSON, written whenever the state has changed
     std::filesystem::path recordFile, replayFile;
 };
 
-/// Runs until the window is closed. The diagnostics say why it could not be opened.
+/// Runs until the window is closed. Returns the errors if it cannot be opened, and those of `set`.
 Diagnostics runWindow(const WindowArguments& arguments);
 
 }  // namespace glibra::view

@@ -9,7 +9,7 @@
 
 namespace glibra::bench {
 
-/// OBJ text of side * side vertices and (side - 1)^2 faces; 640 gives 70 MB.
+/// OBJ text with side * side vertices and (side - 1)^2 faces; a side of 640 gives 70 MB.
 inline std::string gridModel(int side) {
     std::string text = "# a wavy sheet\n";
     const auto at = [&](int i) { return 2. * i / (side - 1) - 1; };

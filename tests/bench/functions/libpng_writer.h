@@ -1,5 +1,5 @@
 #pragma once
-// A PNG file by libpng with its own defaults: adaptive filters, zlib level 6.
+// Writes a PNG file with libpng's defaults: adaptive filters, zlib level 6.
 
 #include <png.h>
 
@@ -10,7 +10,7 @@
 
 namespace glibra::bench {
 
-/// Of a picture of three bytes a pixel.
+/// The picture has three bytes per pixel.
 inline std::vector<std::uint8_t> writeByLibpng(const image::Image& picture) {
     std::vector<std::uint8_t> file;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

@@ -1,4 +1,4 @@
-// Noise textures beside writing as many bytes on all processors, into memory that is as new as theirs.
+// Noise textures, against writing as many bytes on all processors into new memory.
 
 #include "noise/noise.h"
 
@@ -46,7 +46,7 @@ void noise2Of4096(benchmark::State& state) {
     }
 }
 
-/// What the function must do at least: get memory and write it.
+/// The least that the function must do: allocate memory and write it.
 void writeNewMemory(benchmark::State& state) {
     for (auto _ : state) {
         const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(kBytes);
@@ -55,7 +55,7 @@ void writeNewMemory(benchmark::State& state) {
     }
 }
 
-/// Memory that the process has already: the bandwidth alone.
+/// Memory that the process already has: the bandwidth alone.
 void writeOwnMemory(benchmark::State& state) {
     const auto bytes = std::make_unique<std::uint8_t[]>(kBytes);
     for (auto _ : state) {

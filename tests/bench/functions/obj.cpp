@@ -1,5 +1,4 @@
-// Reading a model of 70 MB, beside tinyobjloader: from the text to triangles, and to a mesh that can be
-// drawn.
+// Reading a model of 70 MB, against tinyobjloader: from text to triangles, and to a mesh that can be drawn.
 
 #include <benchmark/benchmark.h>
 #include <tiny_obj_loader.h>

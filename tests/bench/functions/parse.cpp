@@ -1,5 +1,5 @@
-// A scene of 100,000 lines, beside two loops that do less: one that only splits the text into words, and one
-// that also reads the numbers among them.
+// A scene of 100,000 lines, against two loops that do less: one only splits the text into words, the other
+// also reads the numbers.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

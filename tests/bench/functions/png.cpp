@@ -1,4 +1,4 @@
-// PNG files of 1024 x 1024 pixels, beside libpng with its own defaults. "bytes" is the size of the file.
+// PNG files of 1024 x 1024 pixels, against libpng with its defaults. "bytes" is the size of the file.
 
 #include <benchmark/benchmark.h>
 #include <png.h>
@@ -34,7 +34,7 @@ void put(image::Image& picture, int x, int y, double red, double green, double b
     for (const double each : {red, green, blue}) *to++ = static_cast<std::byte>(std::lround(255 * each));
 }
 
-/// A lit sphere before a plain background: what most exercises draw.
+/// A lit sphere in front of a plain background, as in most exercises.
 const image::Image& sphere() {
     static const image::Image made = [] {
         image::Image picture = emptyPicture();
@@ -116,7 +116,7 @@ void decodeLibpng(benchmark::State& state, const image::Image& (*picture)()) {
     for (auto _ : state) benchmark::DoNotOptimize(readByLibpng(file));
 }
 
-/// The writer has threads of its own.
+/// The writer starts its own threads, so the time of the whole process is measured.
 void wholeProcess(benchmark::internal::Benchmark* function) {
     function->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 }

@@ -1,5 +1,5 @@
-"""A display of its own with a window manager, and a glibra window on it that tests drive as a user does: with the
-mouse and the keyboard, looking at the screen and at the state that `--state` writes."""
+"""A virtual display with a window manager, and a glibra window on it. Tests drive the window as a user does, with the
+mouse and the keyboard, and check the screen and the state that `--state` writes."""
 
 import json
 import os
@@ -10,11 +10,11 @@ import tempfile
 import time
 
 PAUSE = 0.02
-HANGING = 60  # seconds after which a window counts as hanging; nothing is measured by it
+HANGING = 60  # seconds after which a window counts as hanging; not a measurement
 
 
 class Desktop:
-    """Xvfb and openbox. Ends what it started."""
+    """Xvfb and openbox; close() ends both."""
 
     def __init__(self, width=1400, height=1100):
         read, write = os.pipe()
@@ -34,8 +34,7 @@ class Desktop:
 
 
 class Window:
-    """`glibra view SCENE ARGUMENTS...`, with a folder of its own for settings, pictures and state; without a scene if
-    that is None."""
+    """`glibra view SCENE ARGUMENTS...` with its own folder for settings, pictures and state. `scene` may be None."""
 
     def __init__(self, desktop, program, scene, *arguments, settings=None, variables=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="glibra-window-"))
@@ -61,7 +60,7 @@ class Window:
         return subprocess.run(["xdotool", *arguments], env=self.environment, check=True, text=True,
                               stdout=subprocess.PIPE).stdout
 
-    # What the window says.
+    # What the window reports.
 
     def state(self):
         try:
@@ -70,24 +69,24 @@ class Window:
             return None
 
     def wait(self, holds):
-        """The first state for which that holds. A wait for nothing ends with what the window says."""
+        """Waits for a state for which `holds` is true, and returns it. Fails with the last state after HANGING seconds."""
         end = time.monotonic() + HANGING
         while True:
             if time.monotonic() > end:
                 shown = {k: v for k, v in (self.state() or {}).items() if k != "widgets"}
-                raise AssertionError(f"this never came: {shown}")
+                raise AssertionError(f"the expected state did not come; the last one is {shown}")
             if self.process.poll() is not None:
-                raise AssertionError("the window is gone: " + self.process.stderr.read())
+                raise AssertionError("the window has ended: " + self.process.stderr.read())
             state = self.state()
             for each in (state or {}).get("messages", []):
                 if each["id"].startswith("gpu"):
-                    raise AssertionError("an error of OpenGL: " + each["text"])
+                    raise AssertionError("OpenGL error: " + each["text"])
             if state and holds(state):
                 return state
             time.sleep(PAUSE)
 
     def settle(self):
-        """The state when the window waits for events and has drawn what it was asked for."""
+        """Waits until the window has handled all input and waits for events. Returns the state."""
         before = None
         while True:
             state = self.wait(lambda s: s["waiting"] or s["moving"])
@@ -102,7 +101,7 @@ class Window:
     def wait_knob(self, tag, holds):
         return self.wait(lambda s: any(k["tag"] == tag and holds(k["current"]) for k in s["knobs"]))
 
-    # What a user does. Positions are those of the window's content.
+    # What a user does. Positions are relative to the window's content.
 
     def point(self, widget, across=0.5, down=0.5):
         x, y, width, height = self.wait(lambda s: widget in s["widgets"])["widgets"][widget]
@@ -149,7 +148,7 @@ class Window:
         time.sleep(3 * PAUSE)
 
     def drop(self, *files):
-        """Files fall on the window, out of a file manager; returns when it has them. Paths or whole URIs."""
+        """Drops files (paths or URIs) on the window, as a file manager does. Returns when the window has them."""
         uris = [each if "://" in str(each) else pathlib.Path(each).as_uri() for each in files]
         subprocess.run([os.environ["GLIBRA_DROP"], self.id, *uris], env=self.environment, check=True)
 
@@ -179,7 +178,7 @@ def read_ppm(data):
 
 
 def rendered(program, scene, width, height, *arguments):
-    """What `glibra render` makes of the scene."""
+    """The picture that `glibra render` makes: width, height and RGB bytes."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "picture.ppm"
         subprocess.run([program, "render", str(scene), "-o", str(file.with_suffix(".png")), "--size",

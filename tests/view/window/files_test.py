@@ -1,4 +1,4 @@
-"""Files dropped on the window; finding, replacing and undo in the source panel; the user's own editor."""
+"""Tests of dropped files; of find, replace and undo in the source panel; of the user's own editor."""
 
 import subprocess
 import sys
@@ -27,10 +27,10 @@ class Dropping(ScenesTest):
         window.drop(self.files / "one.glib")
         window.wait(lambda s: s["shownTab"] == 0 and len(s["tabs"]) == 2)
         window.drop(self.files / "one.glib")
-        window.wait(lambda s: s["notice"] == "one.glib is open already" and len(s["tabs"]) == 2)
+        window.wait(lambda s: s["notice"] == "one.glib is already open" and len(s["tabs"]) == 2)
 
     def test_a_window_without_a_scene_shows_the_dropped_one_in_its_only_tab(self):
-        # A library without examples: their pictures would be drawn meanwhile.
+        # A library without examples, so that no pictures of examples are drawn during the test.
         for folder in ("glib", "shaders"):
             (self.files / "library" / folder).mkdir(parents=True)
         window = self.open(None, variables={"GLIBRA_PATH": str(self.files / "library")})
@@ -44,10 +44,10 @@ class Dropping(ScenesTest):
         window.drop(self.files / "two.glib", odd, self.files / "gone.glib", self.files / "a.vert")
         state = window.wait(lambda s: len(s["tabs"]) == 3)
         self.assertEqual([t["path"] for t in state["tabs"][1:]], [str(self.files / "two.glib"), str(odd)])
-        window.wait(lambda s: "gone.glib: there is no such file" in s["notice"])
+        window.wait(lambda s: "gone.glib: no such file" in s["notice"])
         window.wait(lambda s: s["source"]["shown"] and s["source"]["file"].endswith("a.vert"))
 
-    def test_what_a_scene_uses_is_shown_where_it_does(self):
+    def test_a_file_of_a_scene_is_shown_where_it_is_used(self):
         (self.files / "wood.glib").write_text(TEXTURED)
         (self.files / "wood.ppm").write_text("P3 2 1 255 200 100 50 10 20 30\n")
         (self.files / "st.vert").write_text(VERTEX.replace("void", "out vec4 vST; void").replace(
@@ -63,23 +63,23 @@ class Dropping(ScenesTest):
         left, top, _, _ = window.state()["widgets"]["inspector/image"]
         window.move(left + 0.3, top + 0.3)
         window.wait(lambda s: s["inspected"] == "0, 0: 0.78431 0.39216 0.19608 1")
-        # A file of the other tab's scene shows that tab.
+        # A file of the other tab's scene switches to that tab.
         window.drop(self.files / "one.frag")
         window.wait(lambda s: s["shownTab"] == 1 and s["source"]["file"].endswith("one.frag"))
 
-    def test_everything_else_is_refused_by_a_sentence(self):
+    def test_other_files_are_refused_with_a_message(self):
         note = self.files / "notes.txt"
         note.write_text("notes")
         window = self.open(self.files / "one.glib", "--size", "520x560")
         window.drop(note)
-        told = window.wait(lambda s: "notes.txt is neither a scene" in s["notice"])
-        self.assertEqual([t["label"] for t in told["tabs"]], ["one"])
+        state = window.wait(lambda s: "notes.txt is neither a scene" in s["notice"])
+        self.assertEqual([t["label"] for t in state["tabs"]], ["one"])
         window.drop(self.files / "gone.png")
-        told = window.wait(lambda s: "there is no such file" in s["notice"])
-        self.assertEqual([t["label"] for t in told["tabs"]], ["one"])
+        state = window.wait(lambda s: "no such file" in s["notice"])
+        self.assertEqual([t["label"] for t in state["tabs"]], ["one"])
         window.drop("https://example.org/a.glib")
-        told = window.wait(lambda s: "there is no such file" in s["notice"] and "gone" not in s["notice"])
-        self.assertEqual([t["label"] for t in told["tabs"]], ["one"])
+        state = window.wait(lambda s: "no such file" in s["notice"] and "gone" not in s["notice"])
+        self.assertEqual([t["label"] for t in state["tabs"]], ["one"])
         self.assertShows(window, self.files / "one.glib")
 
     def test_a_folder_shows_its_scenes(self):
@@ -122,7 +122,7 @@ class Finding(ScenesTest):
         self.found(window, 2, 4)
         window.key("F3")
         self.found(window, 3, 4)
-        # The place is selected when the bar is closed: what is typed takes its place.
+        # Closing the bar selects the match, so typed text replaces it.
         window.key("Escape")
         window.wait(lambda s: "find" not in s and s["source"]["active"] and s["source"]["line"] == 67)
         window.settle()
@@ -147,7 +147,7 @@ class Finding(ScenesTest):
         window.click("source/find/replace")
         window.wait(lambda s: s["find"]["count"] == 3 and s["source"]["changed"])
         window.click("source/find/all")
-        window.wait(lambda s: s["find"]["count"] == 0 and "3 places replaced" in s["notice"])
+        window.wait(lambda s: s["find"]["count"] == 0 and "replaced 3 matches" in s["notice"])
         window.key("ctrl+s")
         window.wait(lambda s: not s["source"]["changed"])
         new = self.text.replace("uBluer", "@").replace("uBlue", "uB").replace("@", "uBluer")
@@ -198,26 +198,26 @@ class Finding(ScenesTest):
 
 
 class Editor(ScenesTest):
-    def test_opens_the_file_at_its_line_and_leaves_no_process_behind(self):
-        told = self.files / "told"
+    def test_opens_the_file_at_its_line_and_leaves_no_process(self):
+        arguments = self.files / "arguments"
         editor = self.files / "editor"
-        editor.write_text(f"#!/bin/sh\nprintf '%s ' \"$@\" >{told}.part\nmv {told}.part {told}\n")
+        editor.write_text(f"#!/bin/sh\nprintf '%s ' \"$@\" >{arguments}.part\nmv {arguments}.part {arguments}\n")
         editor.chmod(0o755)
         (self.files / "one.frag").write_text(SHADER.replace("uBlue, 1.", "uBleu, 1."))
         window = self.open(self.files / "one.glib", "--size", "520x900",
                            variables={"EDITOR": str(editor), "VISUAL": ""})
         for _ in range(3):
-            told.unlink(missing_ok=True)
+            arguments.unlink(missing_ok=True)
             window.click("message/0/edit")
-            while not told.exists():
+            while not arguments.exists():
                 self.assertIsNone(window.process.poll())
                 time.sleep(0.02)
-            self.assertEqual(told.read_text().split(), ["+4", str(self.files / "one.frag")])
+            self.assertEqual(arguments.read_text().split(), ["+4", str(self.files / "one.frag")])
         children = subprocess.run(["ps", "--ppid", str(window.process.pid), "-o", "stat="], text=True,
                                   stdout=subprocess.PIPE).stdout.split()
         self.assertEqual(children, [])
 
-    def test_an_editor_that_is_not_there_is_told(self):
+    def test_a_missing_editor_is_reported(self):
         (self.files / "one.frag").write_text(SHADER.replace("uBlue, 1.", "uBleu, 1."))
         window = self.open(self.files / "one.glib", "--size", "520x900",
                            variables={"EDITOR": "no-such-editor", "VISUAL": ""})

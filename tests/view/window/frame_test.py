@@ -1,4 +1,4 @@
-"""The window itself: what is read again, its size, hardcopies, what it remembers, no display at all."""
+"""Tests of reloading, resizing, hardcopies, settings, and of starting without a display."""
 
 import json
 import os
@@ -11,7 +11,7 @@ from window_case import ALL_KINDS, FRAGMENT, OVALS, PROGRAM, WindowTest
 
 
 class Reload(WindowTest):
-    def test_an_edit_is_seen_at_once_and_values_stay(self):
+    def test_an_edit_is_shown_at_once_and_values_stay(self):
         scene = self.files / "kinds.glib"
         window = self.open(scene, "--size", "200x560", "--set", "uFloat=0.75")
         shader = self.files / "a.frag"
@@ -60,7 +60,7 @@ class Frame(WindowTest):
         window.type(str(file))
         window.key("Return")
         window.click("hardcopy/write")
-        window.wait(lambda s: s["hardcopyMessage"] == f"written: {file}")
+        window.wait(lambda s: s["hardcopyMessage"] == f"wrote {file}")
         ppm = subprocess.run(["convert", str(file), "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
         width, height, screen = window.pixels()
         self.assertEqual(ppm[-3 * width * height:], screen)
@@ -68,7 +68,7 @@ class Frame(WindowTest):
                                  stdout=subprocess.PIPE).stdout
         self.assertIn("--set uAd=0.4", comment)
 
-    def test_what_the_window_remembers(self):
+    def test_settings_are_kept(self):
         settings = self.files / "settings"
         window = self.open(OVALS, settings=settings)
         window.resize(913, 517)
@@ -97,9 +97,9 @@ class Frame(WindowTest):
         window.key("a")
         window.wait(lambda s: s["axes"] and "hardcopy/stop" in s["widgets"])
         window.click("hardcopy/stop")
-        told = window.wait(lambda s: s["hardcopyMessage"] and s["waiting"])["hardcopyMessage"]
+        message = window.wait(lambda s: s["hardcopyMessage"] and s["waiting"])["hardcopyMessage"]
         written = len(list(self.files.glob("film_*.png")))
-        self.assertEqual(told, f"stopped after {written} of 100000 frames")
+        self.assertEqual(message, f"stopped after {written} of 100000 frames")
         self.assertLess(written, 100000)
 
     def test_floating_windows_stand_where_they_stood(self):
@@ -123,7 +123,7 @@ class Frame(WindowTest):
 
 
 class NoDisplay(unittest.TestCase):
-    def test_is_told_in_one_sentence(self):
+    def test_a_missing_display_is_reported_in_one_line(self):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
         done = subprocess.run([PROGRAM, "view", str(OVALS)], env=environment, text=True, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 4)

@@ -1,4 +1,4 @@
-"""Looking into the pipeline: numbers under the mouse, frame rates, views instead of the picture, noise."""
+"""Tests of the inspector, the frame rate, debug views and the noise window."""
 
 import subprocess
 import sys
@@ -9,15 +9,15 @@ from window_case import PROGRAM, WindowTest
 
 
 class Looking(WindowTest):
-    def test_the_inspector_tells_the_numbers_under_the_mouse(self):
+    def test_the_inspector_shows_the_numbers_under_the_mouse(self):
         window = self.open(self.files / "kinds.glib", "--size", "600x600")
         window.click("view/inspector")
         window.wait(lambda s: "inspector/image" in s["widgets"])
         window.move(*window.point("inspector/what"))
         left, top, _, _ = window.state()["widgets"]["inspector/image"]
         window.move(left + 40.5, top + 30.5)
-        told = window.wait(lambda s: s["inspected"])["inspected"]
-        place, values = told.split(": ")
+        inspected = window.wait(lambda s: s["inspected"])["inspected"]
+        place, values = inspected.split(": ")
         x, row = (int(each) for each in place.split(", "))
         width, height, screen = rendered(PROGRAM, self.files / "kinds.glib", 600, 600)
         at = 3 * ((height - 1 - row) * width + x)
@@ -36,26 +36,26 @@ class Looking(WindowTest):
 
 
 class Pipeline(WindowTest):
-    def test_a_view_is_chosen_and_tells_its_numbers(self):
+    def test_a_debug_view_shows_its_numbers(self):
         (self.files / "layers.glib").write_text("WindowSize 200 200\nOrtho -1 1 -1 1 -1 1\nQuadXY -.5 .5\nQuadXY 0 .5\n"
                                                 "Rotate 180 0 1 0\nQuadXY .5 .5\n")
         window = self.open(self.files / "layers.glib", "--size", "300x600")
-        window.click("view/lens")
-        window.click("view/lens/layers")
-        window.wait(lambda s: s["lens"] == "layers")
+        window.click("view/show")
+        window.click("view/show/layers")
+        window.wait(lambda s: s["debugView"] == "layers")
         window.move(150, 300)
-        window.wait(lambda s: s["lensWords"] == "3 fragments")
+        window.wait(lambda s: s["debugViewText"] == "3 fragments")
         window.move(150, 30)
-        window.wait(lambda s: s["lensWords"] == "nothing is drawn here")
+        window.wait(lambda s: s["debugViewText"] == "nothing is drawn here")
         width, height, screen = window.pixels()
         at = 3 * (height // 2 * width + width // 2 - 20)
         self.assertEqual(tuple(screen[at:at + 3]), (30, 160, 180))
         window.key("v")
-        window.wait(lambda s: s["lens"] == "depth")
+        window.wait(lambda s: s["debugView"] == "depth")
         window.move(151, 301)
-        window.wait(lambda s: s["lensWords"].startswith("depth 0.5"))
+        window.wait(lambda s: s["debugViewText"].startswith("depth 0.5"))
         window.key("v")
-        window.wait(lambda s: s["lens"] == "picture")
+        window.wait(lambda s: s["debugView"] == "picture")
         self.assertShows(window, self.files / "layers.glib")
 
     def test_the_noise_window_moves_points_and_writes_what_the_command_does(self):
@@ -63,7 +63,7 @@ class Pipeline(WindowTest):
         window.key("n")
         window.wait(lambda s: "noise" in s and "noise/graph" in s["widgets"])
         left, top, width, height = window.state()["widgets"]["noise/graph"]
-        # Any point is taken hold of where the graph passes it; the others of the eight stay.
+        # A click at any height chooses the point above or below it.
         window.click("noise/Lattice")
         window.click("noise/Lattice/both")
         window.move(left + width * 3 / 8, top + 4)
@@ -76,7 +76,7 @@ class Pipeline(WindowTest):
         self.assertIn("--lattice both", command)
         value = float(command.split("--height 3=")[1].split()[0])
         self.assertTrue(0.2 < value < 0.95, value)
-        # The point stands at its height; dragging it to the middle of the graph makes it 0.
+        # The point is at its height; dragging it to the middle of the graph makes it 0.
         span = 2 * (1 + 5 / 16)
         x, y = left + width * 3 / 8, top + height * (0.5 - value / span)
         window.drag((x, y), (x, top + height / 2))
@@ -87,7 +87,7 @@ class Pipeline(WindowTest):
         window.type(str(file))
         window.key("Return")
         window.click("noise/WriteGraph")
-        written = window.wait(lambda s: s["noise"]["message"] == f"written: {file}")
+        written = window.wait(lambda s: s["noise"]["message"] == f"wrote {file}")
         own = file.read_bytes()
         file.unlink()
         words = written["noise"]["command"].split()

@@ -1,4 +1,4 @@
-"""A frame of the window takes no memory from the heap: scene, panels and all, while the scene moves."""
+"""A frame of a moving scene allocates no heap memory, panels included."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ from desktop import HANGING, PAUSE
 from window_case import PROGRAM, WindowTest
 
 COUNTER = os.environ["GLIBRA_COUNTER"]
-SETTLED = 60  # frames after which everything has been made
+SETTLED = 60  # frames after which everything has been allocated
 
 
 class Memory(WindowTest):

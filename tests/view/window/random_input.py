@@ -1,4 +1,4 @@
-"""Random input for `glibra-view --replay`: drags, keys, typing, resizes, and scenes opened, among them broken ones.
+"""Random input for `glibra-view --replay`: drags, keys, typing, resizes, and opened scenes.
 
     random_input.py SEED FRAMES SCENE... >FILE
 """

@@ -1,4 +1,4 @@
-"""Recorded and random input, played again."""
+"""Tests of recorded and random input that is played back."""
 
 import json
 import shutil
@@ -30,7 +30,7 @@ class Replay(WindowTest):
         self.assertEqual(replayed["view"], recorded["view"])
         self.assertTrue(replayed["axes"])
 
-    def test_the_way_to_a_click_in_the_same_frame_turns_nothing(self):
+    def test_a_mouse_move_in_the_frame_of_a_click_rotates_nothing(self):
         script, state = self.files / "click.jsonl", self.files / "state.json"
         frames = 4 * [{"mouse": [10, 10], "buttons": 0}] + [{"mouse": [150, 120], "buttons": 1}] + [{"buttons": 0}] * 2
         script.write_text("".join(json.dumps(each) + "\n" for each in frames))
@@ -42,7 +42,7 @@ class Replay(WindowTest):
 
     def test_random_input_does_no_harm(self):
         (self.files / "broken.glib").write_text("Program {\nSphere -1 9999999 2\nVertex none.vert\nObj none.obj\n")
-        # Copies: who clicks and types anything may save it too.
+        # Copies, since random input may also save files.
         for folder in ("glib/patterns", "shaders/patterns", "shaders/common"):
             shutil.copytree(SOURCES / folder, self.files / "library" / folder)
         ovals = self.files / "library/glib/patterns/ovalnoise.glib"

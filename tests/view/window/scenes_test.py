@@ -1,4 +1,4 @@
-"""Sources edited in the window, scenes opened, several of them in tabs, shots of suites."""
+"""Tests of editing sources, opening scenes, tabs and suite shots."""
 
 import pathlib
 import subprocess
@@ -71,7 +71,7 @@ class Source(ScenesTest):
         window.key("ctrl+s")
         window.wait(lambda s: s["reloads"] >= 1 and not s["source"]["changed"])
         self.assertEqual((self.files / "one.frag").read_text(), SHADER.replace("1.);\n", "1.);\n    c.g = .6;\n"),
-                         "the new line begins as the one before")
+                         "the new line is indented like the one before")
         self.assertShows(window, self.files / "one.glib")
         left, top, width, height = window.state()["picture"]
         self.assertEqual(self.pixel(window, left + width / 2, top + height / 2), (255, 153, 64))
@@ -97,7 +97,7 @@ class Source(ScenesTest):
         window.wait(lambda s: s["knobs"] and s["knobs"][0]["maximum"] == 2)
         self.assertIn("<0. .25 2.> uFree 3\n", (self.files / "one.glib").read_text())
 
-    def test_an_error_is_marked_where_it_is_with_what_became_of_the_line(self):
+    def test_an_error_is_marked_at_its_line_with_the_translated_line(self):
         window = self.open(self.files / "old.glib", "--size", "520x560")
         self.edit(window, 3)
         good = window.pixels()[2]
@@ -133,7 +133,7 @@ class Source(ScenesTest):
         shown = window.wait(lambda s: s["source"]["shown"] and s["source"]["line"] == 3 and s["source"]["active"])
         self.assertTrue(shown["source"]["file"].endswith("old.frag"))
 
-    def test_two_who_change_a_file_are_told_of_each_other(self):
+    def test_a_conflict_with_another_program_is_reported(self):
         shader = self.files / "one.frag"
         window = self.open(self.files / "one.glib", "--size", "520x560")
         self.edit(window, 4)
@@ -198,7 +198,7 @@ class Scenes(ScenesTest):
         window.wait(lambda s: "dialog/entry/three.glib" in s["widgets"])
         window.settle()
         self.assertEqual(window.state()["folder"], str(folder))
-        # Where frames are slow two clicks may be too far apart to be a double one; each alone only chooses.
+        # If frames are slow, the two clicks may be too far apart for a double click. A single click only selects.
         for _ in range(10):
             window.double_click("dialog/entry/three.glib")
             window.settle()
@@ -236,7 +236,7 @@ class Scenes(ScenesTest):
     def test_the_examples_are_shown_with_pictures_and_a_click_opens_one(self):
         window = self.open(None, variables={"GLIBRA_PATH": str(self.library())})
         shown = window.wait(lambda s: s["examples"]["pictures"] == 2 and not s["examples"]["drawing"])
-        self.assertTrue(shown["examples"]["open"], "without a scene they are what one sees first")
+        self.assertTrue(shown["examples"]["open"], "without a scene the window begins with the examples")
         self.assertEqual(shown["examples"]["scenes"], 3)
         window.settle()
         self.assertEqual(self.pixel(window, *window.point("example/start/red")), (255, 0, 64))
@@ -249,7 +249,7 @@ class Scenes(ScenesTest):
         window.move(20, 20)
         window.key("x")
         window.wait(lambda s: s["examples"]["pictures"] == 2)
-        self.assertFalse(window.state()["examples"]["drawing"], "they are kept")
+        self.assertFalse(window.state()["examples"]["drawing"], "the pictures are cached")
         self.assertEqual([each.stat().st_mtime_ns for each in kept], times)
         window.click("examples/search")
         window.wait(lambda s: s["takesText"])
@@ -294,7 +294,7 @@ class Tabs(ScenesTest):
         last = window.wait(lambda s: [t["label"] for t in s["tabs"]] == ["one"])
         self.assertNotEqual(last["view"]["eye"], IDENTITY)
 
-    def test_the_one_that_is_not_shown_stands_still_and_knows_edits_later(self):
+    def test_a_hidden_tab_pauses_and_reloads_when_it_is_shown(self):
         (self.files / "two.frag").write_text(MOVING_FRAGMENT.replace("uR", "uBlue"))
         window = self.open_two()
         window.wait(lambda s: s["moving"] and s["framesDrawn"] > 3)
@@ -312,7 +312,7 @@ class Tabs(ScenesTest):
         window.wait(lambda s: s["shownTab"] == 1 and s["reloads"] > before["reloads"])
         self.assertShows(window, self.files / "two.glib")
 
-    def test_closing_one_with_unsaved_text_asks(self):
+    def test_closing_a_tab_with_unsaved_text_asks(self):
         window = self.open_two()
         self.edit(window, 4)
         window.type(" // mine")
@@ -338,7 +338,7 @@ class Suites(ScenesTest):
         window.wait(lambda s: s["view"]["eye"] != IDENTITY)
         window.click("suite")
         window.click("suite/add")
-        window.wait(lambda s: "is a shot of pictures.toml" in s["suiteMessage"])
+        window.wait(lambda s: "to pictures.toml" in s["suiteMessage"])
         suite = self.files / "pictures.toml"
         window.move(20, 20)
         width, height, screen = window.pixels()

@@ -1,9 +1,9 @@
-"""Ten thousand random events, while the files under the window are broken, replaced, removed and put back. The window
-has to end by itself, without an error of OpenGL or of a sanitizer. Under the sanitizers:
+"""Ten thousand random events, while the open files are damaged, replaced, removed and restored. The window must end by
+itself, without errors of OpenGL or of a sanitizer. To run it with sanitizers:
 
     ctest --test-dir build/asan-ubsan -C Long -L view-long
 
-The variables GLIBRA_EVENTS and GLIBRA_SEED make it another run."""
+The variables GLIBRA_EVENTS and GLIBRA_SEED change the run."""
 
 import json
 import os
@@ -20,7 +20,7 @@ from window_case import OVALS, PROGRAM, SOURCES, WindowTest
 EVENTS = int(os.environ.get("GLIBRA_EVENTS", "10000"))
 SEED = int(os.environ.get("GLIBRA_SEED", "1"))
 COMMAND = [os.environ["GLIBRA_WINDOW"]] if "GLIBRA_WINDOW" in os.environ else [PROGRAM, "view"]
-PARTS = 10  # scripts, each a start and an end of the program
+PARTS = 10  # scripts; the program is started once for each
 
 PASSES = """WindowSize 160 160
 Ortho -1 1 -1 1 -1 1
@@ -42,7 +42,7 @@ TEXTURE_FRAGMENT = ("#version 330\nuniform sampler2D uT; out vec4 c;\n"
 
 
 class Vandal(threading.Thread):
-    """Does to the files what editors, git and people do."""
+    """Changes the files as editors, git and people do."""
 
     def __init__(self, folder, seed):
         super().__init__(daemon=True)
@@ -85,7 +85,7 @@ class Stress(WindowTest):
                                                       "passes.glib", "ovals.glib")]
         drops = [str(self.files / each) for each in ("a.frag", "moving.frag", "a.vert", "gone.txt", "nothing.png", ".")]
         (self.files / "gone.txt").write_text("text")
-        # An editor that does nothing; a folder of its own for whatever buttons write.
+        # An editor that does nothing, and a folder for the files that buttons write.
         written = self.files / "written"
         written.mkdir()
         suppressions = f"suppressions={SOURCES / 'tests/lsan.supp'}:print_suppressions=0"

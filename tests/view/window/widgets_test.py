@@ -1,4 +1,4 @@
-"""Values changed by widgets, transforms by the mouse, time by its panel."""
+"""Tests of widgets for values, of the mouse for transforms, and of the time section."""
 
 import sys
 import time
@@ -48,7 +48,7 @@ class Widgets(WindowTest):
         window = self.open(scene, "--size", "200x560")
         window.double_click("uniform/Kinds/uFloat")
         window.wait(lambda s: s["typing"] == "uniform/Kinds/uFloat")
-        self.assertEqual(window.knob("uFloat"), [0.25], "the clicks themselves change nothing")
+        self.assertEqual(window.knob("uFloat"), [0.25], "the clicks alone change nothing")
         window.type("1.75")
         window.key("Return")
         window.wait_knob("uFloat", lambda v: v == [1.75])
@@ -82,9 +82,9 @@ class Widgets(WindowTest):
         window = self.open(self.files / "kinds.glib", "--size", "200x560", "--set", "uInt=5")
         window.click("copy/0")
         window.settle()
-        # The clipboard belongs to the window: it is pasted into the path entry, where the state shows nothing of it,
-        # so the number of its lines is judged by opening what it names.
-        window.click("uniforms/copySet")
+                # Only the window can read its clipboard. Paste it into the path field and open that: the error message has
+        # the text.
+        window.click("uniforms/copyValues")
         window.click("scene/open")
         window.wait(lambda s: "scene/path" in s["widgets"] and s["takesText"])
         window.key("ctrl+v")
@@ -173,8 +173,8 @@ class Time(WindowTest):
         window = self.open(scene, "--size", "200x600")
         first = window.wait(lambda s: s["moving"] and s["framesDrawn"] > 5)
         window.wait(lambda s: s["framesDrawn"] > first["framesDrawn"] + 10 and s["time"] > first["time"])
-        # No more pictures than the screen shows, although nothing here waits for a screen. A window that falls behind
-        # counts less time than has passed.
+                # The window draws no more frames than the screen shows, although this driver does not wait for the screen. A
+        # slow window advances its time by less than the real time.
         begin = window.state()
         end = window.wait(lambda s: s["time"] > begin["time"] + 1)
         self.assertEqual(end["refreshRate"], 60)

@@ -1,4 +1,4 @@
-"""What the tests of the window share: scenes in a folder of their own, and a window that shows what is rendered."""
+"""The base class of the window's tests: scenes in a temporary folder, and comparison with `glibra render`."""
 
 import os
 import pathlib
@@ -71,7 +71,7 @@ class WindowTest(unittest.TestCase):
         return window
 
     def assertShows(self, window, scene, *arguments):
-        """The screen has the bytes of `glibra render` with those arguments."""
+        """The picture on the screen has the same bytes as `glibra render` with those arguments."""
         width, height, screen = window.pixels()
         picture = rendered(PROGRAM, scene, width, height, *arguments)
         self.assertEqual((width, height), picture[:2])

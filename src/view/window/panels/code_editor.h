@@ -1,5 +1,5 @@
 #pragma once
-// A widget for the text of a program: line numbers, colours, marked lines.
+// A widget that edits code, with line numbers, syntax colours and marked lines.
 
 #include <glibra/diagnostic.h>
 
@@ -7,47 +7,50 @@
 #include <span>
 #include <string>
 
-#include "view/edit/code_paint.h"
+#include "view/edit/syntax.h"
 #include "view/edit/text_search.h"
 
 namespace glibra::view {
 
-/// A message about a line, counted from 1.
+/// A message about a line; lines are counted from 1.
 struct CodeMark {
     int line = 1;
     Severity severity = Severity::error;
     std::string text;
 };
 
-/// What the widget keeps of one text from frame to frame.
+/// The widget's state for one text, kept between frames.
 struct CodeView {
-    int line = 1, column = 1;         ///< of the cursor; columns count characters
-    bool isActive = false;            ///< it has the keyboard
-    std::optional<int> goTo;          ///< a line that is to be shown, and to get the cursor
-    std::optional<TextRange> select;  ///< a part that is to be shown and selected, with the keyboard's focus
-    std::optional<std::size_t> reveal;   ///< a byte that is to be shown; the keyboard stays where it is
-    std::optional<std::string> newText;  ///< that is to take the place of the text
-    TextRange selection;                 ///< of the cursor; empty where nothing is selected
-    int generation = 0;                  ///< counted up when somebody else than the widget changes the text
-    int cursor = 0, previousSize = 0;    ///< bytes
-    float height = 0;                    ///< of what was seen
+    int line = 1, column = 1;  ///< of the cursor; columns count characters
+    bool isActive = false;     ///< the widget has the keyboard focus
+    // Requests for the next frame:
+    std::optional<int> goTo;             ///< scroll to this line and put the cursor there
+    std::optional<TextRange> select;     ///< scroll to this range, select it and take the keyboard focus
+    std::optional<std::size_t> reveal;   ///< scroll to this byte, without taking the keyboard focus
+    std::optional<std::string> newText;  ///< replace the text by this one
+    // State:
+    TextRange selection;   ///< empty, at the cursor, if nothing is selected
+    int generation = 0;    ///< increase it whenever other code changes the text
+    int cursor = 0;        ///< byte offset
+    int previousSize = 0;  ///< bytes of the text in the frame before
+    float height = 0;      ///< of the visible part, pixels
     struct Scroll {
         float x = 0, y = 0;
     };
     Scroll scroll;         ///< pixels
-    int framesToHold = 0;  ///< for which it stays whatever else scrolls
+    int framesToHold = 0;  ///< frames in which `scroll` stays, whatever else scrolls
 };
 
-/// What is shown in a text besides the text.
+/// What is marked in a text.
 struct CodeMarks {
     std::span<const CodeMark> lines;
     std::span<const TextRange> found;
-    std::size_t shown = 0;  ///< index of the one among `found` that stands out
+    std::size_t shown = 0;  ///< index in `found` of the match to emphasise
 };
 
-/// Fills what is left of the current window but `below` pixels. True if the text has changed. `name` tells
-/// widgets apart.
-bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks, Dialect dialect,
-                bool isReadOnly, float below);
+/// Draws the widget in the rest of the current window, except for `below` pixels at its lower edge. `name`
+/// must be unique in the window. Returns true if the text has changed.
+bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
+                CodeLanguage language, bool isReadOnly, float below);
 
 }  // namespace glibra::view

@@ -1,15 +1,17 @@
+// The section "Frame rate": measures the time per frame, pass and draw.
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-/// A bar a pass, and below it one a draw; the whole width is the longest pass.
+/// A bar per pass, and below it one per draw. The full width is the longest pass.
 void bars(Ui& ui, const FrameCost& cost) {
     double longest = 0;
     for (const PassCost& each : cost.passes) longest = std::max(longest, each.milliseconds);
@@ -19,14 +21,14 @@ void bars(Ui& ui, const FrameCost& cost) {
     };
     for (std::size_t pass = 0; pass < cost.passes.size(); ++pass) {
         const PassCost& each = cost.passes[pass];
-        const std::string line = each.line > 0 ? fmt::format(" ({})", each.line) : "";
+        const std::string line = each.line > 0 ? fmt::format(" (line {})", each.line) : "";
         bar(each.milliseconds, fmt::format("pass {} into {}{}", pass + 1, each.target, line));
         mark(ui, "cost/pass/{}", pass);
         ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
         ImGui::Indent();
         for (const DrawCost& draw : cost.draws)
             if (draw.pass == static_cast<int>(pass))
-                bar(draw.milliseconds, fmt::format("{} ({})", draw.word, draw.line));
+                bar(draw.milliseconds, fmt::format("{} (line {})", draw.word, draw.line));
         ImGui::Unindent();
         ImGui::PopStyleColor();
     }
@@ -46,9 +48,9 @@ void costPanel(Ui& ui) {
     if (!ui.cost || ui.cost->frames == 0) return;
     const FrameCost& cost = *ui.cost;
     constexpr double kMillisecondsInSecond = 1000;
-    ImGui::Text("%.1f frames a second, %.3f ms each", kMillisecondsInSecond / cost.millisecondsAFrame,
-                cost.millisecondsAFrame);
-    ImGui::TextDisabled("mean of %d frames, the scene alone", cost.frames);
+    ImGui::Text("%.1f frames per second, %.3f ms per frame",
+                kMillisecondsInSecond / cost.millisecondsPerFrame, cost.millisecondsPerFrame);
+    ImGui::TextDisabled("mean of %d frames, without panels", cost.frames);
     if (cost.counts)
         ImGui::Text("%llu vertices, %llu primitives, %llu fragments",
                     static_cast<unsigned long long>(cost.counts->vertices),

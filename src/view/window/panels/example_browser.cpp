@@ -12,7 +12,7 @@
 
 #include "glib/text.h"
 #include "image/read.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -25,7 +25,7 @@ std::filesystem::path programFile() {
     return std::filesystem::read_symlink("/proc/self/exe", failure);
 }
 
-/// What is on the disk now; pictures that are missing are asked for.
+/// Lists the examples on the disk, and starts making the missing pictures.
 void list(Ui& ui) {
     ExampleBrowser& browser = ui.shared.examples;
     browser.isListed = true;
@@ -60,7 +60,7 @@ void loadPicture(const gpu::Capabilities& capabilities, ExampleBrowser::Tile& ti
     if (tile.picture || tile.thumbnail.state != Thumbnail::State::ready) return;
     Result<image::Image> read = image::readImage(tile.thumbnail.picture, {});
     if (!read || read->type != image::Component::u8 || read->components != 4) {
-        tile.thumbnail = {Thumbnail::State::failed, {}, "its picture cannot be read"};
+        tile.thumbnail = {Thumbnail::State::failed, {}, "the cached picture cannot be read"};
         return;
     }
     Result<gpu::Texture> made =
@@ -115,7 +115,7 @@ void tile(Ui& ui, ExampleBrowser::Tile& each) {
         ImGui::PushTextWrapPos(320 * ui.scale);
         ImGui::TextUnformatted(each.scene.summary.empty() ? name.c_str() : each.scene.summary.c_str());
         if (!each.thumbnail.problem.empty()) ImGui::TextDisabled("%s", each.thumbnail.problem.c_str());
-        ImGui::TextDisabled("Ctrl+click: in a new tab");
+        ImGui::TextDisabled("Ctrl+click: open in a new tab");
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
@@ -148,7 +148,7 @@ void tiles(Ui& ui) {
         tile(ui, each);
         ++column;
     }
-    if (!topic) ImGui::TextDisabled("No example has that in its name or description.");
+    if (!topic) ImGui::TextDisabled("No name or description contains this text.");
 }
 
 }  // namespace
@@ -169,8 +169,8 @@ void exampleWindow(Ui& ui) {
     if (ImGui::Begin("Example scenes", &browser.isOpen, ImGuiWindowFlags_NoCollapse)) {
         if (browser.root.empty()) {
             ImGui::TextWrapped(
-                "No example scenes are found. They are in the folder glib of glibra's sources; "
-                "the environment variable GLIBRA_PATH can name the folder above it.");
+                "No example scenes were found. They are in the folder 'glib' of glibra's sources. Set the "
+                "environment variable GLIBRA_PATH to the folder that contains 'glib'.");
         } else {
             ImGui::SetNextItemWidth(260 * ui.scale);
             if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -178,7 +178,7 @@ void exampleWindow(Ui& ui) {
             mark(ui, "examples/search");
             ImGui::SameLine();
             if (browser.maker)
-                ImGui::TextDisabled("drawing the pictures: %zu of %zu", browser.finished, browser.wanted);
+                ImGui::TextDisabled("drawing pictures: %zu of %zu", browser.finished, browser.wanted);
             else
                 ImGui::TextDisabled("%zu scenes", browser.tiles.size());
             ImGui::BeginChild("tiles");

@@ -1,5 +1,5 @@
 #pragma once
-// The window with the example scenes and their pictures.
+// The state of the window with the example scenes and their pictures.
 
 #include <array>
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 #include "gpu/texture.h"
 #include "view/browse/example_scenes.h"
+#include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"
-#include "view/window/thumbnail_maker.h"
 
 namespace glibra::view {
 
@@ -20,16 +20,16 @@ struct ExampleBrowser {
     struct Tile {
         ExampleScene scene;
         Thumbnail thumbnail;
-        std::optional<gpu::Texture> picture;  ///< once it was seen
+        std::optional<gpu::Texture> picture;  ///< loaded when the tile is first visible
     };
 
     bool isOpen = false;
-    bool isListed = false;  ///< `tiles` is what is on the disk
+    bool isListed = false;  ///< `tiles` is up to date
     std::filesystem::path root;
     std::vector<Tile> tiles;
     std::array<char, 128> search{};
     std::unique_ptr<ThumbnailMaker> maker;
-    std::size_t wanted = 0, finished = 0;  ///< pictures that the maker was asked for, and has made
+    std::size_t wanted = 0, finished = 0;  ///< numbers of pictures that the maker has to make, and has made
 };
 
 }  // namespace glibra::view

@@ -1,4 +1,4 @@
-// The dialog that opens a scene: folders, scenes, those opened lately.
+// The dialog that opens a scene: folders, scenes and recent scenes.
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -33,8 +33,8 @@ void openAndClose(Ui& ui, const fs::path& file) {
     ImGui::CloseCurrentPopup();
 }
 
-/// What was typed: a folder is shown, anything else opened. Relative to the folder that is shown.
-void take(Ui& ui) {
+/// Shows the typed folder or opens the typed file. Paths are relative to the shown folder.
+void openEntry(Ui& ui) {
     FileDialog& dialog = ui.shared.dialog;
     const std::string text = dialog.entry.data();
     if (text.empty()) return;
@@ -46,7 +46,7 @@ void take(Ui& ui) {
     openAndClose(ui, path);
 }
 
-void place(Ui& ui, const char* label, const fs::path& folder) {
+void folderLink(Ui& ui, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
     if (ImGui::Selectable(label)) showFolder(ui.shared.dialog, folder);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
@@ -54,12 +54,12 @@ void place(Ui& ui, const char* label, const fs::path& folder) {
 
 void places(Ui& ui) {
     ImGui::TextDisabled("Folders");
-    place(ui, "Home", homeFolder());
+    folderLink(ui, "Home", homeFolder());
     std::error_code failure;
-    place(ui, "Where glibra was started", fs::current_path(failure));
-    if (ui.session.hasScene()) place(ui, "Of this scene", ui.session.path().parent_path() / ".");
+    folderLink(ui, "Current folder", fs::current_path(failure));
+    if (ui.session.hasScene()) folderLink(ui, "Folder of this scene", ui.session.path().parent_path() / ".");
     ImGui::Spacing();
-    ImGui::TextDisabled("Opened lately");
+    ImGui::TextDisabled("Recent scenes");
     int index = 0;
     for (const std::string& each : ui.settings.recent) {
         ImGui::PushID(index);
@@ -97,7 +97,7 @@ void folderList(Ui& ui) {
         mark(ui, "dialog/entry/" + each.name);
     }
     if (dialog.list.entries.empty() && dialog.list.problem.empty())
-        ImGui::TextDisabled("No scene (.glib) and no folder in it");
+        ImGui::TextDisabled("This folder has no scenes (.glib) and no folders.");
     if (!next.empty()) showFolder(dialog, next);
 }
 
@@ -109,7 +109,7 @@ void entry(Ui& ui) {
     ImGui::SetNextItemWidth(std::max(120 * ui.scale, ImGui::GetContentRegionAvail().x - buttons));
     if (std::exchange(dialog.focusEntry, false)) ImGui::SetKeyboardFocusHere();
     const bool isEntered =
-        ImGui::InputTextWithHint("##path", "name or path", dialog.entry.data(), dialog.entry.size(),
+        ImGui::InputTextWithHint("##path", "file name or path", dialog.entry.data(), dialog.entry.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue);
     mark(ui, "scene/path");
     ImGui::SameLine();
@@ -121,7 +121,7 @@ void entry(Ui& ui) {
     mark(ui, "dialog/openInTab");
     ImGui::EndDisabled();
     if (isOpenedInTab) dialog.inNewTab = true;
-    if (isEntered || isOpened || isOpenedInTab) take(ui);
+    if (isEntered || isOpened || isOpenedInTab) openEntry(ui);
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
         ImGui::CloseCurrentPopup();

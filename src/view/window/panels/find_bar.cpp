@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-/// What the keys act on; null if no text is shown.
+/// The file that the shortcuts act on; null if no text is shown.
 EditedFile* shownFile(Ui& ui) {
     if (ui.sourceState.file.empty()) return nullptr;
     const auto found = ui.shared.sources.find(ui.source.chosen);
@@ -22,7 +22,7 @@ CodeView& shownView(Ui& ui) {
     return ui.source.views[ui.source.chosen];
 }
 
-/// Shows the place that is chosen; selects it if the text has the keyboard.
+/// Scrolls to the current match; selects it if the text has the keyboard focus.
 void show(FindBar& bar, CodeView& view) {
     if (bar.shown >= bar.found.size()) return;
     const TextRange& range = bar.found[bar.shown];
@@ -35,7 +35,7 @@ void show(FindBar& bar, CodeView& view) {
 
 void step(FindBar& bar, CodeView& view, bool backwards) {
     if (bar.found.empty()) return;
-    // In the text it goes from the cursor, in the bar from the place that is shown.
+    // With the focus in the text the search starts at the cursor, otherwise at the current match.
     const bool isSelected = view.selection.begin != view.selection.end;
     std::size_t at = bar.from;
     if (view.isActive) at = view.selection.begin;
@@ -44,7 +44,7 @@ void step(FindBar& bar, CodeView& view, bool backwards) {
     show(bar, view);
 }
 
-void look(FindBar& bar, const std::string& text, CodeView& view) {
+void updateMatches(FindBar& bar, const std::string& text, CodeView& view) {
     const TextSearch search{bar.words.data(), bar.matchesCase, bar.wholeWords};
     const bool isNew = search.words != bar.search.words || search.matchesCase != bar.search.matchesCase ||
                        search.wholeWords != bar.search.wholeWords;
@@ -68,7 +68,7 @@ void replaceOne(FindBar& bar, const EditedFile& file, CodeView& view) {
 void replaceAll(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     file.history().endStep();
     view.newText = replaced(file.text(), bar.found, bar.by.data());
-    ui.notice = fmt::format("{} place{} replaced", bar.found.size(), bar.found.size() == 1 ? "" : "s");
+    ui.notice = fmt::format("replaced {} match{}", bar.found.size(), bar.found.size() == 1 ? "" : "es");
 }
 
 bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* help) {
@@ -83,7 +83,7 @@ bool toggle(Ui& ui, const char* label, bool& on, const char* name, const char* h
     return isPressed;
 }
 
-/// An entry that keeps the keyboard when Enter is pressed. True then.
+/// A text field that keeps the keyboard focus when Enter is pressed. Returns true if it was pressed.
 bool entry(Ui& ui, const char* hint, std::array<char, 256>& text, bool focus, float width, const char* name) {
     ImGui::SetNextItemWidth(width);
     if (focus) ImGui::SetKeyboardFocusHere();
@@ -108,32 +108,32 @@ void findRow(Ui& ui, FindBar& bar, CodeView& view) {
     const float width = widthWithout(ui, "AaW0000 of 0000<>x", 6);
     const bool isEntered =
         entry(ui, "find", bar.words, std::exchange(bar.focus, false), width, "source/find");
-    toggle(ui, "Aa", bar.matchesCase, "source/find/case", "Capital letters matter");
-    toggle(ui, "W", bar.wholeWords, "source/find/whole", "Whole words only");
+    toggle(ui, "Aa", bar.matchesCase, "source/find/case", "Match upper and lower case");
+    toggle(ui, "W", bar.wholeWords, "source/find/whole", "Match whole words");
     bool forward = isEntered && !ImGui::GetIO().KeyShift;
     bool backwards = isEntered && ImGui::GetIO().KeyShift;
     backwards = ImGui::Button("<") || backwards;
     mark(ui, "source/find/previous");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shift+F3");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Previous match (Shift+F3)");
     ImGui::SameLine();
     forward = ImGui::Button(">") || forward;
     mark(ui, "source/find/next");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("F3");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Next match (F3)");
     ImGui::SameLine();
     if (forward || backwards) step(bar, view, backwards);
     if (ImGui::Button("x")) bar.isOpen = false;
     mark(ui, "source/find/close");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Esc");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Close (Esc)");
     ImGui::SameLine();
     if (bar.found.empty())
-        ImGui::TextDisabled(bar.search.words.empty() ? "" : "none");
+        ImGui::TextDisabled(bar.search.words.empty() ? "" : "no match");
     else
         ImGui::TextDisabled("%zu of %zu", bar.shown + 1, bar.found.size());
 }
 
 void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
     const bool isEntered =
-        entry(ui, "replace by", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
+        entry(ui, "replace with", bar.by, false, widthWithout(ui, "ReplaceAll", 2), "source/find/by");
     ImGui::BeginDisabled(bar.found.empty() || !file.whyReadOnly().empty());
     const bool isPressed = ImGui::Button("Replace");
     mark(ui, "source/find/replace");
@@ -168,7 +168,7 @@ void findBar(Ui& ui, EditedFile& file, CodeView& view) {
         bar.found.clear();
         return;
     }
-    look(bar, file.text(), view);
+    updateMatches(bar, file.text(), view);
     findRow(ui, bar, view);
     if (bar.replaces) replaceRow(ui, bar, file, view);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Find, replace and go to a line, above the text of the source panel; undo in it.
+// The bar above the text of the source panel: find, replace and go to a line. Also undo in that text.
 
 #include <array>
 #include <string>
@@ -15,27 +15,27 @@ class EditedFile;
 
 struct FindBar {
     bool isOpen = false, replaces = false, asksLine = false;
-    bool focus = false;  ///< the entry has to get the keyboard
+    bool focus = false;  ///< the text field needs the keyboard focus
     std::array<char, 256> words{}, by{};
     int line = 1;
     bool matchesCase = false, wholeWords = false;
-    TextSearch search;             ///< that `found` comes from
-    std::vector<TextRange> found;  ///< in the text that is shown
-    std::size_t shown = 0;         ///< index into it
-    std::size_t from = 0;          ///< byte from which a new search begins
+    TextSearch search;             ///< the search that gave `found`
+    std::vector<TextRange> found;  ///< matches in the shown text
+    std::size_t shown = 0;         ///< index of the current match
+    std::size_t from = 0;          ///< byte at which a new search begins
 };
 
-/// Looks for what the bar says in the text as it is now, and draws the bar.
+/// Searches the text for the words in the bar, and draws the bar.
 void findBar(Ui& ui, EditedFile& file, CodeView& view);
 
-// Keys. Without a source panel that is shown the first two show it, and the others do nothing.
+// Shortcuts. If the source panel is hidden, openFind() shows it, and the others do nothing.
 void openFind(Ui& ui, bool replaces);
 void askLine(Ui& ui);
-/// The next place, or the one before; opens the bar if nothing has been looked for yet.
+/// Goes to the next or previous match; opens the bar if there was no search yet.
 void findAgain(Ui& ui, bool backwards);
-/// False if there was nothing to close.
+/// Closes the bar. Returns false if it was not open.
 bool closeFind(Ui& ui);
-/// Undo and redo in the text, while it has the keyboard.
+/// Undo (or redo, with `again`) in the text, while it has the keyboard focus.
 void undoTyping(Ui& ui, bool again);
 
 }  // namespace glibra::view

@@ -1,3 +1,5 @@
+// The section "Hardcopy": writes the picture, frames or a video.
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,7 +9,7 @@
 #include <utility>
 
 #include "view/export/hardcopy.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -27,13 +29,13 @@ void begin(Ui& ui) {
     Result<HardcopyJob> job = HardcopyJob::begin(ui.context, ui.session, wanted);
     if (!job) return end(entries, job.diagnostics, {});
     entries.job = std::move(job.value);
-    entries.message = "written: " + wanted.file.string();
+    entries.message = "wrote " + wanted.file.string();
     if (const std::string without = ui.session.onlyOnScreen(); !without.empty())
         entries.message += ", without " + without;
     entries.failed = false;
 }
 
-/// How far it is, and a way to end it.
+/// The progress of a running hardcopy, with a button to stop it.
 void progress(Ui& ui) {
     HardcopyEntries& entries = ui.hardcopy;
     const int written = entries.job->framesWritten();
@@ -51,7 +53,7 @@ void progress(Ui& ui) {
 void continueHardcopy(Ui& ui) {
     HardcopyEntries& entries = ui.hardcopy;
     if (!entries.job) return;
-    // Several small frames, but none so long that the window seems to hang.
+    // Write several small frames at once, but never so many that the window seems to hang.
     constexpr std::chrono::milliseconds kAtOnce{30};
     const auto start = std::chrono::steady_clock::now();
     Diagnostics problems;
@@ -65,24 +67,25 @@ void hardcopyPanel(Ui& ui) {
     mark(ui, "hardcopy");
     if (!isOpen) return;
     HardcopyEntries& entries = ui.hardcopy;
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("Frames, a second ").x);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("Frames per second ").x);
     ImGui::InputTextWithHint("File", "picture.png", entries.file.data(), entries.file.size());
     markField(ui, "hardcopy/file", "File");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The ending decides: .png, .bmp, .exr, .jpg, .tif ...; .mp4 or .webm for a video");
+        ImGui::SetTooltip(
+            "The extension selects the format: .png, .bmp, .exr, .jpg, .tif ...; .mp4 or .webm for a video");
     std::array<int, 2> size{entries.width, entries.height};
     if (ImGui::InputInt2("Size", size.data())) {
-        constexpr int kMostPixels = 65536;
-        entries.width = std::clamp(size[0], 0, kMostPixels);
-        entries.height = std::clamp(size[1], 0, kMostPixels);
+        entries.width = std::clamp(size[0], 0, kLargestPictureSide);
+        entries.height = std::clamp(size[1], 0, kLargestPictureSide);
     }
     markField(ui, "hardcopy/size", "Size");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Pixels; 0: as on the screen (%d x %d)", ui.session.width(), ui.session.height());
+        ImGui::SetTooltip("Width and height in pixels; 0: the size on the screen (%d x %d)",
+                          ui.session.width(), ui.session.height());
     ImGui::InputInt("Frames", &entries.frames, 0);
     entries.frames = std::clamp(entries.frames, 1, 1'000'000);
     markField(ui, "hardcopy/frames", "Frames");
-    ImGui::InputFloat("a second", &entries.framesPerSecond, 0, 0, "%.3g");
+    ImGui::InputFloat("Frames per second", &entries.framesPerSecond, 0, 0, "%.3g");
     entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
     ImGui::PopItemWidth();
     if (entries.job) return progress(ui);

@@ -1,4 +1,4 @@
-// Textures, targets and the picture itself, with their numbers.
+// The window that shows the texels of textures, targets and the picture.
 
 #include <fmt/format.h>
 #include <glad/gl.h>
@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -48,7 +48,7 @@ void choose(Ui& ui) {
     ImGui::EndCombo();
 }
 
-/// Reads the texels again after every frame of the scene, and when something else is chosen.
+/// Reads the texels again after each frame of the scene, and after another choice.
 void read(Ui& ui) {
     Inspector& inspector = ui.inspector;
     const gpu::Target* picture = ui.session.picture();
@@ -58,9 +58,9 @@ void read(Ui& ui) {
                         inspector.readScene == ui.session.path();
     if (!isSame) {
         if (inspector.chosen == kColor)
-            inspector.image = colorOf(*picture);
+            inspector.image = colorTexels(*picture);
         else if (inspector.chosen == kDepth)
-            inspector.image = depthOf(*picture);
+            inspector.image = depthTexels(*picture);
         else
             inspector.image = texelsOf(*ui.session.live().texture(inspector.chosen), inspector.slice);
         inspector.frame = ui.session.framesDrawn();
@@ -69,7 +69,7 @@ void read(Ui& ui) {
         inspector.readScene = ui.session.path().string();
     }
     if (inspector.image.rgba.empty()) return inspector.shown.reset();
-    const std::vector<std::uint8_t> bytes = shown(inspector.image, inspector.showing);
+    const std::vector<std::uint8_t> bytes = screenBytes(inspector.image, inspector.display);
     Result<gpu::Texture> made = gpu::Texture::create(
         ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
         {inspector.image.width, inspector.image.height, 1}, {std::as_bytes(std::span(bytes)), 4});
@@ -83,12 +83,12 @@ void read(Ui& ui) {
 void settings(Ui& ui) {
     Inspector& inspector = ui.inspector;
     ImGui::PushItemWidth(110 * ui.scale);
-    int channels = static_cast<int>(inspector.showing.channels);
+    int channels = static_cast<int>(inspector.display.channels);
     if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
-        inspector.showing.channels = static_cast<Channels>(channels);
+        inspector.display.channels = static_cast<Channels>(channels);
     mark(ui, "inspector/channels");
     ImGui::SameLine();
-    ImGui::SliderFloat("gain", &inspector.showing.gain, .01F, 100, "%.2f", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("gain", &inspector.display.gain, .01F, 100, "%.2f", ImGuiSliderFlags_Logarithmic);
     markField(ui, "inspector/gain", "gain");
     ImGui::SameLine();
     ImGui::SliderFloat("zoom", &inspector.zoom, .1F, 32, "%.2f", ImGuiSliderFlags_Logarithmic);

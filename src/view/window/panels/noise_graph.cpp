@@ -1,5 +1,5 @@
-// The graph in the noise window: the curve over one period, its points, and the chosen point's gradient, to
-// be dragged.
+// The graph in the noise window: the curve over one period. Its points and the chosen point's gradient can be
+// dragged.
 
 #include <imgui.h>
 
@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "view/window/panels/noise_window.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-constexpr float kReachPixels = 9;     ///< how near the mouse has to be to take hold of something
-constexpr double kTangentCells = .3;  ///< from the point to either end of its gradient's line
-constexpr double kSteepest = 8;       ///< gradients that can be dragged, height a cell
+constexpr float kReachPixels = 9;     ///< how near the mouse must be to grab something
+constexpr double kTangentCells = .3;  ///< from a point to either end of its gradient line
+constexpr double kSteepest = 8;       ///< limit of dragged gradients, height per cell
 
-/// Where the graph stands on the screen.
+/// The graph's position on the screen, and its coordinates.
 struct Frame {
     const noise::GraphOptions& options;
     ImVec2 at, size;
@@ -48,15 +48,14 @@ bool hasHeights(const noise::GraphOptions& options) {
     return options.lattice != noise::Lattice::gradient;
 }
 
-/// One end of the line that shows the chosen point's gradient: on the right, or on the left of the last
-/// point.
+/// An end of the line that shows a point's gradient: the right end for side 1, the left end for -1.
 ImVec2 tangentEnd(const Frame& frame, int point, double side) {
     const double gradient = noise::graphPoint(frame.options, point).gradient;
     return frame.screen(point + side * kTangentCells,
                         noise::graphNoise(frame.options, point) + side * kTangentCells * gradient);
 }
 
-void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
+void grab(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
     window.drag = NoiseWindow::Drag::none;
     if (hasGradients(frame.options) &&
         (distance(mouse, tangentEnd(frame, window.chosen, 1)) < kReachPixels ||
@@ -64,7 +63,7 @@ void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
         window.drag = NoiseWindow::Drag::gradient;
         return;
     }
-    // The last point of the period is the first.
+    // The period's last point is the same as its first.
     const int nearest = static_cast<int>(std::lround(frame.cellOf(mouse.x)));
     window.chosen = ((nearest % frame.options.cells) + frame.options.cells) % frame.options.cells;
     const ImVec2 point = frame.screen(nearest, noise::graphNoise(frame.options, nearest));
@@ -72,7 +71,7 @@ void take(NoiseWindow& window, const Frame& frame, const ImVec2& mouse) {
         window.drag = NoiseWindow::Drag::height;
 }
 
-void pull(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
+void dragTo(NoiseWindow& window, const Frame& frame, const ImVec2& mouse, const ImVec2& moved) {
     noise::GraphOptions& options = window.noise.options;
     if (window.drag == NoiseWindow::Drag::height) {
         const double change = frame.valueOf(mouse.y) - frame.valueOf(mouse.y - moved.y);
@@ -126,9 +125,9 @@ void noiseGraph(Ui& ui, float width, float height) {
                       noise::graphRange(window.noise.options)};
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated()) {
-        take(window, frame, io.MousePos);
+        grab(window, frame, io.MousePos);
     } else if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-        pull(window, frame, io.MousePos, io.MouseDelta);
+        dragTo(window, frame, io.MousePos, io.MouseDelta);
     }
     if (!ImGui::IsItemActive()) window.drag = NoiseWindow::Drag::none;
     draw(window, frame, *ImGui::GetWindowDrawList());

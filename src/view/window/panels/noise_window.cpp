@@ -9,7 +9,7 @@
 #include <cmath>
 #include <span>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -54,7 +54,7 @@ void functionControls(Ui& ui) {
     ImGui::Checkbox("Turbulence", &options.turbulence);
     mark(ui, "noise/Turbulence");
     ImGui::SameLine();
-    if (ImGui::Button("Other random numbers")) ++options.seed;
+    if (ImGui::Button("New random numbers")) ++options.seed;
     mark(ui, "noise/Seed");
 }
 
@@ -102,13 +102,13 @@ void write(NoiseWindow& window, int dimensions) {
     window.noise.height = std::clamp(window.noise.height, 1, 16384);
     const std::string file = window.file.data();
     if (dimensions == 2 && noise::endingOf(file) == ".svg") {
-        window.message = "an SVG file holds a graph; choose another ending";
+        window.message = "an SVG file can only hold a graph; choose .png or .tex";
         window.failed = true;
         return;
     }
     const Diagnostics problems = noise::writeNoise(window.noise, file);
     window.failed = hasError(problems);
-    window.message = problems.empty() ? "written: " + file : problems.front().text;
+    window.message = problems.empty() ? "wrote " + file : problems.front().text;
 }
 
 void fileControls(Ui& ui) {
@@ -123,23 +123,25 @@ void fileControls(Ui& ui) {
     markField(ui, "noise/Size", "Size");
     if (ImGui::Button("Write graph")) write(window, 1);
     mark(ui, "noise/WriteGraph");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png or .svg, or .tex: a raw texture of one dimension");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The file name ends in .png, .svg, or .tex for a raw one-dimensional texture");
     ImGui::SameLine();
     if (ImGui::Button("Write picture")) write(window, 2);
     mark(ui, "noise/WritePicture");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png, or .tex: a raw texture of two dimensions");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("The file name ends in .png, or .tex for a raw two-dimensional texture");
     if (ImGui::Button("Copy command"))
         ImGui::SetClipboardText(noise::noiseCommand(window.noise, window.file.data()).c_str());
     mark(ui, "noise/Copy");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The command that writes the same as the button pressed last");
+        ImGui::SetTooltip("Copy the command line that writes the same file as the last button");
     if (window.failed)
         ImGui::TextColored({1, .45F, .4F, 1}, "%s", window.message.c_str());
     else
         ImGui::TextDisabled("%s", window.message.c_str());
 }
 
-/// The coloured noise, drawn again only when something changed.
+/// The coloured noise; it is only computed again after a change.
 void picture(Ui& ui, float side) {
     NoiseWindow& window = ui.shared.noise;
     noise::GraphOptions plane = window.noise.options;
@@ -162,7 +164,7 @@ void picture(Ui& ui, float side) {
     if (!window.picture) return;
     ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(window.picture->id())), {side, side});
     mark(ui, "noise/picture");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Two dimensions; the lower edge is the graph");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Two-dimensional noise; its lower edge is the graph");
 }
 
 }  // namespace

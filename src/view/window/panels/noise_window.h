@@ -1,5 +1,5 @@
 #pragma once
-// The noise functions, to be played with: graph, points, colours, files.
+// The state of the noise window, where users experiment with noise functions: graph, points, colours, files.
 
 #include <array>
 #include <optional>
@@ -16,9 +16,9 @@ struct NoiseWindow {
     int chosen = 2;  ///< a point of the first octave
     enum class Drag { none, height, gradient } drag = Drag::none;
     std::array<char, 1024> file{"noise.png"};
-    std::string message;  ///< how the last file went
+    std::string message;  ///< the result of the last write
     bool failed = false;
-    std::optional<gpu::Texture> picture;  ///< of two dimensions, as `drawn` and `drawnColors` say
+    std::optional<gpu::Texture> picture;  ///< two-dimensional noise, drawn with `drawn` and `drawnColors`
     noise::GraphOptions drawn;
     noise::ColorScale drawnColors = noise::ColorScale::grey;
 };

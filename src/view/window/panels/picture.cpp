@@ -9,7 +9,7 @@
 
 #include "render/view_matrices.h"
 #include "view/edit/source_lines.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -32,7 +32,7 @@ Gesture gestureOf(int button, bool shift) {
     return Gesture::rotate;
 }
 
-/// Screen coordinates of a point of eye space; false if it is behind the eye.
+/// Projects a point of eye space to screen coordinates. Returns false if it is behind the eye.
 bool project(const Ui& ui, const glm::dmat4& projection, const glm::dvec3& eye, ImVec2& screen) {
     const glm::dvec4 clip = projection * glm::dvec4(eye, 1);
     if (clip.w <= 0) return false;
@@ -41,7 +41,7 @@ bool project(const Ui& ui, const glm::dmat4& projection, const glm::dvec3& eye, 
     return std::isfinite(screen.x) && std::isfinite(screen.y);
 }
 
-/// Three lines along the axes of the picked object, through the point that was clicked.
+/// Draws the 3D cursor: lines along the axes of the picked object, through the clicked point.
 void cursor(const Ui& ui, ImDrawList& list) {
     const Picked& picked = *ui.session.picked();
     const scene::Draw* draw = nullptr;
@@ -126,7 +126,7 @@ void pictureInput(Ui& ui) {
     }
     if (ui.dragButton < 0) return;
     if (ImGui::IsMouseDown(ui.dragButton)) {
-        // Where frames are slow the way to the first point falls into the frame of the click.
+        // In slow scenes, the mouse's way to the first point arrives in the same frame as the click.
         if (begins) return;
         if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
         ui.dragLength += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
@@ -150,7 +150,7 @@ void pictureOverlay(Ui& ui) {
         if (ui.showLabels) labels(ui, list);
         if (ui.session.picked() && ui.session.picture()) cursor(ui, list);
     } else {
-        const char* text = "Drop a .glib file here, open one with Ctrl+O, or look at the examples with X";
+        const char* text = "Drop a .glib file here, press Ctrl+O to open one, or X for examples";
         const ImVec2 size = ImGui::CalcTextSize(text);
         list.AddText({ui.picture[0] + (ui.picture[2] - size.x) / 2, ui.picture[1] + ui.picture[3] / 2},
                      IM_COL32(200, 200, 200, 255), text);

@@ -1,16 +1,16 @@
-// What is asked before edited text would be lost.
+// The dialog that asks before unsaved text would be lost.
 
 #include <imgui.h>
 
 #include <string>
 #include <utility>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-/// Saves all of them; the first problem if that fails.
+/// Saves all files. Returns the first problem; empty on success.
 std::string saveAll(Ui& ui, const Question& question) {
     for (const std::filesystem::path& each : question.files) {
         const auto found = ui.shared.sources.find(each);
@@ -19,8 +19,9 @@ std::string saveAll(Ui& ui, const Question& question) {
         if (!problems.empty()) return toString(problems.front());
         if (found->second.hasConflict())
             return each.filename().string() +
-                   " was changed by another program; close this and choose in the "
-                   "source panel which of the two is to stay";
+                   " was changed by another program. Press Cancel, then choose in the source panel which "
+                   "version "
+                   "to keep.";
     }
     return {};
 }
@@ -32,7 +33,7 @@ void discardAll(Ui& ui, const Question& question) {
 }  // namespace
 
 void questionDialog(Ui& ui) {
-    constexpr const char* kTitle = "Text that is not saved";
+    constexpr const char* kTitle = "Unsaved text";
     if (!ui.shared.question) return;
     if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -48,23 +49,23 @@ void questionDialog(Ui& ui) {
     }
     ImGui::Spacing();
     bool isDone = false;
-    bool goesOn = false;
+    bool isConfirmed = false;
     if (ImGui::Button("Save")) {
         question.problem = saveAll(ui, question);
-        isDone = goesOn = question.problem.empty();
+        isDone = isConfirmed = question.problem.empty();
     }
     mark(ui, "question/save");
     ImGui::SameLine();
     if (ImGui::Button("Discard")) {
         discardAll(ui, question);
-        isDone = goesOn = true;
+        isDone = isConfirmed = true;
     }
     mark(ui, "question/discard");
     ImGui::SameLine();
     if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) isDone = true;
     mark(ui, "question/cancel");
     if (isDone) {
-        ui.shared.answer = Answer{std::move(question), goesOn};
+        ui.shared.answer = Answer{std::move(question), isConfirmed};
         ui.shared.question.reset();
         ImGui::CloseCurrentPopup();
     }

@@ -1,4 +1,4 @@
-// Which scene is shown, and what is wrong with it.
+// The buttons at the top of the panel, and the messages about the scene.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "view/edit/external_editor.h"
 #include "view/edit/source_lines.h"
-#include "view/window/editor.h"
-#include "view/window/theme.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -68,7 +68,7 @@ void scenePanel(Ui& ui) {
     if (ImGui::Button("Source")) ui.settings.showSource = !ui.settings.showSource;
     ImGui::EndDisabled();
     mark(ui, "scene/source");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The scene and its shaders as text, to be edited (E)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Edit the scene and its shaders (E)");
     ImGui::SameLine();
     if (ImGui::Button("Reload")) ui.requests.reload = true;
     mark(ui, "scene/reload");

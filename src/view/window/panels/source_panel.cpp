@@ -1,4 +1,4 @@
-// The scene's text and its shaders, to be edited.
+// The panel in which the scene and its shaders are edited.
 
 #include "view/window/panels/source_panel.h"
 
@@ -10,10 +10,10 @@
 #include <system_error>
 
 #include "glib/text.h"
+#include "view/edit/external_editor.h"
 #include "view/edit/source_lines.h"
-#include "view/window/editor.h"
-#include "view/window/theme.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
@@ -28,7 +28,8 @@ EditedFile& edited(Ui& ui, const std::filesystem::path& path) {
     return ui.shared.sources.try_emplace(path, path).first->second;
 }
 
-/// The list of files as the scene has it now; those with unsaved text stay although it names them no more.
+/// Updates the list of files after the scene was loaded. Files with unsaved text stay in the list even if the
+/// scene does not use them any more.
 void refresh(Ui& ui) {
     SourcePanel& panel = ui.source;
     if (panel.loaded != ui.session.timesLoaded()) {
@@ -39,7 +40,7 @@ void refresh(Ui& ui) {
             const bool isThere = std::any_of(files.begin(), files.end(),
                                              [&](const SourceFile& each) { return each.path == old.path; });
             if (!isThere && kept != ui.shared.sources.end() && kept->second.isChanged())
-                files.push_back({old.path, old.label, "not in the scene any more"});
+                files.push_back({old.path, old.label, "no longer used by the scene"});
         }
         panel.files = std::move(files);
         for (auto& [path, file] : ui.shared.sources)
@@ -47,7 +48,7 @@ void refresh(Ui& ui) {
     }
     const auto isChosen = [&](const SourceFile& each) { return each.path == panel.chosen; };
     if (std::none_of(panel.files.begin(), panel.files.end(), isChosen)) {
-        // What is edited most is the last stage.
+        // People edit the last stage most, so begin with it.
         const auto shader = std::find_if(
             panel.files.rbegin(), panel.files.rend(),
             [](const SourceFile& each) { return each.role.find("shader") != std::string::npos; });
@@ -67,7 +68,7 @@ void takeGoTo(Ui& ui) {
             panel.views[each.path].goTo = place->line;
             return;
         }
-    ui.notice = place->file + " is no file of this scene";
+    ui.notice = place->file + " is not a file of this scene";
 }
 
 bool hasError(const Ui& ui, const std::filesystem::path& file) {
@@ -108,7 +109,7 @@ void conflict(Ui& ui, EditedFile& file, CodeView& view) {
     if (ImGui::Button("Keep mine")) file.keepMine();
     mark(ui, "source/keepMine");
     ImGui::SameLine();
-    if (ImGui::Button("Take the disk's")) {
+    if (ImGui::Button("Load theirs")) {
         file.takeDisk();
         ++view.generation;
     }
@@ -119,7 +120,7 @@ void buttons(Ui& ui, EditedFile& file, CodeView& view) {
     ImGui::BeginDisabled(!file.isChanged());
     if (ImGui::Button("Save")) saveSource(ui);
     mark(ui, "source/save");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Ctrl+S; the picture follows");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Save the file and update the picture (Ctrl+S)");
     ImGui::SameLine();
     if (ImGui::Button("Revert")) {
         file.revert();
@@ -128,9 +129,11 @@ void buttons(Ui& ui, EditedFile& file, CodeView& view) {
     ImGui::EndDisabled();
     mark(ui, "source/revert");
     ImGui::SameLine();
-    if (ImGui::Button("$EDITOR")) ui.notice = openInEditor({file.path().string(), view.line, view.column});
+    if (ImGui::Button("Open in editor"))
+        ui.notice = openInEditor({file.path().string(), view.line, view.column});
     mark(ui, "source/editor");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens the file at this line in your own editor");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Open the file at this line in your own editor, which the variable EDITOR names");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     if (file.whyReadOnly().empty())
@@ -139,7 +142,7 @@ void buttons(Ui& ui, EditedFile& file, CodeView& view) {
         ImGui::TextDisabled("Read only. %s", file.whyReadOnly().c_str());
 }
 
-/// The messages about the file, each with what became of its line.
+/// The messages about the file, each with the core GLSL of its line.
 void messages(Ui& ui, const std::vector<const Diagnostic*>& all, CodeView& view) {
     int index = 0;
     for (const Diagnostic* each : all) {
@@ -185,13 +188,13 @@ void content(Ui& ui) {
     const float below = about.empty() ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
                                                  line * (2 * static_cast<float>(about.size()) + .5F));
-    const Dialect dialect =
-        glib::sameWord(file.path().extension().string(), ".glib") ? Dialect::glib : Dialect::glsl;
+    const CodeLanguage language =
+        glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
     const FindBar& find = panel.find;
     const int cursorBefore = view.cursor;
     const bool isChanged =
-        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown}, dialect,
-                   !file.whyReadOnly().empty(), below);
+        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
+                   language, !file.whyReadOnly().empty(), below);
     mark(ui, "source/text");
     if (isChanged)
         file.history().record(file.text());
@@ -217,8 +220,10 @@ void translatedLines(Ui& ui, const Place& place) {
                             excerpt(lines[i].text, 1, roomForCode()).text.c_str());
         ImGui::PopFont();
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("What the driver was given for this line: line %d of the shader in core GLSL",
-                              lines[i].number);
+            ImGui::SetTooltip(
+                "glibra translates shaders to core GLSL. This is what the driver got: line %d of the "
+                "translated shader.",
+                lines[i].number);
         if (ui.shownTranslation.empty()) ui.shownTranslation = lines[i].text;
     }
 }
@@ -244,7 +249,7 @@ void sourcePanel(Ui& ui, Rectangle& free) {
     if (!ui.settings.showSource || !ui.session.hasScene()) return;
     refresh(ui);
     takeGoTo(ui);
-    // Beside the picture where both have room, else below it.
+    // Beside the picture if there is room for both, otherwise below it.
     const bool isBeside = free[2] >= 1100 * ui.scale;
     float& extent = isBeside ? ui.settings.sourceWidth : ui.settings.sourceHeight;
     const float room = isBeside ? free[2] : free[3];
@@ -260,7 +265,7 @@ void sourcePanel(Ui& ui, Rectangle& free) {
         ImGui::SetNextWindowPos({free[0], free[1] + free[3]}, ImGuiCond_Always, {0, 1});
         ImGui::SetNextWindowSizeConstraints({size.x, least}, {size.x, most});
     }
-    // A window each, since each has a size of its own.
+    // Two ImGui windows, since each position has its own size.
     const char* name = isBeside ? "Source" : "Source below";
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     if (ImGui::Begin(name, nullptr,
@@ -268,7 +273,7 @@ void sourcePanel(Ui& ui, Rectangle& free) {
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         fileTabs(ui);
         content(ui);
-        // Giving its text the keyboard scrolls this window too.
+        // Moving the keyboard focus to the text scrolls this window too.
         ImGui::SetScrollX(0);
         ImGui::SetScrollY(0);
     }

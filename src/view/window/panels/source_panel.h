@@ -1,5 +1,5 @@
 #pragma once
-// What the source panel keeps of one tab's scene.
+// The state of the source panel for one tab.
 
 #include <glibra/diagnostic.h>
 
@@ -19,8 +19,8 @@ struct SourcePanel {
     std::vector<SourceFile> files;
     std::uint64_t loaded = 0;      ///< Session::timesLoaded() of `files`
     std::filesystem::path chosen;  ///< one of them
-    bool follow = false;           ///< the bar of tabs has to show `chosen`
-    std::optional<Place> goTo;     ///< a place that is to be shown
+    bool follow = false;           ///< the file tabs have to select `chosen`
+    std::optional<Place> goTo;     ///< a place to show in the next frame
     std::map<std::filesystem::path, CodeView> views;
     FindBar find;
 };

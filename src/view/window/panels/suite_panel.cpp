@@ -1,4 +1,4 @@
-// The present state as a shot of a suite.
+// Adds the current state to a suite as a shot.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "view/export/suite_shot.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -18,7 +18,7 @@ void put(std::array<char, size>& field, std::string_view text) {
     field[text.copy(field.data(), size - 1)] = 0;
 }
 
-/// A suite of the scene's own folder, and a name that it does not have yet.
+/// Proposes a suite in the scene's folder, and a name that the suite does not have yet.
 void propose(Ui& ui) {
     SuiteEntries& entries = ui.suite;
     if (entries.scene == ui.session.path()) return;
@@ -34,13 +34,12 @@ void append(Ui& ui) {
     const std::string name = entries.name.data();
     const Diagnostics problems = appendShot(file, name, ui.session);
     entries.failed = !problems.empty();
-    entries.message = entries.failed ? toString(problems.front())
-                                     : fmt::format(
-                                           "'{}' is a shot of {} now; `glibra test --update` makes its "
-                                           "golden picture",
-                                           name, file.filename().string());
+    entries.message = entries.failed
+                          ? toString(problems.front())
+                          : fmt::format("added '{}' to {}; `glibra test --update` makes its golden picture",
+                                        name, file.filename().string());
     if (const std::string without = ui.session.onlyOnScreen(); !entries.failed && !without.empty())
-        entries.message += "; it shows the picture without " + without;
+        entries.message += "; the shot is without " + without;
     if (!entries.failed) put(entries.name, freeShotName(file, ui.session));
 }
 
@@ -56,7 +55,7 @@ void suitePanel(Ui& ui) {
     ImGui::InputTextWithHint("Suite", "pictures.toml", entries.file.data(), entries.file.size());
     markField(ui, "suite/file", "Suite");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("A suite file for `glibra test`; it is made if it is not there\n%s",
+        ImGui::SetTooltip("A suite file for `glibra test`; it is created if it does not exist\n%s",
                           entries.file.data());
     ImGui::InputText("Shot", entries.name.data(), entries.name.size());
     markField(ui, "suite/name", "Shot");
@@ -66,8 +65,8 @@ void suitePanel(Ui& ui) {
     ImGui::EndDisabled();
     mark(ui, "suite/add");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("Values, time, view and size (%d x %d) as they are now", ui.session.width(),
-                          ui.session.height());
+        ImGui::SetTooltip("Add the current values, time, view and size (%d x %d) as a shot",
+                          ui.session.width(), ui.session.height());
     ImGui::SameLine();
     if (ImGui::Button("Copy as TOML"))
         ImGui::SetClipboardText(shotText(ui.session, entries.name.data(),

@@ -1,11 +1,11 @@
-// The open scenes, a tab each, above the picture.
+// The tab bar above the picture: one tab per open scene.
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <string>
 
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 

@@ -1,4 +1,4 @@
-// The panel made from the Program lines.
+// The section with a widget for each uniform that the Program lines set.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -9,7 +9,7 @@
 
 #include "view/edit/save_values.h"
 #include "view/export/hardcopy.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -17,12 +17,12 @@ namespace {
 constexpr int kMostInRow = 4;
 constexpr const char* kNumberFormat = "%.4g";
 
-/// A component of a knob. Its widget needs no name of its own in a row with an identity.
+/// A component of a knob.
 struct Part {
     std::size_t index = 0, component = 0;
 };
 
-/// What the widget is called for tests, scripts and Ui::typing.
+/// The widget's name for `--state` and Ui::typing.
 std::string nameOf(const Knob& knob, std::size_t component) {
     std::string name = "uniform/" + knob.title + "/" + knob.tag;
     return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, component);
@@ -38,7 +38,7 @@ void setPart(Ui& ui, const Part& part, double value) {
     ui.session.setValue(part.index, std::move(values));
 }
 
-/// An entry field for any value, also beyond the range, in place of the slider.
+/// A text field in place of the slider, for any value, also beyond the range.
 void entry(Ui& ui, const Part& part) {
     const bool begins = std::exchange(ui.typingBegins, false);
     if (begins) ui.typed = ui.session.knobs()[part.index].current[part.component];
@@ -46,13 +46,13 @@ void entry(Ui& ui, const Part& part) {
     ImGui::InputDouble("##entry", &ui.typed, 0, 0, "%.9g",
                        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
     markPart(ui, part);
-    // The value changes when the entry is complete, not with each digit.
+    // The value changes when the user has finished typing, not with each digit.
     if (!ImGui::IsItemDeactivated()) return;
     setPart(ui, part, ui.typed);
     ui.typing.clear();
 }
 
-/// ImGui's integers are of 32 bits.
+/// ImGui's integers have 32 bits.
 int shownInteger(double value) {
     return static_cast<int>(std::clamp(value, -2147483648.0, 2147483647.0));
 }
@@ -102,7 +102,7 @@ void number(Ui& ui, const Part& part) {
     if (changed) setPart(ui, part, value);
 }
 
-/// The components side by side, a matrix's columns and an array's elements below one another.
+/// The components of a vector side by side; columns of a matrix and elements of an array in rows.
 void components(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
     const std::size_t count = knob.current.size();
@@ -146,7 +146,7 @@ void color(Ui& ui, std::size_t index) {
     mark(ui, "uniform/{}/{}", knob.title, knob.tag);
     if (!changed) return;
     std::vector<double> values(count);
-    // Shown with three digits, so kept with no more.
+    // The widget shows three digits, so the value is rounded to them.
     std::transform(rgba.begin(), rgba.begin() + static_cast<std::ptrdiff_t>(count), values.begin(),
                    [](float each) { return std::round(static_cast<double>(each) * 1000) / 1000; });
     ui.session.setValue(index, std::move(values));
@@ -155,10 +155,10 @@ void color(Ui& ui, std::size_t index) {
 void contextMenu(Ui& ui, std::size_t index) {
     const Knob& knob = ui.session.knobs()[index];
     if (!ImGui::BeginPopupContextItem("menu")) return;
-    ImGui::TextDisabled("%s", knob.placeOfUniform.c_str());
+    ImGui::TextDisabled("%s", knob.declaration.c_str());
     if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.session.resetValue(index);
-    if (ImGui::MenuItem("Copy as part of the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
-    if (ImGui::MenuItem("Copy as --set argument"))
+    if (ImGui::MenuItem("Copy for the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
+    if (ImGui::MenuItem("Copy as argument (--set)"))
         ImGui::SetClipboardText(
             ("--set " + setArgument(ui.session.live().scene(), knob, ui.session.knobs())).c_str());
     ImGui::EndPopup();
@@ -173,7 +173,7 @@ void row(Ui& ui, std::size_t index) {
     ImGui::Selectable(knob.tag.c_str(), false, ImGuiSelectableFlags_AllowItemOverlap);
     mark(ui, "label/{}/{}", knob.title, knob.tag);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s\n%s:%d\nright click for more", knob.placeOfUniform.c_str(),
+        ImGui::SetTooltip("%s\n%s:%d\nRight click: reset or copy", knob.declaration.c_str(),
                           knob.place.file.c_str(), knob.place.line);
     contextMenu(ui, index);
     ImGui::TableNextColumn();
@@ -221,27 +221,29 @@ void uniformsPanel(Ui& ui) {
     if (!ImGui::CollapsingHeader("Uniforms", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const std::vector<Knob>& knobs = ui.session.knobs();
     if (knobs.empty()) {
-        ImGui::TextDisabled("The Program lines set none.");
+        ImGui::TextDisabled("No Program line sets a uniform.");
         return;
     }
     if (ImGui::Button("Reset all")) ui.session.resetValues();
     mark(ui, "uniforms/reset");
     ImGui::SameLine();
-    if (ImGui::Button("Copy --set")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
-    mark(ui, "uniforms/copySet");
+    if (ImGui::Button("Copy values")) ImGui::SetClipboardText(setArguments(ui.session).c_str());
+    mark(ui, "uniforms/copyValues");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ...");
     ImGui::SameLine();
     if (ImGui::Button("Save values")) {
         const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs());
-        ui.notice = problems.empty() ? "values saved into " + ui.session.path().filename().string()
+        ui.notice = problems.empty() ? "saved the values in " + ui.session.path().filename().string()
                                      : toString(problems.front());
     }
     mark(ui, "scene/save");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts the present values into the Program lines of the .glib file");
+        ImGui::SetTooltip("Write the current values into the Program lines of the .glib file");
     ImGui::SameLine();
     ImGui::Checkbox("Labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Shows the values over the picture (L)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
     int last = -1;
     for (const Knob& first : knobs) {
         if (first.program == last) continue;

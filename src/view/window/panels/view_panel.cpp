@@ -1,4 +1,4 @@
-// Transforms by numbers, projection, axes, background.
+// The section "View": transforms as numbers, projection, axes, background.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "render/view_matrices.h"
-#include "view/window/ui.h"
+#include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
@@ -18,10 +18,10 @@ struct ModeRow {
     const char* help;
 };
 constexpr std::array<ModeRow, 4> kModes{
-    {{TransformMode::scene, "Scene", "The scene transform, in the projection matrix"},
-     {TransformMode::eye, "Eye", "The eye transform, in the model-view matrix"},
-     {TransformMode::object, "Object", "The picked object's own model-view transform"},
-     {TransformMode::texture, "Texture", "gl_TextureMatrix[0]"}}};
+    {{TransformMode::scene, "Scene", "The mouse moves the whole scene, in the projection matrix (1)"},
+     {TransformMode::eye, "Eye", "The mouse moves the eye, in the model-view matrix (2)"},
+     {TransformMode::object, "Object", "The mouse moves the picked object, in its own model-view matrix (3)"},
+     {TransformMode::texture, "Texture", "The mouse moves texture coordinates, in gl_TextureMatrix[0] (4)"}}};
 
 void modes(Ui& ui) {
     for (const ModeRow& each : kModes) {
@@ -43,7 +43,7 @@ void numbers(Ui& ui) {
     if (ui.mode == TransformMode::object) {
         const auto& picked = ui.session.picked();
         if (!picked) {
-            ImGui::TextDisabled("Click an object of the picture first.");
+            ImGui::TextDisabled("Click an object in the picture first.");
             return;
         }
         ImGui::Text("%s, line %d", picked->word.c_str(), picked->line);
@@ -79,11 +79,12 @@ void projection(Ui& ui) {
     ImGui::SameLine();
     ImGui::Checkbox("Textures", &ui.inspector.isOpen);
     mark(ui, "view/inspector");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Look into textures, targets, colour and depth (I)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Show the texels of textures and targets, and the picture's colour and depth (I)");
     ImGui::SameLine();
     ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
     mark(ui, "view/noise");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The noise functions as graphs (N)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the noise functions as graphs (N)");
 
     bool own = view.background.has_value();
     if (ImGui::Checkbox("Background", &own)) {
@@ -112,7 +113,7 @@ void viewPanel(Ui& ui) {
     modes(ui);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("Translate ").x);
     numbers(ui);
-    lensControls(ui);
+    debugViewControls(ui);
     ImGui::PopItemWidth();
     projection(ui);
 }

@@ -1,5 +1,5 @@
-// Loaded before the libraries of glibra-view: writes into the file that GLIBRA_ALLOCATIONS names, a line a
-// presented frame, how often `new` was called on the thread that presents.
+// Preloaded into glibra-view: writes to the file that GLIBRA_ALLOCATIONS names, in one line per presented
+// frame, how often the presenting thread called `new`.
 
 #include <dlfcn.h>
 

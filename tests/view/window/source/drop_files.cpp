@@ -1,9 +1,8 @@
-// Drags files onto a window and drops them, as a file manager does: the source's side of the XDND protocol,
+// Drags files onto a window and drops them, as a file manager does: the source side of the XDND protocol,
 // version 5 (https://freedesktop.org/wiki/Specifications/XDND).
 //
 //     drop_files WINDOW URI...
-//
-// Ends with 0 when the window has said that it is done, with 1 and a sentence if it refuses or does not
+// Exits with 0 when the window reports that it is done, and with 1 and a message if it refuses or does not
 // answer.
 
 #include <X11/Xatom.h>
@@ -23,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr long kVersion = 5;
 constexpr std::chrono::seconds kPatience{60};
-constexpr int kInside = 20;  ///< pixels from the window's corner to where the files fall
+constexpr int kInside = 20;  ///< pixels from the window's corner to the drop position
 
 class Source {
   public:
@@ -64,7 +63,7 @@ class Source {
         XFlush(&display_);
     }
 
-    /// The window's message of that kind; until then it gets the data that it asks for.
+    /// Waits for the window's message of that kind, and meanwhile sends the data that the window requests.
     XClientMessageEvent await(const char* kind) {
         const Clock::time_point end = Clock::now() + kPatience;
         while (Clock::now() < end) {
@@ -78,7 +77,7 @@ class Source {
             pollfd connection{ConnectionNumber(&display_), POLLIN, 0};
             poll(&connection, 1, 100);
         }
-        throw std::runtime_error(std::string("no ") + kind + " came");
+        throw std::runtime_error(std::string("the window sent no ") + kind);
     }
 
     void give(const XSelectionRequestEvent& request) {

@@ -1,0 +1,71 @@
+#pragma once
+// What a linked program reads, as plain values without GL. `gpu` fills these from the driver's reflection and
+// sets uniforms by them; `plan` decides by them what a scene's values mean.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glibra::base {
+
+/// `other`: atomic counters, and types that this table does not know.
+enum class BaseType { floating, doublePrecision, integer, unsignedInteger, boolean, sampler, image, other };
+
+/// The kind of texture that a scene can bind to a unit.
+enum class TextureTarget { texture1D, texture2D, texture3D, cube };
+
+/// A GLSL type: columns x rows of the base type. Vectors have one column; scalars have one row as well.
+struct ValueType {
+    BaseType base = BaseType::floating;
+    int columns = 1;
+    int rows = 1;
+    /// Samplers and images: what they read. Nothing for targets that scenes cannot fill (rectangles, arrays,
+    /// buffers).
+    std::optional<TextureTarget> target{};
+    std::string word{};  ///< the GLSL word, for messages: "vec3", "sampler2D"; empty for an unknown type
+
+    [[nodiscard]] int components() const { return columns * rows; }
+    /// Samplers and images hold the number of a unit.
+    [[nodiscard]] bool isOpaque() const { return base == BaseType::sampler || base == BaseType::image; }
+    [[nodiscard]] bool isInteger() const {
+        return base == BaseType::integer || base == BaseType::unsignedInteger;
+    }
+};
+
+/// An active uniform. An array of a basic type is one uniform, named without its [0]; each member of a
+/// structure is a uniform of its own: "lights[1].position".
+struct ActiveUniform {
+    std::string name;  ///< as the user wrote it; right after reflection the same as `emittedName`
+    ValueType type{};
+    int arraySize = 1;  ///< elements up to the last active one
+    bool isArray = false;
+    int location = -1;  ///< of element 0, element i has location + i; -1 in a uniform block
+    int block = -1;     ///< index into ActiveResources::blocks, with the layout below; -1 outside blocks
+    std::string blockName{};
+    int offset = 0, arrayStride = 0, matrixStride = 0;  ///< bytes
+    bool rowMajor = false;
+    std::string emittedName{};  ///< in the compiled source, which the translator may have changed
+};
+
+/// An active vertex input.
+struct ActiveInput {
+    std::string name;  ///< in the compiled source: "aVertex", "glibra_Vertex"
+    int location = -1;
+    ValueType type{};
+    int arraySize = 1;
+};
+
+struct UniformBlock {
+    std::string name;    ///< of the block, not of its instance; "Lights[2]" for an array of blocks
+    int bytes = 0;       ///< size of the buffer that it needs
+    unsigned index = 0;  ///< for glUniformBlockBinding
+};
+
+/// Everything that a linked program reads.
+struct ActiveResources {
+    std::vector<ActiveUniform> uniforms;
+    std::vector<UniformBlock> blocks;
+    std::vector<ActiveInput> inputs;  ///< of the vertex stage, without gl_VertexID and other built-ins
+};
+
+}  // namespace glibra::base

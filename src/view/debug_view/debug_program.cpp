@@ -1,0 +1,153 @@
+#include "view/debug_view/debug_program.h"
+
+#include <embedded/debug_shaders.h>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "glsl/emit/wrapped_main.h"
+#include "gpu/reflection.h"
+#include "gpu/uniform.h"
+#include "render/derived_program.h"
+#include "render/gl_names.h"
+
+namespace glibra::view {
+namespace {
+
+bool hasStage(const render::BuiltProgram& built, glsl::Stage stage) {
+    const auto& stages = built.interface.facts.stages;
+    return std::any_of(stages.begin(), stages.end(),
+                       [&](const glsl::TranslatedStage& each) { return each.stage == stage; });
+}
+
+constexpr std::string_view kEyeOfFragment =
+    "uniform mat4 glibra_debugProjectionInverse;\nuniform vec2 glibra_debugSize;\n"
+    "vec3 glibra_debugEye(float depth) {\n"
+    "    vec4 eye = glibra_debugProjectionInverse *\n"
+    "               vec4(2. * gl_FragCoord.xy / glibra_debugSize - 1., 2. * depth - 1., 1.);\n"
+    "    return eye.xyz / eye.w;\n}\n";
+
+/// GLSL that is added to a fragment stage.
+struct Addition {
+    std::string declarations = "layout(location = 7) out vec4 glibra_debugNumber;\n";
+    std::string before, body;
+};
+
+Addition fragmentAddition(bool maySetDepth, DebugView kind, DebugStages stages, bool isVertexAlone) {
+    Addition add;
+    if (stages == DebugStages::flatNormals) {
+        add.declarations += kEyeOfFragment;
+        add.body =
+            "    vec3 eye = glibra_debugEye(gl_FragCoord.z);\n"
+            "    glibra_debugNumber = vec4(normalize(cross(dFdx(eye), dFdy(eye))) * .5 + .5, 1.);\n";
+        return add;
+    }
+    switch (kind) {
+        case DebugView::coordinates:
+            if (isVertexAlone) add.declarations += "in vec4 glibra_debugST;\n";
+            add.body = isVertexAlone ? "    glibra_debugNumber = vec4(glibra_debugST.stp, 1.);\n"
+                                     : "    glibra_debugNumber = vec4(vST.st, 0., 1.);\n";
+            break;
+        case DebugView::facing:
+            add.body = "    glibra_debugNumber = vec4(gl_FrontFacing ? 1. : 0., 0., 0., 1.);\n";
+            break;
+        case DebugView::depth: {
+            add.declarations += kEyeOfFragment;
+            // The stage may write the depth under a condition, so it gets its value first.
+            if (maySetDepth) add.before = "    gl_FragDepth = gl_FragCoord.z;\n";
+            add.body = std::string("    float depth = ") + (maySetDepth ? "gl_FragDepth" : "gl_FragCoord.z") +
+                       ";\n    glibra_debugNumber = vec4(depth, -glibra_debugEye(depth).z, 0., 1.);\n";
+            break;
+        }
+        default:
+            add.body = "    glibra_debugNumber = vec4(1.);\n";
+    }
+    return add;
+}
+
+/// The normal of a vertex is unknown if the vertex stage moves the vertex elsewhere than the matrices do.
+constexpr std::string_view kNormalDeclarations =
+    "in vec4 glibra_debugPosition;\nin vec3 glibra_debugNormal;\n"
+    "uniform mat4 glibra_debugModelViewProjection;\nuniform mat3 glibra_debugNormalMatrix;\n"
+    "out vec4 glibra_debugNormalOut;\n";
+constexpr std::string_view kNormalBody =
+    "    vec4 plain = glibra_debugModelViewProjection * glibra_debugPosition;\n"
+    "    bool stays = length(gl_Position - plain) <= 1e-4 * length(plain);\n"
+    "    vec3 normal = glibra_debugNormalMatrix * glibra_debugNormal;\n"
+    "    bool isThere = stays && dot(normal, normal) > 0.;\n"
+    "    glibra_debugNormalOut = isThere ? vec4(normalize(normal), 1.) : vec4(0.);\n";
+
+std::string normalsGeometry(const std::string& version, bool fromVertices) {
+    return version +
+           (fromVertices ? "in vec4 glibra_debugNormalOut[3];\n"
+                           "vec4 glibra_debugNormalOf(int corner) { return glibra_debugNormalOut[corner]; }\n"
+                         : "vec4 glibra_debugNormalOf(int corner) { return vec4(0.); }\n") +
+           std::string(debug_shaders::normals_geom());
+}
+
+std::optional<DebugProgram> link(const gpu::Context& context,
+                                 const std::vector<std::pair<GLenum, std::string>>& sources) {
+    std::vector<gpu::StageSource> stages;
+    stages.reserve(sources.size());
+    for (const auto& [stage, text] : sources) stages.push_back({stage, text});
+    gpu::BuildOutcome built = gpu::buildProgram(
+        context.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+    if (!built.program) return std::nullopt;
+    base::ActiveResources resources = gpu::reflect(*built.program);
+    return DebugProgram{std::move(*built.program), std::move(resources)};
+}
+
+}  // namespace
+
+bool hasStagesAfterVertices(const render::BuiltProgram& built) {
+    return hasGeometryStage(built) || hasStage(built, glsl::Stage::tessEvaluation);
+}
+bool hasGeometryStage(const render::BuiltProgram& built) {
+    return hasStage(built, glsl::Stage::geometry);
+}
+
+std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
+                                             DebugView kind, DebugStages stages) {
+    const bool isVertexAlone = !hasStagesAfterVertices(built);
+    const bool asLines = stages == DebugStages::normalLines;
+    const std::string& tessellated = built.interface.facts.tessellationOutput;
+    if (asLines && (hasGeometryStage(built) || !(isVertexAlone || tessellated == "triangles")))
+        return std::nullopt;
+    std::vector<std::pair<GLenum, std::string>> sources;
+    std::string ownFragment;  // used if the scene's does not link with the additions
+    for (const glsl::TranslatedStage& each : built.interface.facts.stages) {
+        std::string source = each.source;
+        const std::string version = glsl::versionLine(each);
+        if (each.stage == glsl::Stage::vertex && isVertexAlone && asLines)
+            source = glsl::wrappedMain(each, {kNormalDeclarations, "", kNormalBody});
+        if (each.stage == glsl::Stage::vertex && isVertexAlone && !asLines && kind == DebugView::coordinates)
+            source = glsl::wrappedMain(each, {"in vec4 glibra_debugCoordinates;\nout vec4 glibra_debugST;\n",
+                                              "", "    glibra_debugST = glibra_debugCoordinates;\n"});
+        if (each.stage == glsl::Stage::fragment && asLines) {
+            sources.emplace_back(GL_GEOMETRY_SHADER, normalsGeometry(version, isVertexAlone));
+            source = version + std::string(debug_shaders::normals_frag());
+        } else if (each.stage == glsl::Stage::fragment) {
+            const Addition add = fragmentAddition(each.facts.mayWriteDepth, kind, stages, isVertexAlone);
+            source = glsl::wrappedMain(each, {add.declarations, add.before, add.body});
+            const Addition alone = fragmentAddition(false, kind, stages, isVertexAlone);
+            ownFragment = version + alone.declarations + "void main() {\n" + alone.body + "}\n";
+        }
+        sources.emplace_back(render::glStage(each.stage), std::move(source));
+    }
+    std::optional<DebugProgram> made = link(context, sources);
+    if (made || ownFragment.empty()) return made;
+    for (auto& [stage, text] : sources)
+        if (stage == GL_FRAGMENT_SHADER) text = ownFragment;
+    return link(context, sources);
+}
+
+void DebugProgram::set(std::string_view uniform, std::span<const double> values) const {
+    for (const base::ActiveUniform& each : resources.uniforms)
+        if (each.name == uniform) gpu::setUniform(program, each, values);
+}
+
+void DebugProgram::copyUniforms(const render::BuiltProgram& from) const {
+    render::copyUniforms(from, program, resources);
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,50 @@
+#pragma once
+// Programs that show what the pipeline does: a scene's own stages, whose main is called from another main.
+
+#include <optional>
+#include <span>
+
+#include "base/program_resources.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "render/programs.h"
+#include "view/debug_view/debug_view.h"
+
+namespace glibra::view {
+
+/// The stages that draw a scene in a debug view.
+enum class DebugStages {
+    numbers,      ///< the scene's stages; colour output 7 (kDebugOutput) gets the number
+    normalLines,  ///< the scene's stages up to the tessellation, and lines along the normals (output 0)
+    flatNormals   ///< the scene's stages; output 7 gets the direction that a surface faces, as a colour
+};
+/// The colour output for the number. No scene in a window uses it.
+inline constexpr int kDebugOutput = 7;
+
+struct DebugProgram {
+    gpu::Program program;
+    base::ActiveResources resources;
+
+    /// Does nothing if the program has no such uniform.
+    void set(std::string_view uniform, std::span<const double> values) const;
+    /// Gives every uniform, sampler and block its value in the program that this one was made from.
+    void copyUniforms(const render::BuiltProgram& from) const;
+};
+
+/// Inputs of the vertex stage that only debug programs have.
+inline constexpr std::string_view kDebugPosition = "glibra_debugPosition";
+inline constexpr std::string_view kDebugNormal = "glibra_debugNormal";
+inline constexpr std::string_view kDebugCoordinates = "glibra_debugCoordinates";
+
+/// Nothing if it cannot be made: for texture coordinates that a tessellation or geometry stage does not pass
+/// on as vST, and for normal lines of primitives other than triangles. Fragments that the scene's fragment
+/// stage discards stay discarded, and depths that it writes are kept, unless the driver does not link it with
+/// the additions.
+std::optional<DebugProgram> makeDebugProgram(const gpu::Context& context, const render::BuiltProgram& built,
+                                             DebugView kind, DebugStages stages);
+
+/// True if that program has a tessellation or geometry stage.
+bool hasStagesAfterVertices(const render::BuiltProgram& built);
+bool hasGeometryStage(const render::BuiltProgram& built);
+
+}  // namespace glibra::view

@@ -1,0 +1,229 @@
+#include "view/debug_view/debug_renderer.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "glsl/types/builtins.h"
+#include "scene/matrices.h"
+
+namespace glibra::view {
+namespace {
+
+/// Colour output `output` is written to the picture; the others are discarded.
+void writeOnly(int output) {
+    std::array<GLenum, kDebugOutput + 1> outputs{};
+    outputs.fill(GL_NONE);
+    outputs.at(static_cast<std::size_t>(output)) = GL_COLOR_ATTACHMENT0;
+    glDrawBuffers(output + 1, outputs.data());
+}
+
+void writeNothing() {
+    glDrawBuffer(GL_NONE);
+}
+
+/// Restores the state that FrameDrawer sets once per frame and a debug view changes.
+void restoreState() {
+    writeOnly(0);
+    glEnable(GL_DEPTH_TEST);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+/// The mesh attribute of an input that only debug programs have; empty for other inputs.
+std::string_view debugAttribute(std::string_view input) {
+    if (input == kDebugPosition) return geometry::kPosition;
+    if (input == kDebugNormal) return geometry::kNormal;
+    if (input == kDebugCoordinates) return geometry::kTexCoord;
+    return {};
+}
+
+std::string_view sceneAttribute(std::string_view input) {
+    const glsl::BuiltinInput* row = glsl::findBuiltinInput(input);
+    return row ? row->attribute : std::string_view();
+}
+
+}  // namespace
+
+void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
+    const render::DeviceMesh* device = scene_.deviceMeshOf(draw);
+    if (!device) return;
+    const geometry::Mesh* mesh = scene_.meshOf(draw);
+    if (mesh && mesh->vertexCount() != device->vertexCount) mesh = nullptr;
+    std::vector<gpu::AttributeSource> sources;
+    made.buffers.reserve(made.program->resources.inputs.size());  // `sources` points to them
+    for (const base::ActiveInput& input : made.program->resources.inputs) {
+        if (input.location < 0) continue;
+        gpu::AttributeSource source;
+        source.location = static_cast<GLuint>(input.location);
+        const bool isInteger = input.type.base == base::BaseType::integer;
+        for (const render::DeviceMesh::Attribute& each : device->attributes) {
+            if (each.name != sceneAttribute(input.name)) continue;
+            const bool asIntegers = isInteger && each.integers;
+            source.buffer = asIntegers ? &*each.integers : &each.floats;
+            if (asIntegers) source.type = gpu::AttributeSource::Type::integer;
+            source.components = each.components;
+        }
+        const std::string_view own = debugAttribute(input.name);
+        const geometry::Attribute* attribute = mesh && !own.empty() ? mesh->attribute(own) : nullptr;
+        if (attribute) {
+            Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(attribute->values)));
+            if (!buffer) continue;
+            made.buffers.push_back(std::move(*buffer));
+            source.buffer = &made.buffers.back();
+            source.components = attribute->components;
+        }
+        if (source.buffer) sources.push_back(source);
+    }
+    made.vertices.emplace(sources, &*device->indices);
+}
+
+const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, DebugView kind,
+                                                 DebugStages stages) {
+    const auto [entry, isNew] = drawn_.try_emplace({kind, stages, draw.program, draw.mesh});
+    if (!isNew) return entry->second;
+    const render::BuiltProgram* built = scene_.drawer().programOf(draw);
+    const bool isTriangles = draw.submission.topology == geometry::Topology::triangles ||
+                             draw.submission.topology == geometry::Topology::patches;
+    if (!built || (stages == DebugStages::normalLines && !isTriangles)) return entry->second;
+    entry->second.program = makeDebugProgram(context_, *built, kind, stages);
+    if (entry->second.program) connect(draw, entry->second);
+    if (!entry->second.program && kind != DebugView::normals &&
+        told_.try_emplace({kind, draw.program}, true).second) {
+        const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
+                              ? "its stages pass no vST to the fragment stage"
+                              : "the driver cannot link its stages with those of the debug view";
+        remarks_.push_back(warning(
+            "view-W01",
+            fmt::format("{} is left out of the debug view '{}': {}", draw.draw->word, nameOf(kind), why),
+            draw.draw->place));
+    }
+    return entry->second;
+}
+
+void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const Request& request) {
+    const DebugProgram& program = *with.program;
+    const render::ViewMatrices& view = scene_.view();
+    const double aspect = static_cast<double>(width_) / height_;
+    const glm::dmat4 projection = view.projection(draw.draw->projection, aspect);
+    const glm::dmat4 modelView = view.modelView(*draw.draw);
+    const glm::dmat4 inverse = scene::inverseOrZero(projection);
+    const glm::dmat4 both = projection * modelView;
+    const glm::dmat3 normals = scene::normalMatrix(modelView);
+    // The length of the projection's second row is the size in clip space of one unit up in the picture, also
+    // if the scene transform rotates it.
+    const double up = glm::length(glm::dvec3(projection[0][1], projection[1][1], projection[2][1]));
+    const double reach = up > 0 ? request.normalLength / up : 0;
+    const std::array<double, 2> size{static_cast<double>(width_), static_cast<double>(height_)};
+    program.copyUniforms(*scene_.drawer().programOf(draw));
+    program.set("glibra_debugProjection", {glm::value_ptr(projection), 16});
+    program.set("glibra_debugProjectionInverse", {glm::value_ptr(inverse), 16});
+    program.set("glibra_debugModelViewProjection", {glm::value_ptr(both), 16});
+    program.set("glibra_debugNormalMatrix", {glm::value_ptr(normals), 9});
+    program.set("glibra_debugReach", {&reach, 1});
+    program.set("glibra_debugSize", size);
+    for (const base::ActiveInput& input : program.resources.inputs)
+        if (input.location >= 0 && !debugAttribute(input.name).empty())
+            gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, {0, 0, 0, 1});
+    for (const base::ActiveInput& input : program.resources.inputs) {
+        if (input.location < 0 || sceneAttribute(input.name) != geometry::kColor) continue;
+        const glm::dvec4& color = draw.draw->color;
+        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type,
+                                  {color.r, color.g, color.b, color.a});
+    }
+    program.program.use();
+    with.vertices->bind();
+}
+
+void DebugRenderer::beginNumbers(const plan::PlannedDraw& draw, const Request& request, DebugStages stages) {
+    const Drawn& with = drawn(draw, request.kind, stages);
+    if (!with.program || !with.vertices) return writeNothing();
+    bind(draw, with, request);
+    writeOnly(kDebugOutput);
+    const bool counts = request.kind == DebugView::overdraw || request.kind == DebugView::layers;
+    if (counts) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else {
+        glDisable(GL_BLEND);
+    }
+    if (request.kind == DebugView::layers) glDisable(GL_DEPTH_TEST);
+}
+
+void DebugRenderer::drawNormals(const plan::PlannedDraw& draw, const Request& request, bool begins) {
+    const render::BuiltProgram* built = scene_.drawer().programOf(draw);
+    if (!built) return;
+    if (hasGeometryStage(*built)) {
+        // A geometry stage of ours cannot follow another one. Colours show where the surfaces face.
+        if (begins) beginNumbers(draw, request, DebugStages::flatNormals);
+        if (!begins) restoreState();
+        return;
+    }
+    if (begins) return;
+    const Drawn& with = drawn(draw, DebugView::normals, DebugStages::normalLines);
+    if (!with.program || !with.vertices) return;
+    bind(draw, with, request);
+    glDisable(GL_BLEND);
+    scene_.drawer().submit(draw);
+}
+
+Diagnostics DebugRenderer::show(const gpu::Target& picture, DebugView kind) const {
+    const std::vector<std::uint8_t> bytes = colorsOf(kind, numbers_);
+    if (bytes.empty()) return {};
+    const Result<gpu::Texture> colors =
+        gpu::Texture::create(context_.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+                             {numbers_.width, numbers_.height, 1}, {std::as_bytes(std::span(bytes)), 4});
+    if (!colors) return colors.diagnostics;
+    const std::array<gpu::ColorAttachment, 1> attachment{&*colors};
+    const Result<gpu::Framebuffer> source = gpu::Framebuffer::create(attachment, nullptr);
+    if (!source) return source.diagnostics;
+    picture.bind();
+    source->bindForReading();
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return {};
+}
+
+Diagnostics DebugRenderer::draw(const gpu::Target& picture, const ViewState& view, const Request& request) {
+    width_ = picture.width();
+    height_ = picture.height();
+    numbers_ = {};
+    render::FrameDrawer& drawer = scene_.drawer();
+    Diagnostics diagnostics;
+    if (request.kind == DebugView::normals) {
+        drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
+            if (isWindow) drawNormals(draw, request, begins);
+        });
+        // Normals of objects outside the picture may reach into it.
+        scene_.drawOutOfSight(true);
+        append(diagnostics, scene_.draw(picture, view, request.time, request.axes));
+        scene_.drawOutOfSight(false);
+        drawer.setDrawHook({});
+        return diagnostics;
+    }
+    if (!target_ || target_->width() != width_ || target_->height() != height_) {
+        target_.reset();
+        Result<gpu::Target> made =
+            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f);
+        if (!made) return std::move(made.diagnostics);
+        target_ = std::move(made.value);
+    }
+    ViewState onNothing = view;
+    onNothing.background = {0, 0, 0, 0};
+    drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool isWindow, bool begins) {
+        if (!isWindow) return;
+        if (begins) return beginNumbers(draw, request, DebugStages::numbers);
+        restoreState();
+    });
+    append(diagnostics, scene_.draw(*target_, onNothing, request.time, false));
+    drawer.setDrawHook({});
+    append(diagnostics, std::exchange(remarks_, {}));
+    numbers_ = colorTexels(*target_);
+    append(diagnostics, show(picture, request.kind));
+    return diagnostics;
+}
+
+}  // namespace glibra::view

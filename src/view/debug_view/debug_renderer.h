@@ -1,0 +1,66 @@
+#pragma once
+// Draws a scene as a debug view.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/target.h"
+#include "gpu/vertex_array.h"
+#include "view/debug_view/debug_program.h"
+#include "view/debug_view/debug_view.h"
+#include "view/scene/live_scene.h"
+
+namespace glibra::view {
+
+/// The default length of the lines along normals, as a fraction of half the picture's height.
+inline constexpr double kUsualNormalLength = .08;
+
+class DebugRenderer {
+  public:
+    /// For the scene in its current state: make a new renderer after a reload. Programs are kept between
+    /// frames.
+    DebugRenderer(gpu::Context& context, LiveScene& scene) : context_(context), scene_(scene) {}
+
+    struct Request {
+        DebugView kind = DebugView::facing;  ///< not `picture`
+        double normalLength = kUsualNormalLength;
+        double time = 0;
+        bool axes = false;  ///< with normals only
+    };
+    /// Draws the debug view into `picture`. Draws that it cannot show are left out, with the warning view-W01
+    /// once per program.
+    Diagnostics draw(const gpu::Target& picture, const ViewState& view, const Request& request);
+    /// The numbers of the last frame, bottom row first; empty for normals.
+    [[nodiscard]] const TexelImage& numbers() const { return numbers_; }
+
+  private:
+    /// A program, with the vertices of one mesh. Both are empty if the debug view cannot show the draw.
+    struct Drawn {
+        std::optional<DebugProgram> program;
+        std::vector<gpu::Buffer> buffers;
+        std::optional<gpu::VertexArray> vertices;
+    };
+    const Drawn& drawn(const plan::PlannedDraw& draw, DebugView kind, DebugStages stages);
+    void connect(const plan::PlannedDraw& draw, Drawn& drawn);
+    void bind(const plan::PlannedDraw& draw, const Drawn& drawn, const Request& request);
+    void beginNumbers(const plan::PlannedDraw& draw, const Request& request, DebugStages stages);
+    void drawNormals(const plan::PlannedDraw& draw, const Request& request, bool begins);
+    Diagnostics show(const gpu::Target& picture, DebugView kind) const;
+
+    gpu::Context& context_;
+    LiveScene& scene_;
+    std::map<std::tuple<DebugView, DebugStages, int, int>, Drawn>
+        drawn_;  ///< by program and mesh of the plan
+    std::map<std::pair<DebugView, int>, bool> told_;
+    Diagnostics remarks_;
+    std::optional<gpu::Target> target_;
+    TexelImage numbers_;
+    int width_ = 1, height_ = 1;
+};
+
+}  // namespace glibra::view

@@ -1,0 +1,57 @@
+#include "view/edit/detached_process.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+namespace glibra::view {
+namespace {
+
+/// Runs in the child. Between fork and exec, only calls that are safe in the child of a program with threads.
+[[noreturn]] void becomeProgram(char* const* arguments, int report) {
+    ::setsid();
+    const pid_t process = ::fork();
+    if (process > 0) ::_exit(0);
+    if (process == 0) {
+        sigset_t none;
+        sigemptyset(&none);
+        ::sigprocmask(SIG_SETMASK, &none, nullptr);
+        ::execvp(arguments[0], arguments);
+    }
+    const int failure = errno;
+    // If this write fails too, the error cannot be reported.
+    [[maybe_unused]] const ssize_t written = ::write(report, &failure, sizeof failure);
+    ::_exit(127);
+}
+
+}  // namespace
+
+std::string startDetached(const std::vector<std::string>& command) {
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
+    for (std::string& each : words) arguments.push_back(each.data());
+    arguments.push_back(nullptr);
+    // The exec closes the pipe's end in the child. Until then the child can report why it failed.
+    std::array<int, 2> ends{-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::generic_category().message(errno);
+    const pid_t child = ::fork();
+    if (child == 0) becomeProgram(arguments.data(), ends[1]);
+    int failure = child < 0 ? errno : 0;
+    ::close(ends[1]);
+    if (child > 0) {
+        while (::read(ends[0], &failure, sizeof failure) < 0 && errno == EINTR) {
+        }
+        while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+    ::close(ends[0]);
+    return failure == 0 ? std::string() : std::generic_category().message(failure);
+}
+
+}  // namespace glibra::view

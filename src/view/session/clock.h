@@ -1,0 +1,34 @@
+#pragma once
+// The time that a scene sees: it plays, pauses, steps and runs at any speed. The class never reads a real
+// clock; its owner reports how much real time has passed.
+
+namespace glibra::view {
+
+class Clock {
+  public:
+    /// Seconds since the scene was loaded, as shaders see them.
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] bool isPlaying() const { return playing_; }
+    [[nodiscard]] double speed() const { return speed_; }
+
+    void play(bool on) { playing_ = on; }
+    /// Scene seconds per real second, clamped to -1000..1000. A negative speed runs backwards; a value that
+    /// is not finite is ignored.
+    void setSpeed(double speed);
+    /// Times below 0 become 0; a value that is not finite is ignored.
+    void setTime(double seconds);
+    /// Pauses, and moves the time by `frames` frames of 1/30 second each, times the speed. `frames` may be
+    /// negative.
+    void step(int frames);
+    /// Reports that `seconds` of real time have passed. Returns true if the scene's time has changed.
+    bool advance(double seconds);
+
+    static constexpr double kFrameSeconds = 1.0 / 30;
+
+  private:
+    double time_ = 0;
+    double speed_ = 1;
+    bool playing_ = true;
+};
+
+}  // namespace glibra::view

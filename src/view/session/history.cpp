@@ -1,0 +1,62 @@
+#include "view/session/history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glibra::view {
+
+History::State History::stateOf(const Session& session) {
+    State state;
+    for (const Knob& each : session.knobs()) state.values.push_back({each.program, each.tag, each.current});
+    state.view = session.view();
+    return state;
+}
+
+bool History::isCurrent(const Session& session) const {
+    if (states_.empty() || states_[at_].view != session.view()) return false;
+    return std::equal(states_[at_].values.begin(), states_[at_].values.end(), session.knobs().begin(),
+                      session.knobs().end(), [](const Value& value, const Knob& knob) {
+                          return value.program == knob.program && value.tag == knob.tag &&
+                                 value.values == knob.current;
+                      });
+}
+
+void History::record(const Session& session) {
+    if (isCurrent(session)) return;
+    State state = stateOf(session);
+    if (!states_.empty()) states_.resize(at_ + 1);
+    states_.push_back(std::move(state));
+    if (states_.size() > kMost) states_.erase(states_.begin());
+    at_ = states_.size() - 1;
+}
+
+void History::restore(Session& session) const {
+    const State& state = states_[at_];
+    for (const Value& each : state.values)
+        for (std::size_t i = 0; i < session.knobs().size(); ++i)
+            if (session.knobs()[i].program == each.program && session.knobs()[i].tag == each.tag)
+                session.setValue(i, each.values);
+    session.setView(state.view);
+}
+
+bool History::undo(Session& session) {
+    record(session);
+    if (at_ == 0) return false;
+    --at_;
+    restore(session);
+    return true;
+}
+
+bool History::redo(Session& session) {
+    if (at_ + 1 >= states_.size()) return false;
+    ++at_;
+    restore(session);
+    return true;
+}
+
+void History::clear() {
+    states_.clear();
+    at_ = 0;
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,369 @@
+#include "view/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plan/overrides.h"
+#include "render/view_matrices.h"
+#include "scene/matrices.h"
+
+namespace glibra::view {
+namespace {
+
+constexpr std::size_t kMostDiagnostics = 200;
+constexpr int kLargestSide = 16384;
+
+/// The draws into the window, in order.
+std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene) {
+    std::vector<const scene::Draw*> draws;
+    for (const scene::Pass& pass : scene.passes) {
+        if (!pass.targets.empty()) continue;
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<scene::Draw>(&step)) draws.push_back(draw);
+    }
+    return draws;
+}
+
+/// The transforms of objects after a reload: each goes with the same command at the same place in the order
+/// of draws.
+std::vector<ViewState::Object> moved(const std::vector<ViewState::Object>& objects, const scene::Scene& from,
+                                     const scene::Scene& to) {
+    const std::vector<const scene::Draw*> before = windowDraws(from);
+    const std::vector<const scene::Draw*> after = windowDraws(to);
+    std::vector<ViewState::Object> result;
+    for (const ViewState::Object& each : objects)
+        for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
+            if (before[i]->place.line == each.line && before[i]->word == after[i]->word) {
+                result.push_back({after[i]->place.line, each.matrix});
+                break;
+            }
+    return result;
+}
+
+/// A note about the same place replaces the earlier one, whose numbers were for another picture size.
+void addOnce(Diagnostics& diagnostics, Diagnostic added) {
+    for (Diagnostic& known : diagnostics) {
+        if (known.id != added.id || known.place != added.place) continue;
+        const bool isNote = known.severity == Severity::note && added.severity == Severity::note;
+        if (isNote) known.text = added.text;
+        if (known.text == added.text) return;
+    }
+    if (diagnostics.size() < kMostDiagnostics) diagnostics.push_back(std::move(added));
+}
+
+Matrix* matrixOfMode(ViewState& view, TransformMode mode, int pickedLine) {
+    switch (mode) {
+        case TransformMode::scene:
+            return &view.scene;
+        case TransformMode::eye:
+            return &view.eye;
+        case TransformMode::texture:
+            return &view.texture;
+        case TransformMode::object:
+            break;
+    }
+    if (pickedLine == 0) return nullptr;
+    for (ViewState::Object& each : view.objects)
+        if (each.line == pickedLine) return &each.matrix;
+    return &view.objects.emplace_back(ViewState::Object{pickedLine, kIdentity}).matrix;
+}
+
+}  // namespace
+
+Session::Session(gpu::Context& context, RenderOptions options)
+    : context_(context), options_(std::move(options)) {}
+
+bool Session::open(const std::filesystem::path& path) {
+    LiveScene::Loading loading = LiveScene::load(context_, path, options_, nullptr);
+    if (!loading.scene) {
+        diagnostics_ = std::move(loading.diagnostics);
+        return false;
+    }
+    path_ = path;
+    kept_.forget();
+    view_ = {};
+    clock_ = {};
+    width_ = loading.scene->scene().width;
+    height_ = loading.scene->scene().height;
+    take(std::move(loading), false);
+    return true;
+}
+
+bool Session::reload() {
+    if (path_.empty()) return false;
+    LiveScene::Loading loading = LiveScene::load(context_, path_, options_, live_.get());
+    if (!loading.scene) {
+        diagnostics_ = std::move(loading.diagnostics);
+        if (loading.isPreviousLost) dropScene();
+        return false;
+    }
+    take(std::move(loading), true);
+    return true;
+}
+
+void Session::dropScene() {
+    debugRenderer_.reset();
+    knobs_.clear();
+    picked_.reset();
+    live_.reset();
+}
+
+void Session::take(LiveScene::Loading loading, bool sameScene) {
+    if (live_) kept_.keep(live_->scene(), knobs_);
+    if (sameScene && live_) {
+        view_.objects = moved(view_.objects, live_->scene(), loading.scene->scene());
+    } else {
+        kept_.forget();
+    }
+    if (picked_) {
+        const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());
+        const auto ordinal = static_cast<std::size_t>(picked_->ordinal);
+        if (sameScene && ordinal < draws.size() && draws[ordinal]->word == picked_->word)
+            picked_->line = draws[ordinal]->place.line;
+        else
+            picked_.reset();
+    }
+    debugRenderer_.reset();
+    live_ = std::move(loading.scene);
+    diagnostics_ = std::move(loading.diagnostics);
+    knobs_ = live_->knobs();
+    kept_.restore(live_->scene(), knobs_);
+    for (std::size_t i = 0; i < knobs_.size(); ++i)
+        if (knobs_[i].isChanged()) applyValue(i);
+    live_->drawer().setWireframe(wireframe_);
+    isStale_ = true;
+    ++timesLoaded_;
+}
+
+const Knob* Session::knob(std::string_view program, std::string_view tag) const {
+    for (const Knob& each : knobs_)
+        if (each.tag == tag && (program.empty() || each.title == program)) return &each;
+    return nullptr;
+}
+
+void Session::applyValue(std::size_t knob) {
+    live_->setValue(knobs_[knob]);
+    std::erase_if(diagnostics_, [](const Diagnostic& each) { return each.id == "draw-W08"; });
+    append(diagnostics_, live_->longLoops());
+    isStale_ = true;
+}
+
+void Session::setValue(std::size_t knob, std::vector<double> values) {
+    if (knob >= knobs_.size()) return;
+    Knob& changed = knobs_[knob];
+    std::vector<double> wanted = changed.current;
+    for (std::size_t i = 0; i < std::min(values.size(), wanted.size()); ++i) {
+        if (!std::isfinite(static_cast<float>(values[i]))) return;
+        wanted[i] = changed.isInteger() ? std::trunc(values[i]) : values[i];
+    }
+    if (wanted == changed.current) return;
+    changed.current = std::move(wanted);
+    applyValue(knob);
+}
+
+void Session::resetValue(std::size_t knob) {
+    if (knob < knobs_.size()) setValue(knob, std::vector<double>(knobs_[knob].initial));
+}
+
+void Session::resetValues() {
+    for (std::size_t i = 0; i < knobs_.size(); ++i) resetValue(i);
+    kept_.forget();
+}
+
+Diagnostics Session::setByText(const std::string& argument) {
+    const Result<plan::Override> parsed = plan::parseOverride(argument);
+    if (!parsed) return parsed.diagnostics;
+    bool isKnown = false;
+    for (std::size_t i = 0; i < knobs_.size(); ++i) {
+        const std::string line =
+            std::to_string(live_->scene().programs[static_cast<std::size_t>(knobs_[i].program)].place.line);
+        const std::string& name = live_->scene().programs[static_cast<std::size_t>(knobs_[i].program)].name;
+        if (knobs_[i].tag != parsed->name) continue;
+        if (!parsed->program.empty() && parsed->program != name && parsed->program != line) continue;
+        isKnown = true;
+        setValue(i, parsed->values);
+    }
+    if (isKnown) return {};
+    std::vector<std::string> names;
+    for (const Knob& each : knobs_) names.push_back(each.tag);
+    return plan::unusedOverrides(std::span(&*parsed, 1), {false}, names);
+}
+
+void Session::setView(ViewState view) {
+    if (view == view_) return;
+    view_ = std::move(view);
+    isStale_ = true;
+}
+
+void Session::resetTransforms() {
+    ViewState view;
+    view.projection = view_.projection;
+    view.background = view_.background;
+    setView(std::move(view));
+}
+
+Matrix Session::transform(TransformMode mode) const {
+    ViewState view = view_;
+    const Matrix* matrix = matrixOfMode(view, mode, picked_ ? picked_->line : 0);
+    return matrix ? *matrix : kIdentity;
+}
+
+void Session::setTransform(TransformMode mode, const Matrix& matrix) {
+    ViewState view = view_;
+    Matrix* changed = matrixOfMode(view, mode, picked_ ? picked_->line : 0);
+    if (!changed || !scene::isFinite(render::asMatrix(matrix))) return;
+    *changed = matrix;
+    std::erase_if(view.objects, [](const ViewState::Object& each) { return each.matrix == kIdentity; });
+    setView(std::move(view));
+}
+
+const scene::Draw* Session::pickedDraw() const {
+    if (!picked_ || !live_) return nullptr;
+    for (const scene::Draw* each : windowDraws(live_->scene()))
+        if (each->place.line == picked_->line) return each;
+    return nullptr;
+}
+
+Surroundings Session::surroundings(TransformMode mode) const {
+    ViewState without = view_;
+    if (mode == TransformMode::scene) without.scene = kIdentity;
+    if (mode == TransformMode::eye) without.eye = kIdentity;
+    if (mode == TransformMode::object)
+        std::erase_if(without.objects,
+                      [&](const ViewState::Object& each) { return each.line == picked_->line; });
+    const render::ViewMatrices view(without, live_->scene().view, live_->eyeDistance());
+    const scene::Draw* draw = pickedDraw();
+    if (mode != TransformMode::object || !draw) {
+        const std::vector<const scene::Draw*> draws = windowDraws(live_->scene());
+        draw = draws.empty() ? nullptr : draws.back();
+    }
+    Surroundings around;
+    if (!draw) return around;
+    around.projection = view.projection(draw->projection, static_cast<double>(width_) / height_);
+    if (mode == TransformMode::object)
+        around.after = view.modelView(*draw);
+    else
+        around.before = view.worldView();
+    return around;
+}
+
+void Session::drag(TransformMode mode, const Drag& drag) {
+    if (!live_ || (mode == TransformMode::object && !pickedDraw())) return;
+    const glm::dmat4 before = render::asMatrix(transform(mode));
+    const glm::dmat4 after = mode == TransformMode::texture ? draggedTexture(before, drag)
+                                                            : dragged(before, drag, surroundings(mode));
+    setTransform(mode, render::asNumbers(after));
+}
+
+void Session::setAxes(bool on) {
+    isStale_ = isStale_ || on != axes_;
+    axes_ = on;
+}
+
+void Session::setWireframe(bool on) {
+    isStale_ = isStale_ || on != wireframe_;
+    wireframe_ = on;
+    if (live_) live_->drawer().setWireframe(on);
+}
+
+void Session::setDebugView(DebugView kind) {
+    isStale_ = isStale_ || kind != debugView_;
+    debugView_ = kind;
+}
+
+void Session::setNormalLength(double length) {
+    constexpr double kShortest = .005;
+    if (!(length > 0)) return;
+    length = std::clamp(length, kShortest, 1.0);
+    isStale_ = isStale_ || (length != normalLength_ && debugView_ == DebugView::normals);
+    normalLength_ = length;
+}
+
+const TexelImage& Session::debugNumbers() const {
+    static const TexelImage kNone;
+    return debugRenderer_ && debugView_ != DebugView::picture ? debugRenderer_->numbers() : kNone;
+}
+
+void Session::setClock(const Clock& clock) {
+    isStale_ = isStale_ || (clock.time() != clock_.time() && live_ && live_->isAnimated());
+    clock_ = clock;
+}
+
+void Session::advance(double seconds) {
+    if (clock_.advance(seconds) && live_ && live_->isAnimated()) isStale_ = true;
+}
+
+bool Session::isMoving() const {
+    return live_ && clock_.isPlaying() && clock_.speed() != 0 && live_->isAnimated();
+}
+
+void Session::resize(int width, int height) {
+    width = std::clamp(width, 1, kLargestSide);
+    height = std::clamp(height, 1, kLargestSide);
+    isStale_ = isStale_ || width != width_ || height != height_;
+    width_ = width;
+    height_ = height;
+}
+
+Diagnostics Session::drawShown() {
+    if (debugView_ == DebugView::picture) return live_->draw(*target_, view_, clock_.time(), axes_);
+    if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
+    return debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_});
+}
+
+bool Session::drawIfNeeded() {
+    if (!isStale_ || !live_) return false;
+    if (!target_ || target_->width() != width_ || target_->height() != height_) {
+        target_.reset();
+        Result<gpu::Target> made =
+            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8);
+        isStale_ = false;
+        if (!made) {
+            append(diagnostics_, std::move(made.diagnostics));
+            return false;
+        }
+        target_ = std::move(made.value);
+    }
+    for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
+    isStale_ = false;
+    ++framesDrawn_;
+    return true;
+}
+
+void Session::pickAt(int x, int y) {
+    drawIfNeeded();
+    if (live_ && target_) picked_ = pick(*live_, *target_, clock_.time(), x, y);
+    // Picking draws the pixel without the debug view.
+    if (debugView_ != DebugView::picture) isStale_ = true;
+}
+
+void Session::clearPick() {
+    picked_.reset();
+}
+
+RenderOptions Session::renderOptions(int width, int height) const {
+    RenderOptions options = options_;
+    options.width = width > 0 ? width : width_;
+    options.height = height > 0 ? height : height_;
+    options.time = clock_.time();
+    options.axes = axes_;
+    options.viewState = view_;
+    for (const Knob& each : knobs_)
+        if (each.isChanged()) options.set.push_back(setArgument(live_->scene(), each, knobs_));
+    return options;
+}
+
+std::string Session::onlyOnScreen() const {
+    std::string words = wireframe_ ? "wireframe" : "";
+    if (debugView_ == DebugView::picture) return words;
+    return words + (words.empty() ? "" : " and ") + "the debug view '" + std::string(nameOf(debugView_)) +
+           "'";
+}
+
+bool Session::isChanged() const {
+    return view_ != ViewState{} ||
+           std::any_of(knobs_.begin(), knobs_.end(), [](const Knob& each) { return each.isChanged(); });
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,143 @@
+#pragma once
+// What a window shows and a user changes: a scene, its values, the view and the time. It does not depend on a
+// window or widgets, so that all of it can be driven and tested without a display.
+
+#include <glibra/render.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/target.h"
+#include "view/debug_view/debug_renderer.h"
+#include "view/scene/knobs.h"
+#include "view/scene/live_scene.h"
+#include "view/scene/pick.h"
+#include "view/scene/transforms.h"
+#include "view/session/clock.h"
+
+namespace glibra::view {
+
+class Session {
+  public:
+    /// The context must outlive the session. Only options that do not depend on the window are used: view
+    /// policy, library roots, shim.
+    Session(gpu::Context& context, RenderOptions options);
+
+    /// Shows the scene with the values and the view that its file gives. Returns false if the file cannot be
+    /// read; the earlier scene stays then.
+    bool open(const std::filesystem::path& path);
+    /// Loads the scene and its files again; values, view and time stay. Returns false if the scene cannot be
+    /// read; the earlier state stays then, unless memory ran out and hasScene() is false.
+    bool reload();
+    [[nodiscard]] bool hasScene() const { return live_ != nullptr; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// How often a scene was loaded. Whatever was derived from live() before the last loading is out of date.
+    [[nodiscard]] std::uint64_t timesLoaded() const { return timesLoaded_; }
+    [[nodiscard]] const LiveScene& live() const { return *live_; }
+    LiveScene& live() { return *live_; }
+    /// The diagnostics of the last loading and of the frames since, and those about long loops with the
+    /// current
+    /// values.
+    [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+
+    [[nodiscard]] const std::vector<Knob>& knobs() const { return knobs_; }
+    /// Null if there is none. `program` is the title of the knob's program; if it is empty, the first knob
+    /// with
+    /// the tag is returned.
+    [[nodiscard]] const Knob* knob(std::string_view program, std::string_view tag) const;
+    /// Sets any finite values, also beyond the knob's limits. If there are fewer values than components, the
+    /// other components stay.
+    void setValue(std::size_t knob, std::vector<double> values);
+    void resetValue(std::size_t knob);
+    void resetValues();
+    /// Sets a value given as "NAME=VALUE", as on the command line. Returns what is wrong with it.
+    Diagnostics setByText(const std::string& argument);
+
+    [[nodiscard]] const ViewState& view() const { return view_; }
+    void setView(ViewState view);
+    /// Resets scene, eye, object and texture transforms; values, projection and background stay.
+    void resetTransforms();
+    /// Applies a drag of the mouse in that mode. TransformMode::object does nothing if no object is picked.
+    void drag(TransformMode mode, const Drag& drag);
+    [[nodiscard]] Matrix transform(TransformMode mode) const;
+    void setTransform(TransformMode mode, const Matrix& matrix);
+    [[nodiscard]] bool axes() const { return axes_; }
+    void setAxes(bool on);
+    [[nodiscard]] bool wireframe() const { return wireframe_; }
+    void setWireframe(bool on);
+    /// What is shown in place of the picture. It affects neither `glibra render` nor hardcopies.
+    [[nodiscard]] DebugView debugView() const { return debugView_; }
+    void setDebugView(DebugView kind);
+    /// Length of normals as a fraction of half the picture's height, 0.005 to 1.
+    [[nodiscard]] double normalLength() const { return normalLength_; }
+    void setNormalLength(double length);
+    /// The numbers behind the debug view of the last frame, bottom row first; empty if it shows none.
+    [[nodiscard]] const TexelImage& debugNumbers() const;
+
+    [[nodiscard]] const Clock& clock() const { return clock_; }
+    void setClock(const Clock& clock);
+    /// Reports that `seconds` of real time have passed.
+    void advance(double seconds);
+    /// True if the picture changes by itself: time advances and a program reads it.
+    [[nodiscard]] bool isMoving() const;
+
+    /// Sets the size of the picture in pixels. At first it is the scene's WindowSize.
+    void resize(int width, int height);
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+    /// Marks the picture as out of date, after something else was drawn into it.
+    void setNeedsFrame() { isStale_ = true; }
+    /// Draws a frame if the picture is out of date. Returns true if it drew one.
+    bool drawIfNeeded();
+    /// The last picture; null before the first.
+    [[nodiscard]] const gpu::Target* picture() const { return target_ ? &*target_ : nullptr; }
+    [[nodiscard]] std::uint64_t framesDrawn() const { return framesDrawn_; }
+
+    /// Picks the object at that pixel (x to the right, y downwards); the background picks none.
+    void pickAt(int x, int y);
+    void clearPick();
+    [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
+
+    /// The options with which `glibra render` gives this picture in that size (0: the current size).
+    [[nodiscard]] RenderOptions renderOptions(int width = 0, int height = 0) const;
+    /// What the window shows but `glibra render` and suites cannot: "wireframe", "wireframe and the debug
+    /// view 'depth'". Empty if it shows the plain picture.
+    [[nodiscard]] std::string onlyOnScreen() const;
+    /// True if a value or the view differs from what the file says.
+    [[nodiscard]] bool isChanged() const;
+
+  private:
+    void take(LiveScene::Loading loading, bool sameScene);
+    void dropScene();
+    Diagnostics drawShown();
+    void applyValue(std::size_t knob);
+    [[nodiscard]] Surroundings surroundings(TransformMode mode) const;
+    [[nodiscard]] const scene::Draw* pickedDraw() const;
+
+    gpu::Context& context_;
+    RenderOptions options_;
+    std::filesystem::path path_;
+    std::unique_ptr<LiveScene> live_;
+    Diagnostics diagnostics_;
+    std::vector<Knob> knobs_;
+    KeptValues kept_;
+    ViewState view_;
+    Clock clock_;
+    bool axes_ = false, wireframe_ = false;
+    DebugView debugView_ = DebugView::picture;
+    double normalLength_ = kUsualNormalLength;
+    std::optional<DebugRenderer> debugRenderer_;  ///< made for live_
+    int width_ = 600, height_ = 600;
+    std::optional<gpu::Target> target_;
+    bool isStale_ = true;
+    std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
+    std::optional<Picked> picked_;
+};
+
+}  // namespace glibra::view

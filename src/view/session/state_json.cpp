@@ -1,0 +1,94 @@
+#include "view/session/state_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glibra::view {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* wordOf(ProjectionMode mode) {
+    switch (mode) {
+        case ProjectionMode::scene:
+            return "scene";
+        case ProjectionMode::perspective:
+            return "perspective";
+        case ProjectionMode::orthographic:
+            break;
+    }
+    return "orthographic";
+}
+
+const char* wordOf(Widget widget) {
+    switch (widget) {
+        case Widget::slider:
+            return "slider";
+        case Widget::checkBox:
+            return "checkBox";
+        case Widget::color:
+            return "color";
+        case Widget::numbers:
+            break;
+    }
+    return "numbers";
+}
+
+Json knobsJson(const Session& session) {
+    Json knobs = Json::array();
+    for (const Knob& each : session.knobs())
+        knobs.push_back({{"program", each.title},
+                         {"tag", each.tag},
+                         {"widget", wordOf(each.widget)},
+                         {"minimum", each.minimum},
+                         {"maximum", each.maximum},
+                         {"initial", each.initial},
+                         {"current", each.current}});
+    return knobs;
+}
+
+Json viewJson(const ViewState& view) {
+    Json objects = Json::array();
+    for (const ViewState::Object& each : view.objects)
+        objects.push_back({{"line", each.line}, {"matrix", each.matrix}});
+    Json json{{"scene", view.scene},
+              {"eye", view.eye},
+              {"texture", view.texture},
+              {"objects", objects},
+              {"projection", wordOf(view.projection)}};
+    if (view.background) json["background"] = *view.background;
+    return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json stateOf(const Session& session) {
+    Json messages = Json::array();
+    for (const Diagnostic& each : session.diagnostics())
+        messages.push_back({{"severity", name(each.severity)},
+                            {"id", each.id},
+                            {"text", each.text},
+                            {"file", each.place.file},
+                            {"line", each.place.line},
+                            {"column", each.place.column}});
+    Json json{{"scene", session.path().string()},
+              {"framesDrawn", session.framesDrawn()},
+              {"time", session.clock().time()},
+              {"playing", session.clock().isPlaying()},
+              {"speed", session.clock().speed()},
+              {"moving", session.isMoving()},
+              {"axes", session.axes()},
+              {"wireframe", session.wireframe()},
+              {"debugView", nameOf(session.debugView())},
+              {"width", session.width()},
+              {"height", session.height()},
+              {"view", viewJson(session.view())},
+              {"knobs", knobsJson(session)},
+              {"messages", messages}};
+    if (const auto& picked = session.picked())
+        json["picked"] = {{"line", picked->line},
+                          {"word", picked->word},
+                          {"eye", {picked->eye.x, picked->eye.y, picked->eye.z}}};
+    return json;
+}
+
+}  // namespace glibra::view

@@ -1,0 +1,187 @@
+#pragma once
+// The state that the panels of a tab share: the session, the entries of the panels, and the widgets'
+// positions.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gpu/context.h"
+#include "view/debug_view/texels.h"
+#include "view/export/hardcopy_job.h"
+#include "view/session/frame_cost.h"
+#include "view/session/history.h"
+#include "view/session/session.h"
+#include "view/window/panels/shared.h"
+#include "view/window/panels/source_panel.h"
+#include "view/window/platform/display.h"
+#include "view/window/platform/settings.h"
+
+namespace glibra::view {
+
+/// Left, top, width, height in screen coordinates.
+using Rectangle = std::array<float, 4>;
+
+/// What the panels request from the window's loop.
+struct Requests {
+    std::optional<std::filesystem::path> open;
+    bool inNewTab = false;  ///< for `open`
+    bool reload = false;
+    bool close = false;  ///< the window
+    std::optional<std::size_t> showTab, closeTab;
+    std::optional<std::filesystem::path> saved;  ///< the file that the source panel has written
+};
+
+/// The entries of the section "Suite shot".
+struct SuiteEntries {
+    std::filesystem::path scene;  ///< the scene that the proposed entries are for
+    std::array<char, 1024> file{};
+    std::array<char, 256> name{};
+    std::string message;  ///< the result of the last click
+    bool failed = false;
+};
+
+/// What the source panel shows, for shortcuts and `--state`.
+struct SourceState {
+    std::string file;
+    int line = 0, column = 0;
+    bool isActive = false, isChanged = false, hasConflict = false;
+};
+
+/// The entries of the section "Hardcopy".
+struct HardcopyEntries {
+    std::array<char, 1024> file{};
+    int width = 0, height = 0;  ///< 0: the size on the screen
+    int frames = 1;
+    float framesPerSecond = 30;
+    std::optional<HardcopyJob> job;  ///< running now
+    std::string message;             ///< the result of the last hardcopy
+    bool failed = false;
+};
+
+/// The state of the window "Textures and targets".
+struct Inspector {
+    bool isOpen = false;
+    int chosen = -1;  ///< index of a texture of the scene; -1: the picture's colour, -2: its depth
+    int slice = 0;
+    float zoom = 1;
+    TexelDisplay display;
+    std::uint64_t frame = 0;  ///< Session::framesDrawn() when `image` was read
+    int readChosen = -3, readSlice = -1;
+    std::string readScene;
+    TexelImage image;
+    std::optional<gpu::Texture> shown;
+    std::string hovered;  ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
+};
+
+struct Ui {
+    Ui(gpu::Context& usedContext, Session& usedSession, Shared& usedShared)
+        : context(usedContext), session(usedSession), shared(usedShared), settings(usedShared.settings) {}
+
+    gpu::Context& context;
+    Session& session;
+    Shared& shared;
+    Settings& settings;
+    History history;
+    SourcePanel source;
+    SourceState sourceState;
+    std::string shownTranslation;  ///< the first line of core GLSL shown for an error
+    SuiteEntries suite;
+    Requests requests;
+    HardcopyEntries hardcopy;
+    TransformMode mode = TransformMode::eye;
+    float scale = 1;
+    int lastErrors = 0;
+    bool showPanel = true, showHelp = false, showLabels = false;
+    Rectangle picture{};        ///< position of the picture
+    std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
+    bool typingBegins = false;  ///< the text field needs the keyboard focus
+    double typed = 0;
+    std::vector<double> valuesBeforeClick;
+    int dragButton = -1;   ///< mouse button that drags the picture; -1: none
+    float dragLength = 0;  ///< pixels so far
+    Inspector inspector;
+    std::string debugViewText;  ///< the debug view's numbers of the pixel under the mouse
+    std::optional<FrameCost> cost;
+    std::vector<Display::KeyPress> pressed;
+    std::string notice;                        ///< the result of the last action, for the status line
+    std::map<std::string, Rectangle> widgets;  ///< positions in this frame, by name
+};
+
+/// Stores the position of the last widget under a name, for `--state`; does nothing without that option.
+void mark(Ui& ui, std::string_view name);
+/// The same for a field with its label beside it: stores the position of the field alone.
+void markField(Ui& ui, std::string_view name, std::string_view label);
+/// The same as mark(); the name is only formatted if it is needed.
+template <class... Arguments>
+requires(sizeof...(Arguments) > 0) void mark(Ui& ui, fmt::format_string<Arguments...> format,
+                                             Arguments&&... arguments) {
+    if (ui.shared.marksWidgets) mark(ui, fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+// The sections of the panel, each drawn into the current ImGui window.
+void scenePanel(Ui& ui);
+void messagesPanel(Ui& ui);
+void uniformsPanel(Ui& ui);
+void viewPanel(Ui& ui);
+void timePanel(Ui& ui);
+void hardcopyPanel(Ui& ui);
+/// Writes the next frames of a running hardcopy, whether its section is open or not.
+void continueHardcopy(Ui& ui);
+void costPanel(Ui& ui);
+void suitePanel(Ui& ui);
+/// The choice of a debug view and its legend: a part of viewPanel().
+void debugViewControls(Ui& ui);
+/// Switches to the next debug view.
+void nextDebugView(Ui& ui);
+/// Shows the debug view's numbers of the pixel under the mouse.
+void debugViewUnderMouse(Ui& ui);
+
+// Floating windows and dialogs.
+void inspectorWindow(Ui& ui);
+void noiseWindow(Ui& ui);
+/// The graph in the noise window, with points to drag.
+void noiseGraph(Ui& ui, float width, float height);
+void exampleWindow(Ui& ui);
+void fileDialog(Ui& ui);
+/// Asks the user before unsaved text would be lost.
+void questionDialog(Ui& ui);
+
+/// Sets the initial position and size of the next window, which is never larger than the screen. The values
+/// are screen coordinates at scale 1.
+void placeFloating(const Ui& ui, float left, float top, float width, float height);
+
+// These draw into a part of `free`, and reduce `free` by that part.
+void tabBar(Ui& ui, Rectangle& free);
+void sourcePanel(Ui& ui, Rectangle& free);
+
+/// Saves the file that the source panel shows.
+void saveSource(Ui& ui);
+/// Opens the source panel at that place.
+void showSource(Ui& ui, const Place& place);
+/// Shows the core GLSL that was made from that line, if the driver rejected the shader.
+void translatedLines(Ui& ui, const Place& place);
+
+/// Handles the mouse over the picture.
+void pictureInput(Ui& ui);
+/// Draws labels, the 3D cursor and the first error over the picture.
+void pictureOverlay(Ui& ui);
+/// Handles the keyboard shortcuts.
+void shortcuts(Ui& ui);
+void helpWindow(Ui& ui);
+
+/// The width of the panel with the sections, in screen coordinates.
+float panelWidth(const Ui& ui);
+
+/// Draws all panels and windows of one frame.
+void showAll(Ui& ui);
+
+}  // namespace glibra::view

@@ -1,0 +1,179 @@
+#include "view/window/platform/display.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace glibra::view {
+
+struct Display::Events {
+    bool active = true;
+    std::vector<std::filesystem::path> dropped;
+    std::vector<KeyEvent> keys;
+};
+
+namespace {
+
+constexpr std::array<std::pair<int, int>, 6> kVersions{{{4, 6}, {4, 5}, {4, 4}, {4, 3}, {4, 2}, {4, 1}}};
+constexpr double kDefaultRefreshRate = 60;
+
+std::string lastError() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "unknown reason";
+}
+
+/// A window with the highest OpenGL version that the driver has; null if it has none.
+GLFWwindow* createWindow(int width, int height, const std::string& title) {
+    for (const auto& [major, minor] : kVersions) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+        if (GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr))
+            return window;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Display::Events& Display::eventsOf(GLFWwindow* window) {
+    return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+}
+
+/// Registers the callbacks that write into `events`, which must outlive the window.
+void Display::listen(GLFWwindow* window, Events& events) {
+    glfwSetWindowUserPointer(window, &events);
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* at) { eventsOf(at).active = true; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* at, int, int) { eventsOf(at).active = true; });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* at, double, double) { eventsOf(at).active = true; });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* at, int, int, int) { eventsOf(at).active = true; });
+    glfwSetScrollCallback(window, [](GLFWwindow* at, double, double) { eventsOf(at).active = true; });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* at, int) { eventsOf(at).active = true; });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* at, int) { eventsOf(at).active = true; });
+    glfwSetKeyCallback(window, [](GLFWwindow* at, int key, int, int action, int) {
+        eventsOf(at).active = true;
+        if (action != GLFW_REPEAT) eventsOf(at).keys.push_back({key, action == GLFW_PRESS, 0});
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* at, unsigned int character) {
+        eventsOf(at).active = true;
+        eventsOf(at).keys.push_back({0, true, character});
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* at, int count, const char** paths) {
+        eventsOf(at).active = true;
+        eventsOf(at).dropped.insert(eventsOf(at).dropped.end(), paths, paths + count);
+    });
+}
+
+Result<Display> Display::open(int width, int height, const std::string& title) {
+    if (glfwInit() == GLFW_FALSE)
+        return error("view-E02", "no display found (" + lastError() +
+                                     "); `glibra render SCENE` writes a picture without one");
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    GLFWwindow* window = createWindow(width, height, title);
+    if (!window) {
+        const std::string why = lastError();
+        glfwTerminate();
+        return error("view-E02", "cannot open a window with OpenGL 4.1 or later (" + why +
+                                     "); `glibra render SCENE` writes a picture without one");
+    }
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+    auto events = std::make_unique<Events>();
+    listen(window, *events);
+    return Display(window, std::move(events));
+}
+
+Display::Display(GLFWwindow* window, std::unique_ptr<Events> events)
+    : window_(window), events_(std::move(events)) {}
+Display::Display(Display&& other) noexcept
+    : window_(std::exchange(other.window_, nullptr)), events_(std::move(other.events_)) {}
+Display& Display::operator=(Display&& other) noexcept {
+    std::swap(window_, other.window_);
+    std::swap(events_, other.events_);
+    return *this;
+}
+Display::~Display() {
+    if (!window_) return;
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void* Display::address(const char* function) {
+    return reinterpret_cast<void*>(glfwGetProcAddress(function));
+}
+
+bool Display::isOpen() const {
+    return glfwWindowShouldClose(window_) == GLFW_FALSE;
+}
+void Display::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Display::keepOpen() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+}
+void Display::setTitle(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+void Display::setSize(int width, int height) {
+    glfwSetWindowSize(window_, std::max(1, width), std::max(1, height));
+}
+std::pair<int, int> Display::size() const {
+    std::pair<int, int> size;
+    glfwGetWindowSize(window_, &size.first, &size.second);
+    return size;
+}
+std::pair<int, int> Display::framebufferSize() const {
+    std::pair<int, int> size;
+    glfwGetFramebufferSize(window_, &size.first, &size.second);
+    return size;
+}
+float Display::contentScale() const {
+    float x = 1;
+    float y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(x, .5F, 8.F);
+}
+double Display::refreshRate() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : kDefaultRefreshRate;
+}
+
+bool Display::hasSwapControl() {
+    constexpr std::array<const char*, 3> kExtensions{"GLX_EXT_swap_control", "GLX_MESA_swap_control",
+                                                     "GLX_SGI_swap_control"};
+    return std::any_of(kExtensions.begin(), kExtensions.end(),
+                       [](const char* each) { return glfwExtensionSupported(each) == GLFW_TRUE; });
+}
+
+void Display::present() {
+    glfwSwapBuffers(window_);
+}
+void Display::takeEvents(double seconds) {
+    if (seconds < 0)
+        glfwWaitEvents();
+    else if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+}
+void Display::wake() {
+    glfwPostEmptyEvent();
+}
+bool Display::takeActivity() {
+    return std::exchange(events_->active, false);
+}
+std::vector<Display::KeyEvent> Display::takeKeyEvents() {
+    return std::exchange(events_->keys, {});
+}
+std::vector<std::filesystem::path> Display::takeDropped() {
+    return std::exchange(events_->dropped, {});
+}
+
+}  // namespace glibra::view

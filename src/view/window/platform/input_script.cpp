@@ -1,0 +1,123 @@
+#include "view/window/platform/input_script.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace glibra::view {
+namespace {
+
+constexpr unsigned kButtons = 3;
+constexpr float kFrameSeconds = 1.F / 60;
+
+// These read a member if it is there and has the right type.
+
+template <class T>
+void readNumber(const nlohmann::json& json, const char* key, T& value) {
+    const auto found = json.find(key);
+    if (found != json.end() && found->is_number()) value = found->get<T>();
+}
+
+template <class T>
+std::optional<std::pair<T, T>> readPair(const nlohmann::json& json, const char* key) {
+    const auto found = json.find(key);
+    const bool isPair = found != json.end() && found->is_array() && found->size() == 2 &&
+                        (*found)[0].is_number() && (*found)[1].is_number();
+    if (!isPair) return std::nullopt;
+    return std::pair((*found)[0].get<T>(), (*found)[1].get<T>());
+}
+
+std::optional<std::string> readText(const nlohmann::json& json, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_string()) return std::nullopt;
+    return found->get<std::string>();
+}
+
+/// The elements of a list, without those of another type.
+template <class T>
+std::vector<T> readList(const nlohmann::json& json, const char* key, bool (nlohmann::json::*isType)() const) {
+    std::vector<T> values;
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_array()) return values;
+    for (const nlohmann::json& each : *found)
+        if ((each.*isType)()) values.push_back(each.get<T>());
+    return values;
+}
+
+/// A missing mouse position and missing buttons are those of the frame before.
+FrameInput frameOf(const nlohmann::json& json, const FrameInput& before) {
+    FrameInput frame;
+    std::tie(frame.mouseX, frame.mouseY) =
+        readPair<float>(json, "mouse").value_or(std::pair(before.mouseX, before.mouseY));
+    frame.buttons = before.buttons;
+    readNumber(json, "buttons", frame.buttons);
+    readNumber(json, "wheel", frame.wheel);
+    frame.keys = readList<int>(json, "keys", &nlohmann::json::is_number_integer);
+    frame.text = readText(json, "text").value_or("");
+    frame.windowSize = readPair<int>(json, "size");
+    frame.open = readText(json, "open");
+    frame.dropped = readList<std::string>(json, "drop", &nlohmann::json::is_string);
+    return frame;
+}
+
+}  // namespace
+
+void InputRecorder::add(const FrameInput& frame) {
+    nlohmann::ordered_json json{{"mouse", {frame.mouseX, frame.mouseY}}, {"buttons", frame.buttons}};
+    if (frame.wheel != 0) json["wheel"] = frame.wheel;
+    if (!frame.keys.empty()) json["keys"] = frame.keys;
+    if (!frame.text.empty()) json["text"] = frame.text;
+    if (frame.windowSize) json["size"] = {frame.windowSize->first, frame.windowSize->second};
+    if (frame.open) json["open"] = *frame.open;
+    if (!frame.dropped.empty()) json["drop"] = frame.dropped;
+    out_ << json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
+}
+
+std::vector<FrameInput> readInput(const std::filesystem::path& file) {
+    std::vector<FrameInput> frames;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+        const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+        if (json.is_object()) frames.push_back(frameOf(json, frames.empty() ? FrameInput{} : frames.back()));
+    }
+    return frames;
+}
+
+FrameInput currentInput() {
+    const ImGuiIO& io = ImGui::GetIO();
+    FrameInput frame;
+    frame.mouseX = io.MousePos.x;
+    frame.mouseY = io.MousePos.y;
+    for (unsigned i = 0; i < kButtons; ++i)
+        if (io.MouseDown[i]) frame.buttons |= 1U << i;
+    frame.wheel = io.MouseWheel;
+    for (int key = 0; key < GLFW_KEY_LAST; ++key)
+        if (io.KeysDown[key]) frame.keys.push_back(key);
+    for (const ImWchar each : io.InputQueueCharacters)
+        if (each < 128) frame.text += static_cast<char>(each);
+    return frame;
+}
+
+void replaceInput(const FrameInput& frame) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {frame.mouseX, frame.mouseY};
+    for (unsigned i = 0; i < kButtons; ++i) io.MouseDown[i] = (frame.buttons >> i & 1U) != 0;
+    io.MouseWheel = frame.wheel;
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    for (const int key : frame.keys)
+        if (key >= 0 && key < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[key] = true;
+    const auto isDown = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+    io.KeyCtrl = isDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = isDown(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    io.KeyAlt = isDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    io.ClearInputCharacters();
+    io.AddInputCharactersUTF8(frame.text.c_str());
+    io.DeltaTime = kFrameSeconds;
+}
+
+}  // namespace glibra::view
