@@ -106,11 +106,11 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         if (i < used.size() && used[i]) continue;
         const auto& [name, form, values, program] = overrides[i];
         const std::string where =
-            program.empty() ? "program of the scene" : "Program " + glib::quoted(program);
+            program.empty() ? "program of the scene" : "Program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
         const std::string near = isElsewhere ? "" : suggestionFor(name, names);
         diagnostics.push_back(
-            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::quoted(name), near)));
+            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
     }
     return diagnostics;
 }

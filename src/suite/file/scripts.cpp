@@ -57,13 +57,13 @@ class ScriptFinder {
         if (files) return *files;
         reader_.error("suite-E11",
                       fmt::format("{}: more than 1,000,000 files would have to be looked at",
-                                  glib::quoted(pattern.text)),
+                                  glib::inQuotes(pattern.text)),
                       pattern.place);
         return {};
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
-        std::string text = fmt::format("{}: {} fits no file", key, glib::quoted(pattern.text));
+        std::string text = fmt::format("{}: {} fits no file", key, glib::inQuotes(pattern.text));
         if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
             text += "; " + why;
         else if (const std::string near = nearEnding(pattern.text); !near.empty())
@@ -109,7 +109,7 @@ class ScriptFinder {
         if (const std::string why = whyNotAName(name); !why.empty())
             reader_.error(
                 "suite-E05",
-                fmt::format("shot {} of {} {}", glib::quoted(name), glib::quoted(script.string()), why),
+                fmt::format("shot {} of {} {}", glib::inQuotes(name), glib::inQuotes(script.string()), why),
                 place);
         else
             found_.push_back({script, std::move(name), place});
@@ -134,7 +134,8 @@ class ScriptFinder {
             else if (const std::string why = whyNoFolder(parent); !why.empty())
                 hint = "; " + why;
         }
-        reader_.error("suite-E10", fmt::format("script: cannot find {}{}", glib::quoted(path.string()), hint),
+        reader_.error("suite-E10",
+                      fmt::format("script: cannot find {}{}", glib::inQuotes(path.string()), hint),
                       script.place);
     }
 

@@ -151,7 +151,7 @@ void readTags(const Context& in, const toml::node& node) {
         std::string why = whyNotAName(each);
         if (why.empty() && each.find('/') != std::string::npos) why = "has '/' in it";
         if (!why.empty())
-            in.reader.error("suite-E05", fmt::format("tag {} {}", glib::quoted(each), why),
+            in.reader.error("suite-E05", fmt::format("tag {} {}", glib::inQuotes(each), why),
                             in.reader.placeOf(node));
         else if (std::find(in.to.shot.tags.begin(), in.to.shot.tags.end(), each) == in.to.shot.tags.end())
             in.to.shot.tags.push_back(each);
@@ -168,7 +168,7 @@ void readErrorId(const Context& in, const toml::node& node, std::string_view nam
     for (const glib::CatalogueRow& row : glib::diagnosticCatalogue()) ids.push_back(row.id);
     const std::string meant = glib::suggestion(*id, ids);
     in.reader.error("suite-E17",
-                    fmt::format("{}: there is no message {}{}", name, glib::quoted(*id),
+                    fmt::format("{}: there is no message {}{}", name, glib::inQuotes(*id),
                                 meant.empty() ? "; 'glibra language --diagnostics' lists them" : meant),
                     in.reader.placeOf(node));
 }
@@ -208,7 +208,7 @@ void readLibrary(const Context& in, const toml::node& node) {
         std::error_code failure;
         if (std::filesystem::is_regular_file(path, failure))
             in.reader.error("suite-E10",
-                            fmt::format("library: {} is not a folder", glib::quoted(path.string())),
+                            fmt::format("library: {} is not a folder", glib::inQuotes(path.string())),
                             in.reader.placeOf(node));
         else if (const std::string why = whyNoFolder(path); !why.empty())
             in.reader.error("suite-E10", "library: " + why, in.reader.placeOf(node));
@@ -237,7 +237,7 @@ void readName(const Context& in, const toml::node& node) {
     const auto text = in.reader.text(node, kWord);
     if (!text) return;
     if (const std::string why = whyNotAName(*text); !why.empty())
-        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::quoted(*text), why),
+        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::inQuotes(*text), why),
                                in.reader.placeOf(node));
     in.to.*field = PlacedText{*text, in.reader.placeOf(node)};
 }

@@ -49,7 +49,7 @@ void readObjectTransforms(TomlReader& reader, const toml::node& node, ViewState&
         if (failure != std::errc() || stop != end || line < 1) {
             reader.error("suite-E04",
                          fmt::format("object-transform: {} is not the number of a line of the scene",
-                                     glib::quoted(entry.key)),
+                                     glib::inQuotes(entry.key)),
                          entry.keyPlace);
             continue;
         }

@@ -67,9 +67,10 @@ class UniformReader {
             if (const toml::table* part = entry.value->as_table()) {
                 read(*part, name + '.');
             } else if (!isUniformName(name)) {
-                reader_.error("suite-E05",
-                              fmt::format("{}: {} is not the name of a uniform", word(), glib::quoted(name)),
-                              entry.keyPlace);
+                reader_.error(
+                    "suite-E05",
+                    fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
+                    entry.keyPlace);
             } else {
                 readOne(name, entry);
             }
@@ -118,7 +119,7 @@ class UniformReader {
             std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
             const std::string given = fmt::format("--set {}={}: ", name, *text);
             if (why.starts_with(given)) why.erase(0, given.size());
-            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::quoted(*text), why),
+            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
                           reader_.placeOf(node));
             return std::nullopt;
         }

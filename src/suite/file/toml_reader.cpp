@@ -39,7 +39,7 @@ std::string nearestKey(std::string_view word, std::span<const std::string_view> 
 std::string described(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::string:
-            return "the text " + glib::quoted(**node.as_string());
+            return "the text " + glib::inQuotes(**node.as_string());
         case toml::node_type::integer:
             return fmt::format("the number {}", **node.as_integer());
         case toml::node_type::floating_point:
@@ -201,7 +201,7 @@ void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
                             std::span<const std::string_view> keys) {
     const std::string near = nearestKey(entry.key, keys);
     error("suite-E02",
-          fmt::format("unknown key {} {}; {}", glib::quoted(entry.key), where,
+          fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
                       near.empty() ? fmt::format("it has the keys {}", fmt::join(keys, ", "))
                                    : fmt::format("did you mean '{}'?", near)),
           entry.keyPlace);
