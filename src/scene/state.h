@@ -1,5 +1,5 @@
 #pragma once
-// Inside the room: the state machine of the language, section 2.1, and the handlers of the commands.
+// Private to this room: the state machine (language, 2.1) and the handlers of the commands.
 
 #include <cstdint>
 #include <map>
@@ -29,7 +29,7 @@ struct SavedMatrix {
     Place place;
 };
 
-/// What RenderToTexture chose; no units: the window.
+/// The targets that RenderToTexture selected. Without units it is the window.
 struct TargetList {
     std::vector<int> units;
     std::vector<TextureIndex> textures;
@@ -37,7 +37,7 @@ struct TargetList {
     Place place;
 };
 
-/// What a statement may change for the statements after it.
+/// The state that a statement may change for the statements after it.
 struct State {
     Projection projection = Perspective{};
     glm::dmat4 modelView{1.0};
@@ -57,7 +57,7 @@ struct State {
     double timerPeriod = 10;
 };
 
-/// A glBegin list that waits for its glEnd.
+/// A glBegin list that has not met its glEnd.
 struct OpenList {
     geometry::ListTopology topology{};
     std::string word;
@@ -76,9 +76,9 @@ struct Interpreter {
     SearchFolders folders;
     FolderListings listings;
     std::optional<OpenList> list;
-    bool isOrphan = false;  ///< the statement before belonged to a list that is not open, and that is told
+    bool isOrphan = false;  ///< the statement before needed an open list; that has been reported
 
-    // What has been made so far, to share it.
+    // Everything made so far, so that equal things are shared.
     std::map<std::string, FileIndex> files;  ///< by name as written
     std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
     std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
