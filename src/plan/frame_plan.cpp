@@ -22,11 +22,11 @@
 namespace glibra::plan {
 namespace {
 
-/// What planning knows of a PlannedProgram besides.
+/// Private data of the planner about a PlannedProgram.
 struct ProgramState {
-    Diagnostics diagnostics;  ///< of translating, compiling, linking and of its pairs
+    Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
     std::vector<UnitUse> units;
-    Diagnostics unitProblems;  ///< draw-E05: said at each draw
+    Diagnostics unitProblems;  ///< draw-E05: reported at each draw
     bool isAnnounced = false;  ///< its diagnostics are in the plan's
 };
 
@@ -69,7 +69,7 @@ class FramePlanner {
     ProgramState& state(PlannedProgramIndex program) { return states_[program]; }
     const PlannedProgram& planned(PlannedProgramIndex program) const { return plan_.programs[program]; }
 
-    /// Adds what was not said before, word for word at the same place.
+    /// Adds the diagnostic unless an equal one at the same place exists.
     void say(const Diagnostic& diagnostic) {
         if (said_
                 .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
@@ -82,7 +82,7 @@ class FramePlanner {
         return programOf(variantOf(scene_, draw, pass));
     }
 
-    /// Index of the variant in the plan; asks for its interface the first time.
+    /// Returns the index of the variant in the plan. The first call asks for its interface.
     PlannedProgramIndex programOf(const ProgramVariant& variant) {
         PlannedProgramIndex& index =
             programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets}];
@@ -116,7 +116,7 @@ class FramePlanner {
         return *loopLimit_;
     }
 
-    /// What the samplers of a draw read; equal for draws with the same program, slots and wrap.
+    /// The textures that a draw's samplers read. Draws with equal program, slots and wrap share them.
     const std::vector<TextureUse>& usesOf(const scene::Draw& draw, PlannedProgramIndex program) {
         const auto [entry, isNew] = uses_.try_emplace({program, draw.slots, draw.sampling.clamp});
         if (isNew)
@@ -161,8 +161,8 @@ class FramePlanner {
         result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
     }
 
-    /// The program has no stages to go by; a window shows the shape in one colour. Patches cannot be shown
-    /// so.
+    /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
+    /// that way.
     void planUnusable(const scene::Draw& draw, PlannedProgramIndex index, PlannedPass& result) {
         const geometry::Topology topology = topologyOf(scene_.shapes[draw.shape]);
         if (topology == geometry::Topology::patches) return;
@@ -175,7 +175,7 @@ class FramePlanner {
         for (const Diagnostic& each : state(program).diagnostics) say(each);
     }
 
-    /// draw-W01, once a program.
+    /// Reports draw-W01 once per program.
     void reportMissingStage(const scene::Draw& draw) {
         if (!draw.program || !usesBuiltin(scene_, draw) || !incomplete_.insert(draw.program).second) return;
         const scene::Program& program = *sceneProgram(draw.program);
@@ -188,7 +188,7 @@ class FramePlanner {
                     draw.place));
     }
 
-    /// draw-E01: a sampler reads what the pass draws into.
+    /// Returns draw-E01 if a sampler reads a target of its own pass.
     Diagnostics feedback(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex program,
                          const std::vector<TextureUse>& uses) {
         Diagnostics errors;
@@ -208,7 +208,7 @@ class FramePlanner {
         return errors;
     }
 
-    /// What is said at the first draw only to which it applies: draw-W02, W03, W05.
+    /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
     void remarkOnce(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                     const Submission& submission, const std::vector<TextureUse>& uses) {
         const ProgramInterface& interface = *planned(index).interface;
@@ -245,14 +245,14 @@ class FramePlanner {
         const auto found = interface.facts.userNames.find(name);
         return found != interface.facts.userNames.end() ? found->second : name;
     }
-    /// The mesh of the draw's shape, and what this program reads of it.
+    /// Returns the mesh of the draw's shape and records the attributes that this program reads.
     PlannedMeshIndex meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
         PlannedMeshIndex& mesh = meshOfShape_[draw.shape];
         if (!mesh || !options_.shareMeshes) mesh = plan_.meshes.add({draw.shape, {}});
         for (const ActiveInput& input : interface.inputs)
             if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name); row != nullptr)
                 reads_[draw.shape].insert(row->attribute);
-        // A window shows what an unusable program should have drawn in one colour, and needs to know where.
+        // A window shows the draws of an unusable program in one colour, so it needs their positions.
         if (!interface.usable) reads_[draw.shape].insert(geometry::kPosition);
         return mesh;
     }
@@ -265,7 +265,7 @@ class FramePlanner {
         }
     }
 
-    /// glibra check compiles also what nothing is drawn with.
+    /// `glibra check` also compiles programs without draws.
     void planUndrawnPrograms() {
         std::set<scene::ProgramIndex> drawn;
         for (const PlannedProgram& each : plan_.programs) drawn.insert(each.variant.program);
@@ -278,8 +278,8 @@ class FramePlanner {
         }
     }
 
-    /// glib-W23 for `--set` names that no program has. Of a program that was not asked for, or did not link,
-    /// only the pairs are known: a name among them is let pass.
+    /// Reports glib-W23 for `--set` names that no program has. For a program that was not asked for or did
+    /// not link, only the pairs are known, so a name among them is accepted.
     void reportOverrides() {
         std::vector<std::string> names;
         std::set<scene::ProgramIndex> known;
@@ -299,8 +299,8 @@ class FramePlanner {
         for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
     }
 
-    /// glib-W24 for those that are declared: whether a driver keeps what it can leave out differs from driver
-    /// to driver.
+    /// Reports glib-W24 for names that are declared but not active. Drivers differ in which unused uniforms
+    /// they keep.
     void reportInactiveOverrides() {
         const auto isDeclared = [this](const Override& override) {
             const auto declares = [&](const PlannedProgram& program) {

@@ -156,7 +156,7 @@ class NeedFinder {
                            [&](scene::TextureIndex target) { return read_[target]; });
     }
 
-    /// Takes in the last pass that is not needed yet and may write to an image.
+    /// Adds the last pass that is not needed yet and may write to an image. False if there is none.
     bool addImageWriter() {
         for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
             if (needs_.passes[pass] || isWindow(pass)) continue;
@@ -175,7 +175,7 @@ class NeedFinder {
     const NeedQuestions& questions_;
     std::vector<bool> visited_;
     scene::List<bool, scene::Texture> read_;      ///< by a needed draw
-    std::map<scene::ProgramIndex, bool> writes_;  ///< answers of mayWriteImages
+    std::map<scene::ProgramIndex, bool> writes_;  ///< results of mayWriteImages
     Needs needs_;
 };
 

@@ -32,7 +32,7 @@ std::string_view counterpartOf(CommandId command, Topology wanted) {
     return {};
 }
 
-/// "; use ObjAdj": a command that delivers the wanted kind, where there is an obvious one.
+/// Returns "; use ObjAdj" if there is an obvious command that delivers the wanted kind.
 std::string recommendation(CommandId command, std::string_view wanted) {
     std::string_view other;
     if (wanted == wordOf(Topology::trianglesAdjacency)) other = glib::nameOf(CommandId::objAdj);

@@ -22,7 +22,7 @@ bool isNoise(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
 
-/// One program's pairs on the way to values.
+/// Resolves the pairs of one program.
 class Resolver {
   public:
     Resolver(const scene::Program& program, const std::string& scenePath, const ProgramInterface& interface,
@@ -56,7 +56,7 @@ class Resolver {
         result_.diagnostics.push_back(warning(id, std::move(text), place));
     }
 
-    /// Units without any tag: the noise texture's, layout(binding), 0.
+    /// The units of a sampler without a tag: the noise texture's, layout(binding), or 0.
     std::vector<int> defaultUnits(const ActiveUniform& sampler, const glsl::BuiltinUniform* row) const {
         int first = 0;
         bool counts = false;
@@ -81,7 +81,8 @@ class Resolver {
             }
     }
 
-    /// What the command line replaces; a value that means nothing for the type leaves the scene's alone.
+    /// Finds the uniforms whose values the command line replaces. A value that does not fit the type replaces
+    /// nothing.
     void findOverridden() {
         for (const Override& each : overrides_) {
             if (!isFor(each, program_)) continue;
@@ -94,7 +95,7 @@ class Resolver {
     }
 
     void applyPairs() {
-        std::map<std::string_view, const glib::UniformSpec*> counting;  // of equal tags the last one
+        std::map<std::string_view, const glib::UniformSpec*> counting;  // the last of equal tags
         for (const glib::UniformSpec& spec : program_.uniforms) counting[spec.tag] = &spec;
         for (const glib::UniformSpec& spec : program_.uniforms) {
             if (counting.at(spec.tag) != &spec) continue;
@@ -218,7 +219,7 @@ class Resolver {
         return knownNames_;
     }
 
-    /// glib-W37: active, and nobody said what it is.
+    /// Reports glib-W37 for active uniforms without a value.
     void reportUnset() {
         if (interface_.isBuiltin) return;
         for (const UniformIndex i : rows_.indices()) {
@@ -252,7 +253,7 @@ class Resolver {
     std::span<const Override> overrides_;
     UniformNames names_;
     scene::List<const glsl::BuiltinUniform*, ActiveUniform> rows_;  ///< what supplies each uniform, or null
-    scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, an element each
+    scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, one per element
     scene::List<bool, ActiveUniform> touched_;            ///< a pair or an override gave it a value
     std::set<std::pair<UniformIndex, int>> overridden_;
     std::vector<std::string> knownNames_;

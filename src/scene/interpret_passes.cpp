@@ -22,7 +22,7 @@ const EmptySource& sourceOf(const Interpreter& in, TextureIndex texture) {
     return std::get<EmptySource>(in.scene.textures[texture].source);
 }
 
-/// glib-E11 for what is wrong with these units as targets, or the target list.
+/// Returns the target list, or nothing with glib-E11 if these units cannot be targets.
 std::optional<TargetList> targetList(Interpreter& in, const glib::Command& command) {
     TargetList list;
     list.place = in.place(command);
@@ -78,7 +78,7 @@ Pass beginPass(Interpreter& in, int depthBuffer) {
     return pass;
 }
 
-/// True if the implicit clear of the pass has just done all that Clear would do.
+/// True if the implicit clear of the pass does the same as Clear would do now.
 bool isClearAlready(const Pass& pass, const glm::dvec4& color) {
     return pass.steps.empty() && pass.clearDepth &&
            std::all_of(pass.clearColors.begin(), pass.clearColors.end(),

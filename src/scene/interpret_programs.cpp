@@ -1,4 +1,4 @@
-// Shader files, programs, and what else is said once (language, 3.5 and 3.6).
+// Shader files, programs, and the other commands (language, 3.5 and 3.6).
 
 #include <fmt/format.h>
 

@@ -21,7 +21,7 @@ constexpr std::uint64_t kAllTextures = std::uint64_t{4} << 30U;  // bytes
 constexpr TextureIndex kNoise2Texture{0};
 constexpr TextureIndex kNoise3Texture{1};
 
-/// TexelFormat in the order of glib's table of formats.
+/// The formats in the order of glib's table.
 constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f,
                               TexelFormat::r32f};
 
@@ -57,7 +57,7 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
     at->texture = slot.texture;
 }
 
-/// An empty texture of the sizes given, unless all such textures together become too large: glib-E15.
+/// Returns an empty texture, or nothing with glib-E15 if all such textures together would be too large.
 std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& command) {
     std::array<int, 3> sizes{1, 1, 1};
     const std::size_t format = formatOf(command.text);
@@ -78,7 +78,7 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
     return EmptySource{sizes[0], sizes[1], sizes[2], kFormats[format]};
 }
 
-/// How many dimensions the command itself says; 0: none.
+/// The number of dimensions in the command's name; 0 if it has none.
 std::size_t dimensionsOf(glib::CommandId id) {
     switch (id) {
         case glib::CommandId::texture1D:
@@ -93,7 +93,7 @@ std::size_t dimensionsOf(glib::CommandId id) {
     return 0;
 }
 
-/// A texture from the file that the command names. A noise file that is not there is the built-in noise.
+/// A texture from the file that the command names. The built-in noise replaces a missing noise file.
 Texture pictureTexture(Interpreter& in, const glib::Command& command) {
     Texture texture;
     const std::size_t wanted = dimensionsOf(command.id);
