@@ -6,7 +6,7 @@ add_executable(glibra_program ${cli_sources})
 set_target_properties(glibra_program PROPERTIES OUTPUT_NAME glibra RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_program)
 glibra_quick_to_compile(glibra_program)
-glibra_precompile(glibra_program glibra_program)
+glibra_precompile(glibra_program glibra_program <CLI/CLI.hpp>)
 # Programs that glibra starts, glibra-view and glibra-bench, are installed in GLIBRA_PROGRAMS_DIR.
 target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}"
                                                   GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")

@@ -6,8 +6,9 @@ if(GLIBRA_WERROR)
     list(APPEND GLIBRA_WARNINGS -Werror)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC 12 reports overlaps and overflows in std::string that do not exist (GCC bugs 105651 and 105329).
-    list(APPEND GLIBRA_WARNINGS -Wno-restrict -Wno-stringop-overflow)
+    # GCC 12 reports overlaps and overflows in std::string that do not exist (GCC bugs 105651 and 105329),
+    # most of all where headers are precompiled.
+    list(APPEND GLIBRA_WARNINGS -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 
 function(glibra_compile_options target)

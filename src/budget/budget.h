@@ -26,13 +26,13 @@
 namespace glibra::budget {
 
 struct NoiseChoice {
-    int texture = scene::kNone;  ///< index into Scene::textures
+    scene::TextureIndex texture{};
     NoiseFormat format;
 };
 
 /// A value of a uniform that decides a tessellation level.
 struct LevelValue {
-    int uniform = 0;  ///< index into ProgramInterface::uniforms of the draw's program
+    plan::UniformIndex uniform{};  ///< of the draw's program
     double value = 0;
 };
 
@@ -87,6 +87,6 @@ Choice choose(const scene::Scene& scene, const plan::FramePlan& plan, const Requ
 
 /// Puts the chosen shapes and noise textures into the scene. Returns the indices of the shapes that have been
 /// replaced.
-std::vector<int> apply(const Choice& choice, scene::Scene& scene);
+std::vector<scene::ShapeIndex> apply(const Choice& choice, scene::Scene& scene);
 
 }  // namespace glibra::budget

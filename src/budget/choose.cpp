@@ -44,7 +44,7 @@ struct Need {
     const scene::Draw* draw = nullptr;
     double scale = 0;    ///< pixels per model unit
     double allowed = 0;  ///< deviation in model units
-    int program = 0;     ///< index into FramePlan::programs
+    plan::PlannedProgramIndex program{};
     bool isMoved = false;
     bool isMeasured = false;  ///< its program computes more at the vertices than their places
 };
@@ -66,7 +66,7 @@ struct Drawn {
 };
 
 /// Draws with equal keys may share a mesh.
-using MeshKey = std::tuple<int, std::array<bool, 2>, std::array<int, 2>, Fidelity>;
+using MeshKey = std::tuple<scene::ShapeIndex, std::array<bool, 2>, std::array<int, 2>, Fidelity>;
 
 class Chooser {
   public:
@@ -133,8 +133,8 @@ class Chooser {
         const double aspect = scene::aspectOf(scene_, pass, windowAspect);
         glm::dvec2 size(request_.width, request_.height);
         if (!pass.targets.empty())
-            if (const auto* target = std::get_if<scene::EmptySource>(
-                    &scene_.textures[static_cast<std::size_t>(pass.targets.front())].source))
+            if (const auto* target =
+                    std::get_if<scene::EmptySource>(&scene_.textures[pass.targets.front()].source))
                 size = {target->width, target->height};
         std::map<const scene::Draw*, std::size_t> steps;
         for (std::size_t i = 0; i < pass.steps.size(); ++i)
@@ -146,15 +146,13 @@ class Chooser {
 
     void lookAt(const plan::PlannedDraw& planned, Need need, double aspect, const glm::dvec2& size) {
         const scene::Draw& draw = *planned.draw;
-        const scene::Shape& shape = scene_.shapes[static_cast<std::size_t>(draw.shape)];
-        const plan::ProgramInterface& program =
-            *plan_.programs[static_cast<std::size_t>(planned.program)].interface;
+        const scene::Shape& shape = scene_.shapes[draw.shape];
+        const plan::ProgramInterface& program = *plan_.programs[planned.program].interface;
         const SurfaceModel* model = shape.list ? nullptr : surfaceModel(shape.command);
         const glm::dmat4 matrix = request_.clipFromModel(draw, aspect);
         const std::vector<double> numbers = model != nullptr ? model->complete(shape) : std::vector<double>();
-        const std::optional<double> scale =
-            model != nullptr ? pixelsPerUnit(matrix, model->extent(numbers), size.x, size.y)
-                             : std::optional<double>();
+        std::optional<double> scale;
+        if (model != nullptr) scale = pixelsPerUnit(matrix, model->extent(numbers), size.x, size.y);
         noteNoise(planned, scale, size.y);
         if (scene::drawsNothing(shape)) return;
         const ProgramFacts facts = programFacts(program);
@@ -206,7 +204,7 @@ class Chooser {
 
     void chooseCounts(const MeshKey& key, std::span<const Need> needs) {
         const auto& [shapeIndex, isFree, least, fidelity] = key;
-        const scene::Shape& shape = scene_.shapes[static_cast<std::size_t>(shapeIndex)];
+        const scene::Shape& shape = scene_.shapes[shapeIndex];
         const SurfaceModel& model = *surfaceModel(shape.command);
         const std::vector<double> before = model.complete(shape);
         const LeastCounts chosen = leastCounts({.model = &model,
@@ -277,8 +275,8 @@ class Chooser {
 
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
         for (const plan::TextureUse& each : planned.textures) {
-            if (each.texture < 0 || !std::holds_alternative<scene::NoiseSource>(
-                                        scene_.textures[static_cast<std::size_t>(each.texture)].source))
+            if (!each.texture ||
+                !std::holds_alternative<scene::NoiseSource>(scene_.textures[each.texture].source))
                 continue;
             NoiseUse& use = noise_[each.texture];
             use.period = std::max(use.period, scale.value_or(height / 2));
@@ -362,8 +360,8 @@ class Chooser {
     const plan::FramePlan& plan_;
     const Request& request_;
     std::map<MeshKey, std::vector<Need>> needs_;
-    std::map<int, std::vector<TessellatedDraw>> tessellated_;  ///< by index into FramePlan::programs
-    std::map<int, NoiseUse> noise_;                            ///< by texture
+    std::map<plan::PlannedProgramIndex, std::vector<TessellatedDraw>> tessellated_;
+    std::map<scene::TextureIndex, NoiseUse> noise_;
     std::vector<Drawn> drawn_;
     Worst beyond_, stated_;
     WorstVertices beyondVertices_, statedVertices_;

@@ -31,7 +31,7 @@ std::optional<double> levelError(const std::vector<TessellatedDraw>& draws, cons
 
 /// The program's name as plan::Override::program has it.
 std::string programOf(const scene::Scene& scene, const plan::PlannedProgram& planned) {
-    return std::to_string(scene.programs[static_cast<std::size_t>(planned.variant.program)].place.line);
+    return std::to_string(scene.programs[planned.variant.program].place.line);
 }
 
 void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
@@ -39,7 +39,7 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
     LevelsRequest levels{
         levelUniforms(planned, request.mostLevel), request.overrideCounts, request.maxError, {}};
     const auto& uniforms = planned.interface->uniforms;
-    const auto nameOf = [&](int uniform) { return uniforms[static_cast<std::size_t>(uniform)].name; };
+    const auto nameOf = [&](plan::UniformIndex uniform) { return at(uniforms, uniform).name; };
     std::erase_if(levels.uniforms, [&](const LevelUniform& each) {
         return std::any_of(request.overrides.begin(), request.overrides.end(),
                            [&](const plan::Override& set) { return set.name == nameOf(each.uniform); });
@@ -75,10 +75,10 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
 }  // namespace
 
 ChosenLevels chooseLevels(const scene::Scene& scene, const plan::FramePlan& plan,
-                          const std::map<int, std::vector<TessellatedDraw>>& draws, const Request& request) {
+                          const std::map<plan::PlannedProgramIndex, std::vector<TessellatedDraw>>& draws,
+                          const Request& request) {
     ChosenLevels chosen;
-    for (const auto& [program, each] : draws)
-        chooseFor(scene, plan.programs[static_cast<std::size_t>(program)], each, request, chosen);
+    for (const auto& [program, each] : draws) chooseFor(scene, plan.programs[program], each, request, chosen);
     return chosen;
 }
 

@@ -33,6 +33,7 @@ struct ChosenLevels {
 
 /// `draws` is indexed like FramePlan::programs; all draws of one program have the same levels.
 ChosenLevels chooseLevels(const scene::Scene& scene, const plan::FramePlan& plan,
-                          const std::map<int, std::vector<TessellatedDraw>>& draws, const Request& request);
+                          const std::map<plan::PlannedProgramIndex, std::vector<TessellatedDraw>>& draws,
+                          const Request& request);
 
 }  // namespace glibra::budget

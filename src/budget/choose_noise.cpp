@@ -18,14 +18,15 @@ std::string noiseText(const NoiseFormat& format) {
 
 class NoiseChooser {
   public:
-    NoiseChooser(const scene::Scene& scene, const std::map<int, NoiseUse>& uses, const Request& request)
+    NoiseChooser(const scene::Scene& scene, const std::map<scene::TextureIndex, NoiseUse>& uses,
+                 const Request& request)
         : scene_(scene), uses_(uses), request_(request) {}
 
     ChosenNoise choose() {
         measure();
         for (const auto& [texture, use] : uses_) {
             const scene::NoiseSource& noise = noiseOf(texture);
-            if (noise.file != scene::kNone)
+            if (noise.file)
                 say(noise, use, "kept: its texels come from a file");
             else if (isFree(noise))
                 chooseOne(texture, use);
@@ -36,11 +37,11 @@ class NoiseChooser {
     }
 
   private:
-    [[nodiscard]] const scene::NoiseSource& noiseOf(int texture) const {
-        return std::get<scene::NoiseSource>(scene_.textures[static_cast<std::size_t>(texture)].source);
+    [[nodiscard]] const scene::NoiseSource& noiseOf(scene::TextureIndex texture) const {
+        return std::get<scene::NoiseSource>(scene_.textures[texture].source);
     }
     [[nodiscard]] bool isFree(const scene::NoiseSource& noise) const {
-        return noise.file == scene::kNone && (!noise.isSizeGiven || request_.overrideCounts);
+        return !noise.file && (!noise.isSizeGiven || request_.overrideCounts);
     }
 
     /// Measures on two pictures how contours move. Programs stretch noise, add octaves of their own and raise
@@ -48,7 +49,7 @@ class NoiseChooser {
     void measure() {
         Choice from, to;
         for (const auto& [texture, use] : uses_) {
-            if (noiseOf(texture).file != scene::kNone) continue;
+            if (noiseOf(texture).file) continue;
             from.noise.push_back({texture, {kNoiseProbeSizes[0], scene::NoiseTexels::shorts}});
             to.noise.push_back({texture, {kNoiseProbeSizes[1], scene::NoiseTexels::shorts}});
         }
@@ -88,7 +89,7 @@ class NoiseChooser {
         if (pixels > request_.maxError) miss(noise, use, pixels, noise.size, true);
     }
 
-    void chooseOne(int texture, const NoiseUse& use) {
+    void chooseOne(scene::TextureIndex texture, const NoiseUse& use) {
         const scene::NoiseSource& noise = noiseOf(texture);
         const NoiseFormat before{noise.size, noise.texels};
         const auto pixelsOf = [&](const NoiseFormat& format) {
@@ -105,7 +106,7 @@ class NoiseChooser {
     }
 
     const scene::Scene& scene_;
-    const std::map<int, NoiseUse>& uses_;
+    const std::map<scene::TextureIndex, NoiseUse>& uses_;
     const Request& request_;
     std::optional<ContourShifts> measured_;
     ChosenNoise chosen_;
@@ -113,7 +114,7 @@ class NoiseChooser {
 
 }  // namespace
 
-ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<int, NoiseUse>& uses,
+ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<scene::TextureIndex, NoiseUse>& uses,
                         const Request& request) {
     return NoiseChooser(scene, uses, request).choose();
 }

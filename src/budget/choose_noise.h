@@ -31,8 +31,7 @@ struct ChosenNoise {
     std::vector<NoiseMiss> misses;
 };
 
-/// `uses` is indexed like Scene::textures.
-ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<int, NoiseUse>& uses,
+ChosenNoise chooseNoise(const scene::Scene& scene, const std::map<scene::TextureIndex, NoiseUse>& uses,
                         const Request& request);
 
 }  // namespace glibra::budget

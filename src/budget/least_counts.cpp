@@ -43,7 +43,7 @@ class Search {
         return request_.model->deviation(numbers, request_.fidelity);
     }
     [[nodiscard]] std::uint64_t vertices(const std::vector<double>& numbers) const {
-        return scene::countsOf({request_.model->command, numbers, scene::kNone, nullptr})
+        return scene::countsOf({request_.model->command, numbers, {}, nullptr})
             .value_or(geometry::Counts{})
             .vertices;
     }

@@ -10,8 +10,7 @@ std::vector<LevelUniform> levelUniforms(const plan::PlannedProgram& program, dou
     for (const plan::UniformBinding& binding : program.values) {
         const auto* literal = std::get_if<plan::Literal>(&binding.value);
         if (!literal || literal->values.size() != 1 || !(literal->values[0] > 0)) continue;
-        const plan::ActiveUniform& uniform =
-            program.interface->uniforms[static_cast<std::size_t>(binding.uniform)];
+        const plan::ActiveUniform& uniform = at(program.interface->uniforms, binding.uniform);
         if (!program.interface->facts.levelUniforms.contains(uniform.name)) continue;
         LevelUniform level{binding.uniform, literal->values[0], 1, mostLevel};
         for (const plan::Control& control : program.controls)

@@ -8,7 +8,7 @@
 namespace glibra::budget {
 
 struct LevelUniform {
-    int uniform = 0;  ///< index into ProgramInterface::uniforms
+    plan::UniformIndex uniform{};
     double value = 0;
     /// The range of its slider. Without a slider: 1 to the driver's highest level.
     double least = 1, most = 64;

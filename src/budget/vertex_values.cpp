@@ -28,7 +28,7 @@ Numbers more(const VertexDraw& draw, const Numbers& numbers, double factor, bool
 }
 
 bool isSmallEnough(const VertexDraw& draw, const Numbers& numbers) {
-    const auto counts = scene::countsOf({draw.model->command, numbers, scene::kNone, nullptr});
+    const auto counts = scene::countsOf({draw.model->command, numbers, {}, nullptr});
     return counts && counts->vertices <= kMostBudgetVertices;
 }
 
@@ -45,7 +45,7 @@ class Refinement {
         // In most scenes all programs keep the bound, and two pictures show that for all of them.
         const std::optional<VertexError> all = measure(programs_, 1);
         if (!all) return std::nullopt;
-        for (const int program : programs_) {
+        for (const plan::PlannedProgramIndex program : programs_) {
             std::optional<VertexError> error = all;
             if (!all->isKept && programs_.size() > 1) error = measure({program}, 1);
             if (!error) return std::nullopt;
@@ -56,7 +56,8 @@ class Refinement {
 
   private:
     /// Measures the error when the draws of these programs have their free counts times `factor`.
-    [[nodiscard]] std::optional<VertexError> measure(const std::set<int>& programs, double factor) const {
+    [[nodiscard]] std::optional<VertexError> measure(const std::set<plan::PlannedProgramIndex>& programs,
+                                                     double factor) const {
         std::vector<ShapeChoice> from, to;
         double shapes = 0;
         for (std::size_t i = 0; i < request_.draws.size(); ++i) {
@@ -82,7 +83,7 @@ class Refinement {
         return error;
     }
 
-    VertexError refine(int program, const VertexError& first) {
+    VertexError refine(plan::PlannedProgramIndex program, const VertexError& first) {
         double factor = 1;
         VertexError error = first;
         const bool isFree =
@@ -106,7 +107,7 @@ class Refinement {
     }
 
     const VertexRequest& request_;
-    std::set<int> programs_;
+    std::set<plan::PlannedProgramIndex> programs_;
     VertexValues values_;
 };
 

@@ -20,7 +20,7 @@ struct VertexDraw {
     const SurfaceModel* model = nullptr;
     std::vector<double> numbers;  ///< complete
     std::array<bool, 2> isFree{};
-    int program = 0;  ///< index into FramePlan::programs
+    plan::PlannedProgramIndex program{};
     Fidelity fidelity = Fidelity::shape;
     double scale = 0;  ///< pixels per model unit
 };
@@ -46,7 +46,7 @@ std::string vertexText(const VertexError& error);
 
 /// The result for the draws of one program.
 struct VertexResult {
-    int program = 0;
+    plan::PlannedProgramIndex program{};
     VertexError error;
 };
 

@@ -167,17 +167,18 @@ ReadNumber readNumber(const Token& token, MessageLog& log) {
     const std::optional<NumberPrefix> number =
         token.kind == TokenKind::number ? numberPrefix(token.text) : std::optional<NumberPrefix>();
     if (!number) {
-        log.report("glib-W05", fmt::format("{} is not a number, 0 used", quoted(token.text)), token.position);
+        log.report("glib-W05", fmt::format("{} is not a number, 0 used", inQuotes(token.text)),
+                   token.position);
         return {0, "0"};
     }
     const std::string_view text = token.text.substr(0, number->length);
     if (number->length < token.text.size())
         log.report("glib-W04",
-                   fmt::format("{} read as {}, {} ignored", quoted(token.text), text,
-                               quoted(token.text.substr(number->length))),
+                   fmt::format("{} read as {}, {} ignored", inQuotes(token.text), text,
+                               inQuotes(token.text.substr(number->length))),
                    token.position);
     if (!number->finite)
-        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", quoted(text)),
+        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
                    token.position);
     return {number->value, text};
 }

@@ -59,7 +59,7 @@ void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const Brack
     if (group.end == GroupEnd::notClosed)
         log.report("glib-W09",
                    fmt::format("'{}' not closed; closed {}", tokens[open].text,
-                               group.next < tokens.size() ? "before " + quoted(tokens[group.next].text)
+                               group.next < tokens.size() ? "before " + inQuotes(tokens[group.next].text)
                                                           : std::string("at the end of the statement")),
                    tokens[open].position);
 }

@@ -161,8 +161,8 @@ class LineReader {
         while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
         if (word.size() < written.size()) {
             log_.report("glib-W03",
-                        fmt::format("{} at the end of {} dropped", quoted(written.substr(word.size())),
-                                    quoted(written)),
+                        fmt::format("{} at the end of {} dropped", inQuotes(written.substr(word.size())),
+                                    inQuotes(written)),
                         position(begin));
         }
         if (line_.tokens.empty() && messages_ == MessageLines::rawText && sameWord(word, "MessageBox")) {

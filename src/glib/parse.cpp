@@ -52,7 +52,7 @@ class Parser {
     void reportUnknown(const Token& word) {
         const bool suggests = word.kind == TokenKind::word && !log_.isFull();
         const std::string_view nearest = suggests ? nearestCommand(word.text) : std::string_view();
-        std::string text = "unknown command " + quoted(word.text);
+        std::string text = "unknown command " + inQuotes(word.text);
         if (!nearest.empty()) text += fmt::format("; did you mean '{}'?", nearest);
         log_.report("glib-E01", std::move(text), word.position);
     }

@@ -25,7 +25,7 @@ bool isCommand(const Statement& statement, CommandId id) {
 std::string described(const Statement& statement) {
     std::string text(statement.row->name());
     if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
-        text.append(" ").append(quoted(statement.arguments.front().text));
+        text.append(" ").append(inQuotes(statement.arguments.front().text));
     return text;
 }
 
@@ -133,7 +133,7 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
             }
         }
     }
-    log_.report("glib-W13", fmt::format("{} after a backslash starts a new command", quoted(first.text)),
+    log_.report("glib-W13", fmt::format("{} after a backslash starts a new command", inQuotes(first.text)),
                 first.position);
     return false;
 }
@@ -162,7 +162,7 @@ bool StatementReader::refuseBraceBlock(Statement& statement) {
     const std::string name = tokens.size() == 2 ? std::string(tokens.front().text) + " " : std::string();
     log_.report("glib-E10",
                 fmt::format("{}: brace blocks belong to another program's scene language",
-                            quoted("Program " + name + "{")),
+                            inQuotes("Program " + name + "{")),
                 statement.word.position);
     statement.refused = true;
     return skipBraceBlock();

@@ -29,7 +29,7 @@ inline std::string lower(std::string_view word) {
 }
 
 /// Returns the text in single quotes for a message. A long text is cut, between characters of UTF-8.
-inline std::string quoted(std::string_view text) {
+inline std::string inQuotes(std::string_view text) {
     constexpr std::size_t kShown = 60;
     std::size_t end = text.size();
     if (end > kShown) {

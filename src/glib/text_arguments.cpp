@@ -136,7 +136,7 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
         // A size stands before the word, so the word is not a file name: it was meant as a format.
         log.report("glib-E05",
                    fmt::format("{}: {} is not one of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
-                               quoted(tokens.back().text)),
+                               inQuotes(tokens.back().text)),
                    tokens.back().position);
     } else {
         setText(command, tokens[1]);
@@ -161,8 +161,8 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
     if (found == row.words.end()) {
         const std::string nearest = nearestName(word, row.words);
         log.report("glib-E08",
-                   fmt::format("unknown topology {}{}", quoted(tokens.front().text),
-                               nearest.empty() ? std::string() : "; did you mean " + quoted(nearest) + "?"),
+                   fmt::format("unknown topology {}{}", inQuotes(tokens.front().text),
+                               nearest.empty() ? std::string() : "; did you mean " + inQuotes(nearest) + "?"),
                    tokens.front().position);
     } else {
         command.text = *found;
@@ -192,7 +192,7 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log) {
     }
     log.report("glib-E05",
                fmt::format("{}: {} is not one of on, off, 1, 0, true, false", statement.row->name(),
-                           quoted(token.text)),
+                           inQuotes(token.text)),
                token.position);
 }
 

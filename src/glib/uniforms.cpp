@@ -62,7 +62,7 @@ class ProgramReader {
             const std::string_view name = stem(fragmentFile);
             command_.text = name.empty() ? "unnamed" : name;
             command_.textPosition = command_.position;
-            log_.report("glib-W14", fmt::format("program name missing; {} used", quoted(command_.text)),
+            log_.report("glib-W14", fmt::format("program name missing; {} used", inQuotes(command_.text)),
                         command_.position);
             return;
         }
@@ -74,14 +74,14 @@ class ProgramReader {
             command_.text += tokens_[at_].text;
         }
         if (at_ > 1)
-            log_.report("glib-W16", fmt::format("program name {} has several words", quoted(command_.text)),
+            log_.report("glib-W16", fmt::format("program name {} has several words", inQuotes(command_.text)),
                         command_.textPosition);
     }
 
     bool tooManyTags() {
         if (command_.uniforms.size() < kMostTags || !tokens_[at_].isWord()) return false;
         log_.report("glib-E15",
-                    fmt::format("Program {} has more than {} tags", quoted(command_.text), kMostTags),
+                    fmt::format("Program {} has more than {} tags", inQuotes(command_.text), kMostTags),
                     tokens_[at_].position);
         return true;
     }
@@ -96,13 +96,14 @@ class ProgramReader {
         }
         log_.report(
             "glib-W18",
-            fmt::format("value {} has no tag, skipped", text.size() < kLongestShown ? text : quoted(text)),
+            fmt::format("value {} has no tag, skipped", text.size() < kLongestShown ? text : inQuotes(text)),
             token.position);
         at_ = next;
     }
 
     void reportNoValue(const Token& tag) {
-        log_.report("glib-W17", fmt::format("tag {} has no value, skipped", quoted(tag.text)), tag.position);
+        log_.report("glib-W17", fmt::format("tag {} has no value, skipped", inQuotes(tag.text)),
+                    tag.position);
     }
 
     void readPair() {
@@ -154,7 +155,7 @@ class ProgramReader {
     /// Reads a number of a group; `true` among numbers is 1.
     ReadNumber readValue(const Token& token) {
         if (token.truth() != true) return readNumber(token, log_);
-        log_.report("glib-W05", fmt::format("{} is not a number, 1 used", quoted(token.text)),
+        log_.report("glib-W05", fmt::format("{} is not a number, 1 used", inQuotes(token.text)),
                     token.position);
         return {1, "1"};
     }
@@ -189,7 +190,7 @@ class ProgramReader {
             command_.uniforms.push_back(std::move(spec));
             return;
         }
-        log_.report("glib-W19", fmt::format("tag {} given twice, the last one counts", quoted(spec.tag)),
+        log_.report("glib-W19", fmt::format("tag {} given twice, the last one counts", inQuotes(spec.tag)),
                     spec.tagPosition);
         command_.uniforms[entry->second] = std::move(spec);
     }

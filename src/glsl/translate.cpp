@@ -1,7 +1,5 @@
 #include "glsl/translate.h"
 
-#include <algorithm>
-
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
@@ -13,9 +11,9 @@ namespace {
 
 void read(const ProgramRequest& request, ProgramUnits& program) {
     std::vector<const StageSource*> ordered;
-    for (const StageSource& each : request.stages) ordered.push_back(&each);
-    std::stable_sort(ordered.begin(), ordered.end(),
-                     [](const StageSource* a, const StageSource* b) { return a->stage < b->stage; });
+    for (int stage = 0; stage < kStageCount; ++stage)
+        for (const StageSource& each : request.stages)
+            if (each.stage == static_cast<Stage>(stage)) ordered.push_back(&each);
     program.units.reserve(ordered.size());  // tokens point into the text of a unit, which must not move
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where the texels of a texture lie along an axis, for one octave.
+// The places of the texels of a texture along an axis, for one octave.
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@ struct AxisPlace {
     Weights at{};          ///< at the texel's place in its cell
 };
 
-/// Of texels 0..n - 1.
+/// The places of texels 0..n - 1.
 inline std::vector<AxisPlace> axisPlaces(int n, int cells) {
     std::vector<AxisPlace> places;
     places.reserve(static_cast<std::size_t>(n));

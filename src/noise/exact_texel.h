@@ -1,5 +1,5 @@
 #pragma once
-// One component of one texel, in double: what every faster way has to give.
+// One component of one texel in double: the reference for every faster method.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Noise for graphs and pictures that teach: lattice noise in one and two dimensions with everything that
-// makes it exposed. The noise of scenes is in noise.h.
+// Noise for teaching graphs and pictures: lattice noise in one and two dimensions whose parts can all be set.
+// The noise of scenes is in noise.h.
 
 #include <array>
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace glibra::noise {
 
-/// What is random at lattice points. `value`: heights, with gradients as Slopes says; `gradient`: gradients,
-/// all heights 0; `both`.
+/// The random quantities at lattice points. `value`: heights, with gradients by Slopes; `gradient`:
+/// gradients, with all heights 0; `both`: heights and gradients.
 enum class Lattice { value, gradient, both };
 /// Hermite interpolation between lattice points: cubic, or quintic with curvature 0 at the points (Perlin,
 /// Improving Noise, 2002).
@@ -28,8 +28,8 @@ struct GraphOptions {
     Lattice lattice = Lattice::value;
     Smoothness smoothness = Smoothness::quintic;
     Slopes slopes = Slopes::zero;
-    int octaves = 1;                    ///< 1..8, each half as high and twice as often as the one before
-    bool turbulence = false;            ///< the sum of absolute values
+    int octaves = 1;          ///< 1..8; each has half the height and twice the frequency of the one before
+    bool turbulence = false;  ///< the sum of absolute values
     std::map<int, double> heights{};    ///< of points of the first octave, instead of random ones in -1..1
     std::map<int, double> gradients{};  ///< likewise, along x, height a cell
     /// Second derivatives along x at points of the first octave, height a cell squared; others have 0. Only
@@ -56,8 +56,8 @@ GraphPoint graphPoint(const GraphOptions& options, int point);
 double graphRange(const GraphOptions& options);
 
 enum class ColorScale { grey, rainbow, heated, uniform };
-/// Red, green, blue, 0..1, of t in 0..1. `heated`: black, red, yellow, white, as a body that grows hot.
-/// `uniform`: its lightness in OKLab (Ottosson, 2020) rises evenly.
+/// Red, green, blue in 0..1 for t in 0..1. `heated`: black, red, yellow, white, like a body that is heated.
+/// `uniform`: the lightness in OKLab (Ottosson, 2020) rises evenly.
 std::array<double, 3> colorOf(ColorScale scale, double t);
 
 /// The graph over one period, as an SVG file of that size with axes,

@@ -1,5 +1,5 @@
-// The functions themselves, as section 9 writes them. Texels are computed by texels.cpp, which sorts the same
-// sums differently.
+// The functions themselves, as language, 9 defines them. texels.cpp computes the texels from the same sums in
+// another order.
 
 #include "noise/noise.h"
 
@@ -14,7 +14,7 @@
 namespace glibra::noise {
 namespace {
 
-/// Where a coordinate lies: the lattice points at both ends of its cell, and the weights there.
+/// The place of a coordinate: the lattice points at both ends of its cell, and their weights.
 struct Axis {
     std::array<std::size_t, 2> point;
     std::array<double, 2> value, slope;

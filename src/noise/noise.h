@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "noise/texel_bytes.h"
 
@@ -37,8 +36,8 @@ bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads = 0);
 bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads = 0);
 
 /// The same into memory of their own; empty where n is impossible.
-std::vector<std::uint8_t> noise3Texels(int n, int threads = 0);
-std::vector<std::uint8_t> noise2Texels(int n, int threads = 0);
+TexelBytes noise3Texels(int n, int threads = 0);
+TexelBytes noise2Texels(int n, int threads = 0);
 
 /// The same texels in 16 bits: (value - 1/510) * 65535 to the nearest, or the neighbour of it where both are
 /// about as near. 1/510 is what cutting to bytes takes away on the average, so that pictures keep the places

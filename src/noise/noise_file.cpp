@@ -26,7 +26,7 @@ std::string pointArguments(const char* name, const std::map<int, double>& points
 }
 
 /// The file's name, quoted for a shell where necessary.
-std::string quoted(const std::string& file) {
+std::string shellWord(const std::string& file) {
     const bool isPlain = !file.empty() && std::all_of(file.begin(), file.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
                std::string_view("/._-+").find(c) != std::string_view::npos;
@@ -84,7 +84,7 @@ std::string noiseCommand(const NoiseFile& noise, const std::string& file) {
     text += pointArguments("--gradient", options.gradients);
     if (options.smoothness == noise::Smoothness::quintic)
         text += pointArguments("--curvature", options.curvatures);
-    return text + fmt::format(" --size {}x{} -o {}", noise.width, noise.height, quoted(file));
+    return text + fmt::format(" --size {}x{} -o {}", noise.width, noise.height, shellWord(file));
 }
 
 }  // namespace glibra::noise

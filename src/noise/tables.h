@@ -1,8 +1,8 @@
 #pragma once
-// The tables of glman's noise: a permutation and one gradient a lattice class for each of the four octaves.
-// They were measured from glman's own output (the texels of noise2d.064.tex and noise3d.064.tex) by a
+// The tables of glman's noise: for each of the four octaves a permutation and one gradient per lattice class.
+// They were determined from glman's output (the texels of noise2d.064.tex and noise3d.064.tex) by a
 // least-squares fit; no program code was used. Gradients are rounded to 1/10000, which is finer than the
-// bytes they were fitted to can tell.
+// resolution of the fitted bytes.
 
 #include <array>
 #include <cstdint>

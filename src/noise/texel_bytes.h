@@ -1,6 +1,6 @@
 #pragma once
-// Memory for texels that begins without a value: setting megabytes to zero that are all written soon after
-// takes longer than computing them.
+// Memory for texels without initial values: setting megabytes to zero that are soon overwritten takes longer
+// than computing the texels.
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
-// The inner loops of the noise textures, in floats, many texels at once. What they give is within half a unit
-// of 1/4096 byte of the exact value; a texel that lies so near to the next byte that this could decide is
-// marked, and its byte is computed exactly by the caller.
+// The inner loops of the noise textures, in floats, for many texels at once. The result is within half a unit
+// of 1/4096 byte of the exact value. A texel so near to the next byte that this error could change it is
+// marked, and the caller computes its byte exactly.
 
 #include <array>
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace glibra::noise {
 
-/// Values are in these: a byte is 2^12 of them.
+/// The unit of values: one byte is 2^12 units.
 inline constexpr int kFractionBits = 12;
 inline constexpr double kUnitsPerValue = 255. * (1 << kFractionBits);
 
-/// Four weights as floats: of values and slopes at the near and the far end.
+/// Four weights as floats, for the values and slopes at the near and the far end of a cell.
 struct RowWeights {
     float n0 = 0, n1 = 0, g0 = 0, g1 = 0;
 };
@@ -26,7 +26,7 @@ struct OctaveRow {
     RowWeights weights;
 };
 
-/// Texels that are computed together.
+/// The number of texels that are computed together.
 inline constexpr std::size_t kBlock = 64;
 
 struct TexelBlock {

@@ -1,9 +1,9 @@
-// Texels of the noise textures. The sum over the corners of a cell is separable, and a row of lattice points
-// differs from another of its octave by a rotation alone: so each octave has as many different rows as cells,
-// and these are interpolated along x once for the whole texture. A slice merges two of them along z for each
-// row of the lattice, a row of texels two of those along y, in floats, with the few texels that floats cannot
-// decide computed in double. Every slice depends on nothing but its index, so the bytes are the same for any
-// number of threads.
+// Texels of the noise textures. The sum over the corners of a cell is separable, and the rows of lattice
+// points of one octave differ only by a rotation. So each octave has as many different rows as cells, and
+// these are interpolated along x once for the whole texture. For each row of the lattice, a slice combines
+// two of them along z; each row of texels combines two of those along y. This is done in floats; the few
+// texels that floats cannot decide are computed in double. A slice depends only on its index, so the bytes
+// are the same for any number of threads.
 
 #include <algorithm>
 #include <array>
@@ -37,8 +37,8 @@ RowWeights inFloats(const Weights& w) {
             static_cast<float>(w.g1)};
 }
 
-/// One octave of a texture of n texels a side, interpolated along x, in units: row r is what lattice points
-/// whose gradients are rotated by r give, x's slopes as values already.
+/// One octave of a texture with n texels per side, interpolated along x, in units. Row r comes from lattice
+/// points whose gradients are rotated by r; the slopes along x are already part of the values.
 template <class Table>
 struct OctaveRows {
     static constexpr std::size_t kAxes = std::tuple_size_v<typename decltype(Table::gradients)::value_type>;
@@ -90,7 +90,7 @@ void writeRow(const std::array<OctaveRow, kOctaves>& octaves, std::size_t n, std
     }
 }
 
-/// What a slice of one octave is made from: for each row of the lattice the level and the slope along y.
+/// The source of a slice of one octave: the level and the slope along y for each row of the lattice.
 struct SliceField {
     Rows levels, slopes;
 };
@@ -199,18 +199,18 @@ bool writeNoise2(int n, std::span<std::uint8_t> texels, int threads) {
     return true;
 }
 
-std::vector<std::uint8_t> noise3Texels(int n, int threads) {
+TexelBytes noise3Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize3) return {};
     const auto size = static_cast<std::size_t>(n);
-    std::vector<std::uint8_t> texels(4 * size * size * size);
+    TexelBytes texels(4 * size * size * size);
     writeNoise3(n, texels, threads);
     return texels;
 }
 
-std::vector<std::uint8_t> noise2Texels(int n, int threads) {
+TexelBytes noise2Texels(int n, int threads) {
     if (n < 1 || n > kLargestSize2) return {};
     const auto size = static_cast<std::size_t>(n);
-    std::vector<std::uint8_t> texels(4 * size * size);
+    TexelBytes texels(4 * size * size);
     writeNoise2(n, texels, threads);
     return texels;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The four polynomials that gradient noise of section 9.2 is made of, for t in 0..1: n0 and n1 weigh a value
-// at the near and far end of a cell, g0 and g1 a slope.
+// The four polynomials of gradient noise (language, 9.2) for t in 0..1: n0 and n1 are the weights of the
+// value at the near and the far end of a cell, g0 and g1 those of the slope.
 
 namespace glibra::noise {
 

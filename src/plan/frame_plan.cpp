@@ -22,11 +22,11 @@
 namespace glibra::plan {
 namespace {
 
-/// What planning knows of a PlannedProgram besides.
+/// Private data of the planner about a PlannedProgram.
 struct ProgramState {
-    Diagnostics diagnostics;  ///< of translating, compiling, linking and of its pairs
+    Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
     std::vector<UnitUse> units;
-    Diagnostics unitProblems;  ///< draw-E05: said at each draw
+    Diagnostics unitProblems;  ///< draw-E05: reported at each draw
     bool isAnnounced = false;  ///< its diagnostics are in the plan's
 };
 
@@ -37,12 +37,12 @@ class FramePlanner {
           interfaceOf_(interfaceOf),
           options_(options),
           usedOverrides_(options.overrides.size()),
-          meshOfShape_(scene.shapes.size(), scene::kNone),
+          meshOfShape_(scene.shapes.size()),
           reads_(scene.shapes.size()) {}
 
     FramePlan plan(const MayWriteImages& mayWriteImages) && {
         const TexturesOf texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
-            std::vector<int> textures;
+            std::vector<scene::TextureIndex> textures;
             for (const TextureUse& use : usesOf(draw, programOf(draw, pass))) textures.push_back(use.texture);
             return textures;
         };
@@ -52,8 +52,8 @@ class FramePlanner {
         for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
             if (needs.passes[pass]) planPass(scene_.passes[pass], needs.steps[pass]);
         if (options_.everything) planUndrawnPrograms();
-        for (std::size_t i = 0; i < needs.textures.size(); ++i)
-            if (needs.textures[i]) plan_.textures.push_back(static_cast<int>(i));
+        for (const scene::TextureIndex each : scene_.textures.indices())
+            if (needs.textures[each]) plan_.textures.push_back(each);
         listAttributes();
         reportOverrides();
         if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
@@ -61,17 +61,15 @@ class FramePlanner {
     }
 
   private:
-    using VariantKey = std::tuple<int, bool, int>;
+    using VariantKey = std::tuple<scene::ProgramIndex, bool, int>;
 
-    const scene::Program* sceneProgram(int index) const {
-        return index < 0 ? nullptr : &scene_.programs.at(static_cast<std::size_t>(index));
+    const scene::Program* sceneProgram(scene::ProgramIndex index) const {
+        return index ? &scene_.programs[index] : nullptr;
     }
-    ProgramState& state(int program) { return states_.at(static_cast<std::size_t>(program)); }
-    const PlannedProgram& planned(int program) const {
-        return plan_.programs.at(static_cast<std::size_t>(program));
-    }
+    ProgramState& state(PlannedProgramIndex program) { return states_[program]; }
+    const PlannedProgram& planned(PlannedProgramIndex program) const { return plan_.programs[program]; }
 
-    /// Adds what was not said before, word for word at the same place.
+    /// Adds the diagnostic unless an equal one at the same place exists.
     void say(const Diagnostic& diagnostic) {
         if (said_
                 .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
@@ -80,16 +78,15 @@ class FramePlanner {
             plan_.diagnostics.push_back(diagnostic);
     }
 
-    int programOf(const scene::Draw& draw, const scene::Pass& pass) {
+    PlannedProgramIndex programOf(const scene::Draw& draw, const scene::Pass& pass) {
         return programOf(variantOf(scene_, draw, pass));
     }
 
-    /// Index of the variant in the plan; asks for its interface the first time.
-    int programOf(const ProgramVariant& variant) {
-        const auto [entry, isNew] =
-            programs_.try_emplace(VariantKey{variant.program, variant.flatColors, variant.colorTargets},
-                                  static_cast<int>(states_.size()));
-        if (!isNew) return entry->second;
+    /// Returns the index of the variant in the plan. The first call asks for its interface.
+    PlannedProgramIndex programOf(const ProgramVariant& variant) {
+        PlannedProgramIndex& index =
+            programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets}];
+        if (index) return index;
         const ProgramInterface& interface = interfaceOf_(variant);
         PlannedProgram program{variant, &interface, {}, {}};
         ProgramState state;
@@ -110,9 +107,8 @@ class FramePlanner {
             state.unitProblems = std::move(units.diagnostics);
         }
         append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }));
-        plan_.programs.push_back(std::move(program));
         states_.push_back(std::move(state));
-        return entry->second;
+        return index = plan_.programs.add(std::move(program));
     }
 
     int loopLimit() {
@@ -120,8 +116,8 @@ class FramePlanner {
         return *loopLimit_;
     }
 
-    /// What the samplers of a draw read; equal for draws with the same program, slots and wrap.
-    const std::vector<TextureUse>& usesOf(const scene::Draw& draw, int program) {
+    /// The textures that a draw's samplers read. Draws with equal program, slots and wrap share them.
+    const std::vector<TextureUse>& usesOf(const scene::Draw& draw, PlannedProgramIndex program) {
         const auto [entry, isNew] = uses_.try_emplace({program, draw.slots, draw.sampling.clamp});
         if (isNew)
             entry->second = textureUses(scene_, draw, *planned(program).interface, state(program).units);
@@ -142,7 +138,7 @@ class FramePlanner {
     }
 
     void planDraw(const scene::Draw& draw, const scene::Pass& pass, PlannedPass& result) {
-        const int index = programOf(draw, pass);
+        const PlannedProgramIndex index = programOf(draw, pass);
         const ProgramInterface& interface = *planned(index).interface;
         const scene::Program* program = sceneProgram(planned(index).variant.program);
         announce(index);
@@ -165,25 +161,23 @@ class FramePlanner {
         result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
     }
 
-    /// The program has no stages to go by; a window shows the shape in one colour. Patches cannot be shown
-    /// so.
-    void planUnusable(const scene::Draw& draw, int index, PlannedPass& result) {
-        const geometry::Topology topology =
-            topologyOf(scene_.shapes.at(static_cast<std::size_t>(draw.shape)));
+    /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
+    /// that way.
+    void planUnusable(const scene::Draw& draw, PlannedProgramIndex index, PlannedPass& result) {
+        const geometry::Topology topology = topologyOf(scene_.shapes[draw.shape]);
         if (topology == geometry::Topology::patches) return;
         result.steps.emplace_back(
             PlannedDraw{&draw, index, meshOf(draw, *planned(index).interface), {topology, 0}, {}});
     }
 
-    void announce(int program) {
+    void announce(PlannedProgramIndex program) {
         if (std::exchange(state(program).isAnnounced, true)) return;
         for (const Diagnostic& each : state(program).diagnostics) say(each);
     }
 
-    /// draw-W01, once a program.
+    /// Reports draw-W01 once per program.
     void reportMissingStage(const scene::Draw& draw) {
-        if (draw.program < 0 || !usesBuiltin(scene_, draw) || !incomplete_.insert(draw.program).second)
-            return;
+        if (!draw.program || !usesBuiltin(scene_, draw) || !incomplete_.insert(draw.program).second) return;
         const scene::Program& program = *sceneProgram(draw.program);
         const bool hasVertex = program.hasStage(glsl::Stage::vertex);
         const bool hasFragment = program.hasStage(glsl::Stage::fragment);
@@ -194,14 +188,14 @@ class FramePlanner {
                     draw.place));
     }
 
-    /// draw-E01: a sampler reads what the pass draws into.
-    Diagnostics feedback(const scene::Draw& draw, const scene::Pass& pass, int program,
+    /// Returns draw-E01 if a sampler reads a target of its own pass.
+    Diagnostics feedback(const scene::Draw& draw, const scene::Pass& pass, PlannedProgramIndex program,
                          const std::vector<TextureUse>& uses) {
         Diagnostics errors;
         std::set<int> units;
         for (std::size_t i = 0; i < uses.size(); ++i) {
             const bool isTarget =
-                uses[i].texture >= 0 && !uses[i].isImage &&
+                uses[i].texture && !uses[i].isImage &&
                 std::find(pass.targets.begin(), pass.targets.end(), uses[i].texture) != pass.targets.end();
             const int unit = state(program).units.at(i).binding.unit;
             if (isTarget && units.insert(unit).second)
@@ -214,17 +208,17 @@ class FramePlanner {
         return errors;
     }
 
-    /// What is said at the first draw only to which it applies: draw-W02, W03, W05.
-    void remarkOnce(const scene::Draw& draw, int index, const scene::Program* program,
+    /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
+    void remarkOnce(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                     const Submission& submission, const std::vector<TextureUse>& uses) {
         const ProgramInterface& interface = *planned(index).interface;
-        const int sceneIndex = planned(index).variant.program;
+        const scene::ProgramIndex sceneIndex = planned(index).variant.program;
         const auto once = [&](const char* id, const std::string& text) {
             if (remarks_.emplace(sceneIndex, id, text).second) say(warning(id, text, draw.place));
         };
         for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (uses[i].texture >= 0) continue;
-            const ActiveUniform& sampler = interface.uniforms.at(static_cast<std::size_t>(uses[i].uniform));
+            if (uses[i].texture) continue;
+            const ActiveUniform& sampler = at(interface.uniforms, uses[i].uniform);
             const int unit = state(index).units.at(i).binding.unit;
             const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
                                                          : fmt::format("{} / {}", unit, sampler.type.word);
@@ -251,57 +245,52 @@ class FramePlanner {
         const auto found = interface.facts.userNames.find(name);
         return found != interface.facts.userNames.end() ? found->second : name;
     }
-    /// The mesh of the draw's shape, and what this program reads of it.
-    int meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
-        const auto shape = static_cast<std::size_t>(draw.shape);
-        int& mesh = meshOfShape_.at(shape);
-        if (mesh < 0 || !options_.shareMeshes) {
-            mesh = static_cast<int>(plan_.meshes.size());
-            plan_.meshes.push_back({draw.shape, {}});
-        }
+    /// Returns the mesh of the draw's shape and records the attributes that this program reads.
+    PlannedMeshIndex meshOf(const scene::Draw& draw, const ProgramInterface& interface) {
+        PlannedMeshIndex& mesh = meshOfShape_[draw.shape];
+        if (!mesh || !options_.shareMeshes) mesh = plan_.meshes.add({draw.shape, {}});
         for (const ActiveInput& input : interface.inputs)
             if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name); row != nullptr)
-                reads_[shape].insert(row->attribute);
-        // A window shows what an unusable program should have drawn in one colour, and needs to know where.
-        if (!interface.usable) reads_[shape].insert(geometry::kPosition);
+                reads_[draw.shape].insert(row->attribute);
+        // A window shows the draws of an unusable program in one colour, so it needs their positions.
+        if (!interface.usable) reads_[draw.shape].insert(geometry::kPosition);
         return mesh;
     }
 
     void listAttributes() {
         for (PlannedMesh& mesh : plan_.meshes) {
-            const auto shape = static_cast<std::size_t>(mesh.shape);
-            for (std::string& name : attributesOf(scene_.shapes[shape]))
-                if (options_.everything || reads_[shape].contains(name))
+            for (std::string& name : attributesOf(scene_.shapes[mesh.shape]))
+                if (options_.everything || reads_[mesh.shape].contains(name))
                     mesh.attributes.push_back(std::move(name));
         }
     }
 
-    /// glibra check compiles also what nothing is drawn with.
+    /// `glibra check` also compiles programs without draws.
     void planUndrawnPrograms() {
-        std::set<int> drawn;
+        std::set<scene::ProgramIndex> drawn;
         for (const PlannedProgram& each : plan_.programs) drawn.insert(each.variant.program);
-        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+        for (const scene::ProgramIndex i : scene_.programs.indices()) {
             const scene::Program& program = scene_.programs[i];
-            if (drawn.contains(static_cast<int>(i)) || !program.hasStage(glsl::Stage::vertex) ||
+            if (drawn.contains(i) || !program.hasStage(glsl::Stage::vertex) ||
                 !program.hasStage(glsl::Stage::fragment))
                 continue;
-            announce(programOf(ProgramVariant{static_cast<int>(i), false, 1}));
+            announce(programOf(ProgramVariant{i, false, 1}));
         }
     }
 
-    /// glib-W23 for `--set` names that no program has. Of a program that was not asked for, or did not link,
-    /// only the pairs are known: a name among them is let pass.
+    /// Reports glib-W23 for `--set` names that no program has. For a program that was not asked for or did
+    /// not link, only the pairs are known, so a name among them is accepted.
     void reportOverrides() {
         std::vector<std::string> names;
-        std::set<int> known;
+        std::set<scene::ProgramIndex> known;
         for (const PlannedProgram& program : plan_.programs) {
             if (program.interface->usable) known.insert(program.variant.program);
             for (const ActiveUniform& uniform : program.interface->uniforms)
                 if (!isInternalName(uniform.name) && suppliedBy(uniform) == nullptr)
                     names.push_back(uniform.name);
         }
-        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
-            if (known.contains(static_cast<int>(i))) continue;
+        for (const scene::ProgramIndex i : scene_.programs.indices()) {
+            if (known.contains(i)) continue;
             for (const glib::UniformSpec& spec : scene_.programs[i].uniforms)
                 for (std::size_t each = 0; each < options_.overrides.size(); ++each)
                     if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
@@ -310,8 +299,8 @@ class FramePlanner {
         for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
     }
 
-    /// glib-W24 for those that are declared: whether a driver keeps what it can leave out differs from driver
-    /// to driver.
+    /// Reports glib-W24 for names that are declared but not active. Drivers differ in which unused uniforms
+    /// they keep.
     void reportInactiveOverrides() {
         const auto isDeclared = [this](const Override& override) {
             const auto declares = [&](const PlannedProgram& program) {
@@ -334,14 +323,14 @@ class FramePlanner {
     const InterfaceOf& interfaceOf_;
     const PlanOptions& options_;
     std::vector<bool> usedOverrides_;
-    std::map<VariantKey, int> programs_;
-    std::vector<ProgramState> states_;  ///< of plan_.programs
-    std::map<std::tuple<int, int, bool>, std::vector<TextureUse>> uses_;
-    std::vector<int> meshOfShape_;
-    std::vector<std::set<std::string_view>> reads_;  ///< attributes of each shape that a program reads
+    std::map<VariantKey, PlannedProgramIndex> programs_;
+    scene::List<ProgramState, PlannedProgram> states_;
+    std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
+    scene::List<PlannedMeshIndex, scene::Shape> meshOfShape_;
+    scene::List<std::set<std::string_view>, scene::Shape> reads_;  ///< attributes that some program reads
     std::optional<int> loopLimit_;
-    std::set<int> incomplete_;  ///< programs of draw-W01
-    std::set<std::tuple<int, std::string, std::string>> remarks_;
+    std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
+    std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
     std::set<std::tuple<std::string, std::string, std::string, int, int>> said_;
     FramePlan plan_;
 };
@@ -349,7 +338,7 @@ class FramePlanner {
 }  // namespace
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    return {usesBuiltin(scene, draw) ? scene::kNone : draw.program, draw.flatColors,
+    return {usesBuiltin(scene, draw) ? scene::ProgramIndex() : draw.program, draw.flatColors,
             std::max<int>(1, static_cast<int>(pass.targets.size()))};
 }
 

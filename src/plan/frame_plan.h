@@ -1,7 +1,7 @@
 #pragma once
-// Which parts of a Scene have to be made and drawn for one picture, how, and why the rest is not. No GL:
-// programs are asked for through a function, so that only those which something visible needs are ever
-// compiled.
+// Decides which parts of a Scene are made and drawn for one picture, how, and why the rest is skipped. There
+// is no GL here: the plan asks for programs through a function, so that a program is compiled only if
+// something visible needs it.
 
 #include <functional>
 #include <string>
@@ -17,23 +17,23 @@ namespace glibra::plan {
 /// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
 /// targets.
 struct ProgramVariant {
-    int program = scene::kNone;  ///< index into Scene::programs; kNone: the built-in program
+    scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
-/// Called at most once for each variant, in the order of need. The reference must stay valid while the plan
-/// is used.
+/// Returns the interface of a program. Called at most once per variant. The reference must stay valid while
+/// the plan is used.
 using InterfaceOf = std::function<const ProgramInterface&(const ProgramVariant&)>;
-/// True if any stage source of the program could write to an image (asked before anything is compiled).
-using MayWriteImages = std::function<bool(int program)>;
+/// True if a stage of the program may write to an image. Called before anything is compiled.
+using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
 
 struct TextureUse {
-    int uniform = 0;  ///< of the program's interface
+    UniformIndex uniform{};
     int element = 0;
-    int driverUnit = 0;          ///< texture image unit (or image unit) of GL that the plan chose
-    int texture = scene::kNone;  ///< index into Scene::textures; kNone: empty slot, reads (0, 0, 0, 1)
+    int driverUnit = 0;             ///< texture image unit (or image unit) of GL that the plan chose
+    scene::TextureIndex texture{};  ///< none: an empty slot, which reads (0, 0, 0, 1)
     scene::TextureTarget target = scene::TextureTarget::texture2D;
     bool clamp = false;  ///< repeat otherwise
     bool isImage = false;
@@ -48,14 +48,24 @@ struct Submission {
 struct PlannedProgram {
     ProgramVariant variant;
     const ProgramInterface* interface = nullptr;
-    std::vector<UniformBinding> values;  ///< literals and supplied values
+    std::vector<UniformBinding> values;  ///< literals and values that the runtime supplies
     std::vector<Control> controls;
 };
 
+/// A mesh to make, with those of its attributes that a program reads.
+struct PlannedMesh {
+    scene::ShapeIndex shape{};
+    std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
+};
+
+// Indices into the lists of FramePlan.
+using PlannedProgramIndex = scene::Index<PlannedProgram>;
+using PlannedMeshIndex = scene::Index<PlannedMesh>;
+
 struct PlannedDraw {
     const scene::Draw* draw = nullptr;
-    int program = 0;  ///< index into FramePlan::programs
-    int mesh = 0;     ///< index into FramePlan::meshes
+    PlannedProgramIndex program{};
+    PlannedMeshIndex mesh{};
     Submission submission;
     std::vector<TextureUse> textures;
 };
@@ -65,13 +75,7 @@ struct PlannedPass {
     std::vector<std::variant<PlannedDraw, const scene::Clear*>> steps;
 };
 
-/// A mesh to make, and the attributes of it that some program reads.
-struct PlannedMesh {
-    int shape = 0;                        ///< index into Scene::shapes
-    std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
-};
-
-/// Something that is not done, for --explain and --stats.
+/// Something that the plan leaves out, for --explain and --stats.
 struct Skipped {
     std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw",
                        ///< "statement", "file"
@@ -81,33 +85,34 @@ struct Skipped {
 
 struct FramePlan {
     std::vector<PlannedPass> passes;
-    std::vector<PlannedProgram> programs;
-    std::vector<PlannedMesh> meshes;
-    std::vector<int> textures;  ///< indices into Scene::textures that must exist (sources and targets)
+    scene::List<PlannedProgram> programs;
+    scene::List<PlannedMesh> meshes;
+    std::vector<scene::TextureIndex> textures;  ///< those that must exist: sources and targets
     std::vector<Skipped> skipped;
-    Diagnostics diagnostics;  ///< draw-E.., draw-W.., those of needed programs and uniforms
+    Diagnostics diagnostics;  ///< draw-E.., draw-W.., and those of needed programs and uniforms
 };
 
 struct PlanOptions {
     std::vector<Override> overrides;
     int maxTextureUnits = 80;  ///< of the driver, all stages together
     int maxImageUnits = 8;     ///< of the driver
-    /// Rounds after which the driver ends a shader's loops, 0: never. Asked at most once, and only if a
-    /// needed program has long ones. Empty: never.
+    /// Returns the number of rounds after which the driver ends a shader's loops, 0 if it never does. Called
+    /// at most once, and only if a needed program has long loops. May be empty, which means never.
     std::function<int()> loopLimit{};
-    bool everything = false;  ///< glibra check, --no-skip: skip nothing
-    bool shareMeshes = true;  ///< false: a mesh for each draw
-    /// Why nothing of the draw can be seen, in words; empty: perhaps it can, or it has other effects than on
-    /// its target. Asked at most once for each draw, before its program is; not asked with `everything`.
+    bool everything = false;  ///< for `glibra check` and --no-skip: skips nothing
+    bool shareMeshes = true;  ///< false: one mesh per draw
+    /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
+    /// those on its target. Called at most once per draw, before its program is asked for, and never with
+    /// `everything`.
     std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)> outOfSight{};
 };
 
-/// The program that draws it in this pass: its own, or the built-in one if that lacks a stage.
+/// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
-/// Plans one frame of the scene, which must outlive the plan. Errors are in the diagnostics; a picture of a
-/// plan with errors is not to be kept, but a window may show the rest: draws with an error of their own are
-/// left out, those of an unusable program are in it.
+/// Plans one frame of the scene, which must outlive the plan. Errors are in the diagnostics. A plan with
+/// errors is good for a window, which shows the rest, but not for a file: draws with an error are left out,
+/// while draws with an unusable program stay in the plan.
 FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
                     const MayWriteImages& mayWriteImages, const PlanOptions& options);
 

@@ -10,14 +10,14 @@
 namespace glibra::plan {
 namespace {
 
-/// The uniform's value if the scene or the command line gives it; 0 if nobody does. Nothing for what the
-/// runtime supplies, and for an initialiser in the shader.
+/// The uniform's value from the scene or the command line, or 0 without one. Nothing if the runtime supplies
+/// the value or the shader initialises it.
 std::optional<double> valueOf(const PlannedProgram& program, std::string_view name) {
     const std::vector<ActiveUniform>& uniforms = program.interface->uniforms;
     const auto found = std::find_if(uniforms.begin(), uniforms.end(),
                                     [&](const ActiveUniform& each) { return each.name == name; });
     if (found == uniforms.end()) return std::nullopt;
-    const auto index = static_cast<int>(found - uniforms.begin());
+    const UniformIndex index(static_cast<std::size_t>(found - uniforms.begin()));
     std::optional<double> value;
     const auto declared = program.interface->facts.uniforms.find(std::string(name));
     if (declared == program.interface->facts.uniforms.end() || !declared->second.hasInitializer) value = 0;

@@ -7,12 +7,12 @@
 
 namespace glibra::plan {
 
-/// Every driver lets a shader's loops run so often.
+/// The number of rounds that every driver allows for the loops of a shader.
 inline constexpr double kRoundsOfAnyDriver = 32'768;
 
-/// A warning for each stage whose loops, with these values of its uniforms, run more often than the driver
-/// lets them, at the longest of them. `limit` (0: none) is asked only if there are more than
-/// kRoundsOfAnyDriver.
+/// Returns one warning per stage whose loops exceed the driver's limit with the planned values of its
+/// uniforms, at the place of the longest loop. `limit` returns that limit (0: none); it is called only if
+/// there are more than kRoundsOfAnyDriver rounds.
 Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit);
 
 }  // namespace glibra::plan

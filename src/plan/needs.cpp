@@ -36,7 +36,7 @@ class NeedFinder {
         for (std::size_t i = 0; i < needs_.passes.size(); ++i)
             if (!needs_.passes[i])
                 std::fill(needs_.steps[i].begin(), needs_.steps[i].end(), StepNeed::passNotNeeded);
-        for (std::size_t i = 0; i < read_.size(); ++i)
+        for (const scene::TextureIndex i : scene_.textures.indices())
             if (read_[i] || everything) needs_.textures[i] = true;
         return std::move(needs_);
     }
@@ -51,7 +51,7 @@ class NeedFinder {
         for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
             for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
-                if (draw != nullptr && drawsNothing(scene_.shapes.at(static_cast<std::size_t>(draw->shape))))
+                if (draw != nullptr && drawsNothing(scene_.shapes[draw->shape]))
                     needs_.steps[pass][step] = StepNeed::drawsNothing;
             }
     }
@@ -113,8 +113,7 @@ class NeedFinder {
     }
 
     void visit(std::size_t pass) {
-        for (const int target : scene_.passes[pass].targets)
-            needs_.textures.at(static_cast<std::size_t>(target)) = true;
+        for (const scene::TextureIndex target : scene_.passes[pass].targets) needs_.textures[target] = true;
         for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
             const scene::Draw* draw = drawAt({pass, step});
             if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed) continue;
@@ -122,8 +121,8 @@ class NeedFinder {
                 needs_.steps[pass][step] = StepNeed::outOfSight;
                 continue;
             }
-            for (const int texture : questions_.texturesOf(*draw, scene_.passes[pass]))
-                if (texture >= 0) read_.at(static_cast<std::size_t>(texture)) = true;
+            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, scene_.passes[pass]))
+                if (texture) read_[texture] = true;
         }
         if (!isWindow(pass) && !startsWithClearDepth(scene_.passes[pass])) keepDepthBefore(pass);
     }
@@ -152,12 +151,12 @@ class NeedFinder {
     }
 
     bool feedsNeeded(std::size_t pass) const {
-        const std::vector<int>& targets = scene_.passes[pass].targets;
+        const std::vector<scene::TextureIndex>& targets = scene_.passes[pass].targets;
         return std::any_of(targets.begin(), targets.end(),
-                           [&](int target) { return read_.at(static_cast<std::size_t>(target)); });
+                           [&](scene::TextureIndex target) { return read_[target]; });
     }
 
-    /// Takes in the last pass that is not needed yet and may write to an image.
+    /// Adds the last pass that is not needed yet and may write to an image. False if there is none.
     bool addImageWriter() {
         for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
             if (needs_.passes[pass] || isWindow(pass)) continue;
@@ -175,16 +174,16 @@ class NeedFinder {
     const scene::Scene& scene_;
     const NeedQuestions& questions_;
     std::vector<bool> visited_;
-    std::vector<bool> read_;      ///< textures that a needed draw reads
-    std::map<int, bool> writes_;  ///< answers of mayWriteImages
+    scene::List<bool, scene::Texture> read_;      ///< by a needed draw
+    std::map<scene::ProgramIndex, bool> writes_;  ///< results of mayWriteImages
     Needs needs_;
 };
 
 }  // namespace
 
 bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
-    if (draw.program < 0) return true;
-    const scene::Program& program = scene.programs.at(static_cast<std::size_t>(draw.program));
+    if (!draw.program) return true;
+    const scene::Program& program = scene.programs[draw.program];
     return !program.hasStage(glsl::Stage::vertex) || !program.hasStage(glsl::Stage::fragment);
 }
 

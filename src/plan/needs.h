@@ -1,6 +1,6 @@
 #pragma once
-// What of a frame can be seen: backwards from the window to the passes whose targets are sampled on the way
-// (skip rules of the design).
+// Finds which steps of a frame contribute to the picture: it walks back from the window to the passes whose
+// targets are sampled on the way.
 
 #include <functional>
 #include <map>
@@ -13,37 +13,42 @@ namespace glibra::plan {
 
 enum class StepNeed { needed, coveredByClear, drawsNothing, outOfSight, passNotNeeded };
 
-/// An element for each of the scene's passes, of each pass's steps, and of textures.
+/// One element per pass of the scene, per step of each pass, and per texture.
 struct Needs {
     std::vector<bool> passes;
     std::vector<std::vector<StepNeed>> steps;
-    std::vector<bool> textures;  ///< sampled by a needed draw, or target of a needed pass
+    scene::List<bool, scene::Texture> textures;  ///< sampled by a needed draw, or target of a needed pass
     std::map<const scene::Draw*, std::string> outOfSight;  ///< why, for each such step
     Place clear;  ///< of the last Clear of the window, if steps are coveredByClear
 };
 
-/// Textures that a draw's active samplers and images read (indices into Scene::textures).
-using TexturesOf = std::function<std::vector<int>(const scene::Draw& draw, const scene::Pass& pass)>;
+/// Textures that a draw's active samplers and images read.
+using TexturesOf =
+    std::function<std::vector<scene::TextureIndex>(const scene::Draw& draw, const scene::Pass& pass)>;
 /// PlanOptions::outOfSight.
 using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
 
-/// What finding needs has to ask. `texturesOf` is called once for each needed draw, passes from last to
-/// first; `mayWriteImages` only where something is not needed anyway; `outOfSight`, which may be empty, once
-/// for each draw that is needed otherwise.
+/// The questions of findNeeds. `texturesOf` is called once per needed draw, from the last pass to the first.
+/// `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is called
+/// once per draw that is needed otherwise.
 struct NeedQuestions {
     TexturesOf texturesOf;
     MayWriteImages mayWriteImages;
     OutOfSight outOfSight{};
 };
 
-/// Needed are: the window's draws after its last Clear; every draw of a pass whose target a needed draw reads
-/// at any place of the frame (a target keeps its content until it is drawn to again); what shares the depth
-/// buffer with such a pass before it and is not cleared; every pass that may write to an image, and the
-/// window's draws up to the last such one (its depth tests may depend on them). Of these, draws out of sight
-/// are not. `everything`: all are needed.
+/// These are needed:
+/// - the window's draws after its last Clear;
+/// - every draw of a pass whose target a needed draw reads anywhere in the frame, since a target keeps its
+///   content until it is drawn to again;
+/// - an earlier pass with the same depth buffer as such a pass, unless that pass clears the depth;
+/// - every pass that may write to an image, and the window's draws up to the last such draw, since its depth
+///   tests may depend on them.
+/// Draws that are out of sight are not needed. With `everything` all draws are.
 Needs findNeeds(const scene::Scene& scene, const NeedQuestions& questions, bool everything);
 
-/// True if the built-in program draws: there is no program, or it lacks a vertex or a fragment stage (2.2).
+/// True if the built-in program is used: the draw has no program, or the program lacks a vertex or a fragment
+/// stage (language, 2.2).
 bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw);
 
 }  // namespace glibra::plan

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// A whole number token, finite as a 32-bit float.
+/// Reads a token that is a number and finite as a 32-bit float.
 std::optional<double> readNumber(std::string_view token) {
     if (token.starts_with('+')) token.remove_prefix(1);
     // from_chars also reads "inf" and "nan", which are words here.
@@ -35,7 +35,7 @@ std::optional<double> readNumber(std::string_view token) {
     return value;
 }
 
-/// Takes the brackets off; nothing if an opening one has no partner.
+/// Removes the brackets. Returns nothing if the closing one is missing.
 std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
     struct Bracket {
         char open, close;
@@ -106,11 +106,11 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         if (i < used.size() && used[i]) continue;
         const auto& [name, form, values, program] = overrides[i];
         const std::string where =
-            program.empty() ? "program of the scene" : "Program " + glib::quoted(program);
+            program.empty() ? "program of the scene" : "Program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
         const std::string near = isElsewhere ? "" : suggestionFor(name, names);
         diagnostics.push_back(
-            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::quoted(name), near)));
+            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
     }
     return diagnostics;
 }

@@ -3,6 +3,7 @@
 
 #include "base/program_resources.h"
 #include "glsl/types/translated_program.h"
+#include "scene/index.h"
 
 namespace glibra::plan {
 
@@ -11,6 +12,7 @@ using base::ActiveUniform;
 using base::BaseType;
 using base::UniformBlock;
 using base::ValueType;
+using UniformIndex = scene::Index<ActiveUniform>;
 
 /// What a program reads, with the translator's facts about its stages. The names of uniforms are the user's.
 struct ProgramInterface : base::ActiveResources {

@@ -49,11 +49,8 @@ class SkipList {
         skipped_.push_back({what, std::move(why), place});
     }
 
-    std::string fileName(int file) const {
-        return file < 0 ? std::string() : scene_.files.at(static_cast<std::size_t>(file)).name;
-    }
-    void useFile(int file) {
-        if (file >= 0) files_.at(static_cast<std::size_t>(file)) = true;
+    void useFile(scene::FileIndex file) {
+        if (file) files_[file] = true;
     }
 
     void addPass(std::size_t index) {
@@ -67,9 +64,9 @@ class SkipList {
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]);
             if (draw != nullptr) {
-                const auto shape = static_cast<std::size_t>(draw->shape);
-                if (firstDraws_.at(shape) == nullptr) firstDraws_[shape] = draw;
-                if (draw->program >= 0) hasDraw_.at(static_cast<std::size_t>(draw->program)) = true;
+                const scene::Draw*& first = firstDraws_[draw->shape];
+                if (first == nullptr) first = draw;
+                if (draw->program) hasDraw_[draw->program] = true;
             }
             if (needs_.steps[index][step] == StepNeed::coveredByClear) {
                 const std::string why =
@@ -88,9 +85,8 @@ class SkipList {
 
     void addPrograms() {
         for (const PlannedProgram& each : plan_.programs)
-            if (each.variant.program >= 0)
-                programs_.at(static_cast<std::size_t>(each.variant.program)) = true;
-        for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+            if (each.variant.program) programs_[each.variant.program] = true;
+        for (const scene::ProgramIndex i : scene_.programs.indices()) {
             const scene::Program& program = scene_.programs[i];
             if (programs_[i]) {
                 for (const scene::StageFile& stage : program.stages) useFile(stage.file);
@@ -106,11 +102,11 @@ class SkipList {
     }
 
     void addMeshes() {
-        std::vector<const PlannedMesh*> planned(scene_.shapes.size());
-        for (const PlannedMesh& mesh : plan_.meshes) planned.at(static_cast<std::size_t>(mesh.shape)) = &mesh;
-        const std::vector<int> draws = drawsOfShapes();
+        scene::List<const PlannedMesh*, scene::Shape> planned(scene_.shapes.size());
+        for (const PlannedMesh& mesh : plan_.meshes) planned[mesh.shape] = &mesh;
+        const scene::List<int, scene::Shape> draws = drawsOfShapes();
         std::vector<Skipped> attributes;
-        for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+        for (const scene::ShapeIndex i : scene_.shapes.indices()) {
             const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
             const Place place = firstDraws_[i] != nullptr ? firstDraws_[i]->place : Place{};
             if (planned[i] == nullptr) {
@@ -128,24 +124,23 @@ class SkipList {
     }
 
     /// Planned draws of each shape.
-    [[nodiscard]] std::vector<int> drawsOfShapes() const {
-        std::vector<int> draws(scene_.shapes.size());
+    [[nodiscard]] scene::List<int, scene::Shape> drawsOfShapes() const {
+        scene::List<int, scene::Shape> draws(scene_.shapes.size());
         for (const PlannedPass& pass : plan_.passes)
             for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step))
-                    ++draws.at(static_cast<std::size_t>(draw->draw->shape));
+                if (const auto* draw = std::get_if<PlannedDraw>(&step)) ++draws[draw->draw->shape];
         return draws;
     }
 
     void addTextures() {
-        for (const int each : plan_.textures) textures_.at(static_cast<std::size_t>(each)) = true;
-        for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
+        for (const scene::TextureIndex each : plan_.textures) textures_[each] = true;
+        for (const scene::TextureIndex i : scene_.textures.indices()) {
             const scene::Texture& texture = scene_.textures[i];
             const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
             const auto* noise = std::get_if<scene::NoiseSource>(&texture.source);
             if (textures_[i]) {
                 if (picture != nullptr)
-                    for (const int file : picture->files) useFile(file);
+                    for (const scene::FileIndex file : picture->files) useFile(file);
                 if (noise != nullptr) useFile(noise->file);
                 continue;
             }
@@ -156,18 +151,21 @@ class SkipList {
     }
 
     void addFiles() {
-        for (std::size_t i = 0; i < scene_.files.size(); ++i)
+        for (const scene::FileIndex i : scene_.files.indices())
             if (!files_[i])
-                add("file", fmt::format("'{}': nothing that is seen needs it", fileName(static_cast<int>(i))),
+                add("file", fmt::format("'{}': nothing that is seen needs it", scene_.files[i].name),
                     scene_.files[i].place);
     }
 
     const scene::Scene& scene_;
     const Needs& needs_;
     const FramePlan& plan_;
-    std::vector<const scene::Draw*> firstDraws_;     ///< of each shape
-    std::vector<bool> hasDraw_;                      ///< programs that any draw has
-    std::vector<bool> programs_, textures_, files_;  ///< in use
+    scene::List<const scene::Draw*, scene::Shape> firstDraws_;  ///< of each shape
+    scene::List<bool, scene::Program> hasDraw_;                 ///< some draw has the program, seen or not
+    // In use:
+    scene::List<bool, scene::Program> programs_;
+    scene::List<bool, scene::Texture> textures_;
+    scene::List<bool, scene::FileReference> files_;
     std::vector<Skipped> skipped_;
 };
 

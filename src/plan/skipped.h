@@ -1,5 +1,5 @@
 #pragma once
-// What a plan leaves out, in words, for --explain.
+// Describes in words what a plan leaves out, for --explain.
 
 #include <vector>
 
@@ -8,11 +8,11 @@
 
 namespace glibra::plan {
 
-/// Everything of the scene that is not in the plan, in this order: passes, draws, statements, programs,
-/// meshes, attributes, textures, files; each kind in the order of the scene.
+/// Lists everything of the scene that is not in the plan: passes, draws, statements, programs, meshes,
+/// attributes, textures, files, in this order, and each kind in the order of the scene.
 std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, const FramePlan& plan);
 
-/// Attributes that the mesh of a shape carries or may carry, in the order of geometry's constants.
+/// The attributes that the mesh of a shape may have, in the order of the constants of geometry.
 std::vector<std::string> attributesOf(const scene::Shape& shape);
 
 }  // namespace glibra::plan

@@ -32,7 +32,7 @@ std::string_view counterpartOf(CommandId command, Topology wanted) {
     return {};
 }
 
-/// "; use ObjAdj": a command that delivers the wanted kind, where there is an obvious one.
+/// Returns "; use ObjAdj" if there is an obvious command that delivers the wanted kind.
 std::string recommendation(CommandId command, std::string_view wanted) {
     std::string_view other;
     if (wanted == wordOf(Topology::trianglesAdjacency)) other = glib::nameOf(CommandId::objAdj);
@@ -70,8 +70,8 @@ std::string_view wordOf(Topology topology) {
 
 std::string stageFileName(const scene::Scene& scene, const scene::Program& program, glsl::Stage stage) {
     for (const scene::StageFile& each : program.stages) {
-        if (each.stage != stage || each.file < 0) continue;
-        const std::string& name = scene.files.at(static_cast<std::size_t>(each.file)).name;
+        if (each.stage != stage || !each.file) continue;
+        const std::string& name = scene.files[each.file].name;
         return name.substr(name.find_last_of("/\\") + 1);
     }
     return {};
@@ -79,7 +79,7 @@ std::string stageFileName(const scene::Scene& scene, const scene::Program& progr
 
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface) {
-    const scene::Shape& shape = scene.shapes.at(static_cast<std::size_t>(draw.shape));
+    const scene::Shape& shape = scene.shapes[draw.shape];
     const Topology topology = topologyOf(shape);
     const bool isTessellated = program != nullptr && program->hasStage(glsl::Stage::tessEvaluation);
     const std::string& word = draw.word;

@@ -1,5 +1,6 @@
 #pragma once
-// How a draw's primitives enter the pipeline, and whether the program's stages go with them (language, 4.8).
+// Decides how the primitives of a draw are submitted, and checks that the program's stages accept them
+// (language, 4.8).
 
 #include <glibra/result.h>
 
@@ -7,20 +8,21 @@
 
 namespace glibra::plan {
 
-/// The language's word: "points", "lines", "lines_adjacency", "triangles", "triangles_adjacency", "patches".
+/// The word of the language: "points", "lines", "lines_adjacency", "triangles", "triangles_adjacency",
+/// "patches".
 std::string_view wordOf(geometry::Topology topology);
 
-/// How the draw is submitted with this program. Errors: draw-E02 (the geometry stage wants another kind),
-/// draw-E03 (the patch size does not fit), draw-E04 (patches without an evaluation stage), each with what to
-/// write instead. `program` is null for the built-in program.
+/// Returns how the draw is submitted with this program; null stands for the built-in program. Errors:
+/// draw-E02 (the geometry stage expects another kind), draw-E03 (the patch size does not fit), draw-E04
+/// (patches without an evaluation stage). Each message says what to write instead.
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface);
 
-/// True if the program writes gl_PointSize, points reach the rasteriser, and the draw's mode is 0 (draw-W05).
+/// True if the program writes gl_PointSize and draws points, but PointSizeMode is 0 (draw-W05).
 bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
                       const ProgramInterface& interface, const Submission& submission);
 
-/// File name, without folders, of the program's stage, as the scene writes it; empty if there is none.
+/// The file name of the program's stage as the scene writes it, without folders; empty without that stage.
 std::string stageFileName(const scene::Scene& scene, const scene::Program& program, glsl::Stage stage);
 
 }  // namespace glibra::plan

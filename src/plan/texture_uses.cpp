@@ -10,16 +10,16 @@
 namespace glibra::plan {
 namespace {
 
-int textureInSlot(const scene::Scene& scene, int table, int unit, scene::TextureTarget target) {
-    if (table < 0 || static_cast<std::size_t>(table) >= scene.slotTables.size()) return scene::kNone;
-    for (const scene::Slot& slot : scene.slotTables[static_cast<std::size_t>(table)])
+scene::TextureIndex textureInSlot(const scene::Scene& scene, scene::SlotTableIndex table, int unit,
+                                  scene::TextureTarget target) {
+    if (!table) return {};
+    for (const scene::Slot& slot : scene.slotTables[table])
         if (slot.unit == unit && slot.target == target) return slot.texture;
-    return scene::kNone;
+    return {};
 }
 
-bool isNoise(const scene::Scene& scene, int texture) {
-    return texture >= 0 && std::holds_alternative<scene::NoiseSource>(
-                               scene.textures.at(static_cast<std::size_t>(texture)).source);
+bool isNoise(const scene::Scene& scene, scene::TextureIndex texture) {
+    return texture && std::holds_alternative<scene::NoiseSource>(scene.textures[texture].source);
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
     std::map<std::pair<int, std::string>, int> textureUnits;
     std::map<std::pair<int, std::string>, int> imageUnits;
     for (const SamplerBinding& sampler : samplers) {
-        const ValueType& type = interface.uniforms.at(static_cast<std::size_t>(sampler.uniform)).type;
+        const ValueType& type = at(interface.uniforms, sampler.uniform).type;
         auto& units = type.base == BaseType::image ? imageUnits : textureUnits;
         const int next = static_cast<int>(units.size());
         uses.push_back({sampler, units.try_emplace({sampler.unit, type.word}, next).first->second});
@@ -54,7 +54,7 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, const scene::Draw
     std::vector<TextureUse> uses;
     uses.reserve(units.size());
     for (const UnitUse& unit : units) {
-        const ValueType& type = interface.uniforms.at(static_cast<std::size_t>(unit.binding.uniform)).type;
+        const ValueType& type = at(interface.uniforms, unit.binding.uniform).type;
         TextureUse use;
         use.uniform = unit.binding.uniform;
         use.element = unit.binding.element;

@@ -198,7 +198,7 @@ class ValueReader {
             case UniformForm::truth:
                 setAll(first() != 0 ? 1 : 0);
                 if (isReal(type_)) warnForm("read as " + numberText(reading_.values.front()));
-                reading_.control = Control{0, UniformForm::truth, 0, reading_.values.front(), 1};
+                reading_.control = Control{{}, UniformForm::truth, 0, reading_.values.front(), 1};
                 return;
             case UniformForm::list:
             case UniformForm::color:
@@ -213,8 +213,8 @@ class ValueReader {
     void readSlider() {
         const Range range = readRange();
         setAll(range.current);
-        Control control{0, UniformForm::range, convert(range.minimum), reading_.values.front(),
-                        convert(range.maximum)};
+        Control control{
+            {}, UniformForm::range, convert(range.minimum), reading_.values.front(), convert(range.maximum)};
         if (control.minimum > control.maximum) {
             warn("glib-W22",
                  fmt::format("{}: minimum {} is above maximum {}, exchanged", given_.tag,
@@ -249,7 +249,7 @@ class ValueReader {
         if (given_.form != UniformForm::number && given_.form != UniformForm::truth)
             warnForm(isTrue ? "read as true" : "read as false");
         if (given_.form == UniformForm::range || given_.form == UniformForm::truth)
-            reading_.control = Control{0, UniformForm::truth, 0, isTrue ? 1.0 : 0.0, 1};
+            reading_.control = Control{{}, UniformForm::truth, 0, isTrue ? 1.0 : 0.0, 1};
     }
 
     void readVector() {
@@ -282,7 +282,7 @@ class ValueReader {
         if (count > 4) warnCount("surplus ignored");
         setList(components(), false);
         if (components() == 4 && count < 4) reading_.values[3] = 1;
-        reading_.control = Control{0, UniformForm::color, 0, 0, 1};
+        reading_.control = Control{{}, UniformForm::color, 0, 0, 1};
     }
 
     void readMatrix() {

@@ -20,7 +20,7 @@ bool isTextureMatrix(glsl::Builtin value) {
 UniformNames::UniformNames(const ProgramInterface& interface) {
     for (std::size_t i = 0; i < interface.uniforms.size(); ++i) {
         const ActiveUniform& uniform = interface.uniforms[i];
-        const int index = static_cast<int>(i);
+        const UniformIndex index(i);
         arraySizes_.push_back(uniform.isArray ? std::max(uniform.arraySize, 1) : 0);
         exact_[uniform.name].push_back(index);
         if (uniform.block < 0) continue;
@@ -33,7 +33,7 @@ UniformNames::UniformNames(const ProgramInterface& interface) {
     }
 }
 
-const std::vector<int>* UniformNames::indices(std::string_view name) const {
+const std::vector<UniformIndex>* UniformNames::indices(std::string_view name) const {
     if (const auto found = exact_.find(name); found != exact_.end()) return &found->second;
     if (const auto found = members_.find(name); found != members_.end()) return &found->second;
     return nullptr;
@@ -41,8 +41,8 @@ const std::vector<int>* UniformNames::indices(std::string_view name) const {
 
 std::vector<NamedUniform> UniformNames::find(std::string_view tag) const {
     std::vector<NamedUniform> found;
-    if (const std::vector<int>* whole = indices(tag)) {
-        for (const int each : *whole) found.push_back({each, 0, false});
+    if (const std::vector<UniformIndex>* whole = indices(tag)) {
+        for (const UniformIndex each : *whole) found.push_back({each, 0, false});
         return found;
     }
     const std::size_t bracket = tag.rfind('[');
@@ -51,10 +51,10 @@ std::vector<NamedUniform> UniformNames::find(std::string_view tag) const {
     int element = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), element);
     if (problem != std::errc() || end != digits.data() + digits.size() || element < 0) return found;
-    const std::vector<int>* arrays = indices(tag.substr(0, bracket));
+    const std::vector<UniformIndex>* arrays = indices(tag.substr(0, bracket));
     if (arrays == nullptr) return found;
-    for (const int each : *arrays)
-        if (element < arraySizes_.at(static_cast<std::size_t>(each))) found.push_back({each, element, true});
+    for (const UniformIndex each : *arrays)
+        if (element < arraySizes_[each]) found.push_back({each, element, true});
     return found;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which active uniforms a tag names, and which names the runtime supplies by itself (language, 5.3 and 6).
+// Finds the active uniforms that a tag names, and the names that the runtime supplies (language, 5.3 and 6).
 
 #include <functional>
 #include <map>
@@ -15,42 +15,42 @@ namespace glibra::plan {
 
 /// A uniform that a tag names.
 struct NamedUniform {
-    int uniform = 0;          ///< index into ProgramInterface::uniforms
+    UniformIndex uniform{};
     int element = 0;          ///< 0 without a subscript
     bool oneElement = false;  ///< the tag had a subscript: `name[2]`
 };
 
-/// Finds uniforms by tag. Refers to nothing: names are copied.
+/// Finds uniforms by tag. It keeps copies of the names, so it may outlive the interface.
 class UniformNames {
   public:
     explicit UniformNames(const ProgramInterface& interface);
 
-    /// The uniform of exactly that name; else the members of uniform blocks that have it as `member` or
-    /// `Block.member`; else, with a subscript inside the array, the array. Normally one or none.
+    /// The uniform of exactly that name; otherwise the members of uniform blocks named `member` or
+    /// `Block.member`; otherwise, if the tag ends in a valid subscript, the array. Normally one or none.
     [[nodiscard]] std::vector<NamedUniform> find(std::string_view tag) const;
 
   private:
-    [[nodiscard]] const std::vector<int>* indices(std::string_view name) const;
+    [[nodiscard]] const std::vector<UniformIndex>* indices(std::string_view name) const;
 
-    std::map<std::string, std::vector<int>, std::less<>> exact_;
-    std::map<std::string, std::vector<int>, std::less<>> members_;
-    std::vector<int> arraySizes_;  ///< 0: no array
+    std::map<std::string, std::vector<UniformIndex>, std::less<>> exact_;
+    std::map<std::string, std::vector<UniformIndex>, std::less<>> members_;
+    scene::List<int, ActiveUniform> arraySizes_;  ///< 0: no array
 };
 
-/// The table row that fills this uniform: its name and its GLSL type are those of a built-in; else null.
+/// The table row that supplies this uniform; null unless name and GLSL type are those of a built-in.
 const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform);
 
-/// True for every name of section 6 that the runtime supplies: uniforms and vertex inputs, also in gl_
-/// spelling.
+/// True for the names of uniforms and vertex inputs that the runtime supplies (language, 6), with or without
+/// gl_.
 bool isSuppliedName(std::string_view name);
 
-/// True for names that only translated sources have; messages never show them.
+/// True for names that exist only in translated sources. Messages never show them.
 bool isInternalName(std::string_view name);
 
-/// "; did you mean 'uShrink'?" with the nearest of these names of uniforms, or nothing.
+/// Returns "; did you mean 'uShrink'?" with the nearest of these names, or nothing if none is near.
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names);
 
-/// `light` of `light[2].color`: the name under which a source declares it.
+/// The name under which a source declares the uniform: `light` for `light[2].color`.
 std::string_view rootName(std::string_view name);
 
 }  // namespace glibra::plan

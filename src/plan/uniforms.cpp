@@ -22,7 +22,7 @@ bool isNoise(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
 
-/// One program's pairs on the way to values.
+/// Resolves the pairs of one program.
 class Resolver {
   public:
     Resolver(const scene::Program& program, const std::string& scenePath, const ProgramInterface& interface,
@@ -50,15 +50,13 @@ class Resolver {
     }
 
   private:
-    const ActiveUniform& uniform(int index) const {
-        return interface_.uniforms.at(static_cast<std::size_t>(index));
-    }
+    const ActiveUniform& uniform(UniformIndex index) const { return at(interface_.uniforms, index); }
     Place place(glib::Position position) const { return {scenePath_, position.line, position.column}; }
     void warn(const char* id, std::string text, const Place& place) {
         result_.diagnostics.push_back(warning(id, std::move(text), place));
     }
 
-    /// Units without any tag: the noise texture's, layout(binding), 0.
+    /// The units of a sampler without a tag: the noise texture's, layout(binding), or 0.
     std::vector<int> defaultUnits(const ActiveUniform& sampler, const glsl::BuiltinUniform* row) const {
         int first = 0;
         bool counts = false;
@@ -75,15 +73,16 @@ class Resolver {
     }
 
     void supply() {
-        for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (const UniformIndex i : rows_.indices())
             if (rows_[i] != nullptr && !isNoise(*rows_[i])) {
                 UniformBinding& binding = result_.values.emplace_back();
-                binding.uniform = static_cast<int>(i);
+                binding.uniform = i;
                 binding.value.emplace<Supplied>(rows_[i]->value);
             }
     }
 
-    /// What the command line replaces; a value that means nothing for the type leaves the scene's alone.
+    /// Finds the uniforms whose values the command line replaces. A value that does not fit the type replaces
+    /// nothing.
     void findOverridden() {
         for (const Override& each : overrides_) {
             if (!isFor(each, program_)) continue;
@@ -96,7 +95,7 @@ class Resolver {
     }
 
     void applyPairs() {
-        std::map<std::string_view, const glib::UniformSpec*> counting;  // of equal tags the last one
+        std::map<std::string_view, const glib::UniformSpec*> counting;  // the last of equal tags
         for (const glib::UniformSpec& spec : program_.uniforms) counting[spec.tag] = &spec;
         for (const glib::UniformSpec& spec : program_.uniforms) {
             if (counting.at(spec.tag) != &spec) continue;
@@ -127,7 +126,7 @@ class Resolver {
 
     void apply(const GivenValue& given, const NamedUniform& named, bool isOverridden) {
         const ActiveUniform& target = uniform(named.uniform);
-        const glsl::BuiltinUniform* row = rows_.at(static_cast<std::size_t>(named.uniform));
+        const glsl::BuiltinUniform* row = rows_[named.uniform];
         if (row != nullptr && !isNoise(*row)) return reportSupplied(given);
         Reading reading = readValue(given, target, named.oneElement);
         if (isOverridden) {  // the scene's value is not used, but its slider stays
@@ -136,9 +135,9 @@ class Resolver {
         }
         append(result_.diagnostics, std::move(reading.diagnostics));
         if (reading.ignored) return;
-        touched_.at(static_cast<std::size_t>(named.uniform)) = true;
+        touched_[named.uniform] = true;
         if (isOpaque(target)) {
-            std::vector<int>& units = units_.at(static_cast<std::size_t>(named.uniform));
+            std::vector<int>& units = units_[named.uniform];
             const auto first = static_cast<std::size_t>(named.element);
             for (std::size_t i = 0; i < reading.values.size() && first + i < units.size(); ++i)
                 units[first + i] = static_cast<int>(reading.values[i]);
@@ -154,11 +153,11 @@ class Resolver {
         result_.values.push_back({named.uniform, named.element, Literal{std::move(reading.values)}});
     }
 
-    void setCurrent(int index, double value) {
+    void setCurrent(UniformIndex index, double value) {
         for (Control& each : result_.controls)
             if (each.uniform == index && each.form != glib::UniformForm::color) each.current = value;
     }
-    void addControl(int index, Control control) {
+    void addControl(UniformIndex index, Control control) {
         control.uniform = index;
         for (Control& each : result_.controls)
             if (each.uniform == index) {
@@ -220,11 +219,11 @@ class Resolver {
         return knownNames_;
     }
 
-    /// glib-W37: active, and nobody said what it is.
+    /// Reports glib-W37 for active uniforms without a value.
     void reportUnset() {
         if (interface_.isBuiltin) return;
-        for (std::size_t i = 0; i < interface_.uniforms.size(); ++i) {
-            const ActiveUniform& each = interface_.uniforms[i];
+        for (const UniformIndex i : rows_.indices()) {
+            const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
             if (isOpaque(each)) {
                 if (!interface_.facts.textureBindings.contains(each.name))
@@ -243,10 +242,9 @@ class Resolver {
     }
 
     void listSamplers() {
-        for (std::size_t i = 0; i < units_.size(); ++i)
+        for (const UniformIndex i : units_.indices())
             for (std::size_t element = 0; element < units_[i].size(); ++element)
-                result_.samplers.push_back(
-                    {static_cast<int>(i), static_cast<int>(element), units_[i][element]});
+                result_.samplers.push_back({i, static_cast<int>(element), units_[i][element]});
     }
 
     const scene::Program& program_;
@@ -254,10 +252,10 @@ class Resolver {
     const ProgramInterface& interface_;
     std::span<const Override> overrides_;
     UniformNames names_;
-    std::vector<const glsl::BuiltinUniform*> rows_;  ///< what supplies each uniform, or null
-    std::vector<std::vector<int>> units_;            ///< of samplers and images, an element each
-    std::vector<bool> touched_;                      ///< a pair or an override gave it a value
-    std::set<std::pair<int, int>> overridden_;
+    scene::List<const glsl::BuiltinUniform*, ActiveUniform> rows_;  ///< what supplies each uniform, or null
+    scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, one per element
+    scene::List<bool, ActiveUniform> touched_;            ///< a pair or an override gave it a value
+    std::set<std::pair<UniformIndex, int>> overridden_;
     std::vector<std::string> knownNames_;
     UniformResolution result_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// From tags with values as written to typed values of active uniforms (language, 5.3 and 6).
+// Turns tags and values as written into typed values of active uniforms (language, 5.3 and 6).
 
 #include <glibra/result.h>
 
@@ -20,29 +20,29 @@ namespace glibra::plan {
 struct Literal {
     std::vector<double> values;
 };
-/// A value that the runtime computes for every draw.
+/// A value that the runtime computes per draw.
 struct Supplied {
     glsl::Builtin value{};
 };
-/// The value of a uniform is an expression, of which these are the simplest.
+/// The value of a uniform.
 using Expression = std::variant<Literal, Supplied>;
 
 struct UniformBinding {
-    int uniform = 0;       ///< index into ProgramInterface::uniforms
+    UniformIndex uniform{};
     int firstElement = 0;  ///< for arrays
     Expression value;
 };
 
 /// A sampler or image and the unit of the language that it reads.
 struct SamplerBinding {
-    int uniform = 0;
+    UniformIndex uniform{};
     int element = 0;  ///< of an array of samplers
     int unit = 0;     ///< 0..127
 };
 
-/// What the interface needs for a slider, a check box or a colour button.
+/// What the window needs for a slider, a check box or a colour button.
 struct Control {
-    int uniform = 0;
+    UniformIndex uniform{};
     glib::UniformForm form = glib::UniformForm::number;
     double minimum = 0, current = 0, maximum = 1;
 };
@@ -54,23 +54,23 @@ struct UniformResolution {
     Diagnostics diagnostics;
 };
 
-/// One `--set NAME=VALUE`: the value as written, numbers separated by commas or blanks, or true/false.
+/// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false.
 struct Override {
     std::string name;
     glib::UniformForm form = glib::UniformForm::number;
     std::vector<double> values;
-    /// Name or scene line of the one Program it is for; empty: all that have the uniform.
+    /// Name or line of the Program that it is for; empty: all programs that have the uniform.
     std::string program{};
 };
-/// Reads "NAME=VALUE"; "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
-/// are for the program of that name or on that line only.
+/// Reads "NAME=VALUE": "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
+/// apply only to the program of that name or on that line.
 Result<Override> parseOverride(std::string_view text);
-/// True if it is for all programs, or for this one.
+/// True if the override applies to this program.
 bool isFor(const Override& override, const scene::Program& program);
 
-/// Resolves the pairs of one Program statement against its linked interface. Every active uniform that is
-/// neither supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` win over the
-/// scene's values; `usedOverrides` gets a true for each one that named a uniform here.
+/// Resolves the pairs of one Program statement against its linked interface. An active uniform that is
+/// neither supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` replace the values
+/// of the scene; `usedOverrides` is set to true for each override that names a uniform here.
 UniformResolution resolveUniforms(const scene::Program& program, const std::string& scenePath,
                                   const ProgramInterface& interface, std::span<const Override> overrides,
                                   std::vector<bool>& usedOverrides);

@@ -21,9 +21,8 @@ class TimerSearch {
     TimerSearch(const scene::Scene& scene, const RenderOptions& options) : scene_(scene), options_(options) {}
 
     bool isReadBy(const scene::Program& program) {
-        return std::any_of(program.stages.begin(), program.stages.end(), [&](const scene::StageFile& each) {
-            return isIn(scene_.files[static_cast<std::size_t>(each.file)].path);
-        });
+        return std::any_of(program.stages.begin(), program.stages.end(),
+                           [&](const scene::StageFile& each) { return isIn(scene_.files[each.file].path); });
     }
 
   private:
@@ -71,17 +70,15 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     const Result<scene::Scene> scene = interpretFile(path, options, stats);
     if (!scene || hasError(scene.diagnostics)) return 1;
     if (!options.skip) return most;
-    std::set<int> programs;
     std::set<double> periods;
     TimerSearch search(*scene, options);
-    std::vector<bool> readsTimer;
+    scene::List<bool, scene::Program> readsTimer;
     readsTimer.reserve(scene->programs.size());
     for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
     for (const scene::Pass& pass : scene->passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step))
-                if (draw->program != scene::kNone && readsTimer[static_cast<std::size_t>(draw->program)])
-                    periods.insert(draw->timerPeriod);
+                if (draw->program && readsTimer[draw->program]) periods.insert(draw->timerPeriod);
     std::set<std::vector<float>> moments;
     for (int i = 0; i < frames && static_cast<int>(moments.size()) < most; ++i) {
         std::vector<float> moment;

@@ -19,14 +19,13 @@ std::optional<std::string_view> attributeOfInput(std::string_view input) {
 }
 
 /// True if a program that draws the planned mesh declares that attribute as an integer input.
-bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string_view attribute,
+bool wantsIntegers(const plan::FramePlan& plan, plan::PlannedMeshIndex planned, std::string_view attribute,
                    const ProgramLibrary& programs) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || static_cast<std::size_t>(draw->mesh) != planned) continue;
-            const BuiltProgram* built =
-                programs.find(plan.programs[static_cast<std::size_t>(draw->program)].variant);
+            if (!draw || draw->mesh != planned) continue;
+            const BuiltProgram* built = programs.find(plan.programs[draw->program].variant);
             if (!built) continue;
             for (const base::ActiveInput& input : built->interface.inputs)
                 if (input.type.isInteger() && attributeOfInput(input.name) == attribute) return true;
@@ -35,11 +34,10 @@ bool wantsIntegers(const plan::FramePlan& plan, std::size_t planned, std::string
 }
 
 /// The first draw that uses the planned mesh.
-const scene::Draw* drawOf(const plan::FramePlan& plan, std::size_t planned) {
+const scene::Draw* drawOf(const plan::FramePlan& plan, plan::PlannedMeshIndex planned) {
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-                draw && static_cast<std::size_t>(draw->mesh) == planned)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step); draw && draw->mesh == planned)
                 return draw->draw;
     return nullptr;
 }
@@ -104,8 +102,9 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
                 for (const plan::TextureUse& use : draw->textures)
                     if (use.isImage) written_.insert(use.texture);
-    for (std::size_t i = 0; i < plan.meshes.size(); ++i) append(diagnostics, upload(plan, i, programs));
-    for (const int texture : plan.textures) append(diagnostics, makeTexture(texture));
+    for (const plan::PlannedMeshIndex each : plan.meshes.indices())
+        append(diagnostics, upload(plan, each, programs));
+    for (const scene::TextureIndex texture : plan.textures) append(diagnostics, makeTexture(texture));
     previous_ = nullptr;
     return diagnostics;
 }
@@ -118,8 +117,8 @@ std::shared_ptr<const geometry::Mesh> DeviceScene::earlierMesh(const std::string
     return shared_ ? shared_->meshes.find(key).value_or(nullptr) : nullptr;
 }
 
-const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostics* remarks) {
-    const bool isFile = scene_.shapes[static_cast<std::size_t>(shape)].file != scene::kNone;
+const geometry::Mesh* DeviceScene::mesh(scene::ShapeIndex shape, bool withTangents, Diagnostics* remarks) {
+    const bool isFile = bool(scene_.shapes[shape].file);
     const bool tangents = withTangents || !isFile;  // only models are made without
     const auto [known, isNew] = meshes_.try_emplace(shape);
     MadeMesh& made = known->second;
@@ -128,8 +127,8 @@ const geometry::Mesh* DeviceScene::mesh(int shape, bool withTangents, Diagnostic
     return made.mesh.get();
 }
 
-void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
-    const scene::Shape& wanted = scene_.shapes[static_cast<std::size_t>(shape)];
+void DeviceScene::make(scene::ShapeIndex shape, bool withTangents, MadeMesh& made) {
+    const scene::Shape& wanted = scene_.shapes[shape];
     made = {};
     made.withTangents = withTangents;
     made.key = reuseKey(scene_, wanted);
@@ -137,7 +136,7 @@ void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
     made.mesh = earlierMesh(made.key);
     if (made.mesh) return;
     const StageTimer timer(stats_, "geometry");
-    if (wanted.file != scene::kNone) stats_.add("files read", 1);
+    if (wanted.file) stats_.add("files read", 1);
     Result<geometry::Mesh> result = scene::makeMesh(scene_, shape, withTangents);
     made.remarks = std::move(result.diagnostics);
     if (!result) return;
@@ -146,21 +145,21 @@ void DeviceScene::make(int shape, bool withTangents, MadeMesh& made) {
         shared_->meshes.add(made.key, made.mesh, bytesOf(*made.mesh));
 }
 
-void DeviceScene::reportOnce(int shape, Diagnostics* remarks) {
+void DeviceScene::reportOnce(scene::ShapeIndex shape, Diagnostics* remarks) {
     const auto made = meshes_.find(shape);
     if (!remarks || made == meshes_.end() || made->second.areReported) return;
     made->second.areReported = true;
     append(*remarks, made->second.remarks);
 }
 
-const VertexBox& DeviceScene::bounds(int shape, bool withTangents, Diagnostics* remarks) {
+const VertexBox& DeviceScene::bounds(scene::ShapeIndex shape, bool withTangents, Diagnostics* remarks) {
     const auto [entry, isNew] = bounds_.try_emplace(shape);
     VertexBox& bounds = entry->second;
     if (!isNew) {
         reportOnce(shape, remarks);
         return bounds;
     }
-    const std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(shape)]);
+    const std::string key = reuseKey(scene_, scene_.shapes[shape]);
     if (shared_ && !key.empty())
         if (const std::optional<VertexBox> known = shared_->bounds.find(key)) return bounds = *known;
     const geometry::Mesh* made = mesh(shape, withTangents, remarks);
@@ -177,17 +176,17 @@ const VertexBox* DeviceScene::boundsOfMesh(const geometry::Mesh& mesh) const {
     return nullptr;
 }
 
-const VertexBox* DeviceScene::knownBounds(int shape) const {
+const VertexBox* DeviceScene::knownBounds(scene::ShapeIndex shape) const {
     const auto found = bounds_.find(shape);
     return found == bounds_.end() ? nullptr : &found->second;
 }
 
 std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::string& key,
                                                                  const plan::FramePlan& plan,
-                                                                 std::size_t planned) {
+                                                                 plan::PlannedMeshIndex planned) {
     if (key.empty()) return nullptr;
     if (previous_)
-        for (std::size_t i = 0; i < previous_->deviceMeshes_.size(); ++i)
+        for (const plan::PlannedMeshIndex i : previous_->deviceMeshes_.indices())
             if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key)
                 return previous_->deviceMeshes_[i];
     std::shared_ptr<const DeviceMesh> found =
@@ -199,13 +198,13 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
     return found;
 }
 
-Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned,
+Diagnostics DeviceScene::upload(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
                                 const ProgramLibrary& programs) {
     const plan::PlannedMesh& wanted = plan.meshes[planned];
     const auto isInteger = [&](std::string_view attribute) {
         return wantsIntegers(plan, planned, attribute, programs);
     };
-    std::string key = reuseKey(scene_, scene_.shapes[static_cast<std::size_t>(wanted.shape)]);
+    std::string key = reuseKey(scene_, scene_.shapes[wanted.shape]);
     if (!key.empty())
         for (const std::string& each : wanted.attributes) key += (isInteger(each) ? " i" : " ") + each;
     deviceMeshKeys_[planned] = key;
@@ -229,14 +228,16 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, std::size_t planned
     return diagnostics;
 }
 
-const DeviceMesh* DeviceScene::deviceMesh(int planned) const {
-    return deviceMeshes_[static_cast<std::size_t>(planned)].get();
+const DeviceMesh* DeviceScene::deviceMesh(plan::PlannedMeshIndex planned) const {
+    return deviceMeshes_[planned].get();
 }
 
-const gpu::VertexArray& DeviceScene::vertexArray(int planned, int program, const BuiltProgram& built) {
+const gpu::VertexArray& DeviceScene::vertexArray(plan::PlannedMeshIndex planned,
+                                                 plan::PlannedProgramIndex program,
+                                                 const BuiltProgram& built) {
     const auto known = vertexArrays_.find({planned, program});
     if (known != vertexArrays_.end()) return known->second;
-    const DeviceMesh& mesh = *deviceMeshes_[static_cast<std::size_t>(planned)];
+    const DeviceMesh& mesh = *deviceMeshes_[planned];
     std::vector<gpu::AttributeSource> sources;
     for (const base::ActiveInput& input : built.interface.inputs) {
         const auto name = attributeOfInput(input.name);

@@ -54,16 +54,16 @@ class DeviceScene {
 
     /// The CPU mesh of a shape, kept until releaseMeshes(); null if it could not be made, with the reason in
     /// `remarks`. If `remarks` is null, the next call with `remarks` gets them. No GL.
-    const geometry::Mesh* mesh(int shape, bool withTangents, Diagnostics* remarks);
+    const geometry::Mesh* mesh(scene::ShapeIndex shape, bool withTangents, Diagnostics* remarks);
     /// The box of the vertices of that mesh; makes the mesh if necessary. No GL.
-    const VertexBox& bounds(int shape, bool withTangents, Diagnostics* remarks);
+    const VertexBox& bounds(scene::ShapeIndex shape, bool withTangents, Diagnostics* remarks);
     /// Reads the files of a texture or computes its noise, unless that is done; prepare() uses the result. No
     /// GL.
-    void readAhead(int texture);
+    void readAhead(scene::TextureIndex texture);
     /// The box that bounds() has found for the shape, or null.
-    [[nodiscard]] const VertexBox* knownBounds(int shape) const;
+    [[nodiscard]] const VertexBox* knownBounds(scene::ShapeIndex shape) const;
     /// Call it after the shape has changed.
-    void forgetMesh(int shape) {
+    void forgetMesh(scene::ShapeIndex shape) {
         meshes_.erase(shape);
         bounds_.erase(shape);
     }
@@ -71,14 +71,15 @@ class DeviceScene {
     void releaseMeshes() { meshes_.clear(); }
 
     /// Null if the mesh has nothing to draw.
-    [[nodiscard]] const DeviceMesh* deviceMesh(int planned) const;
+    [[nodiscard]] const DeviceMesh* deviceMesh(plan::PlannedMeshIndex planned) const;
     /// Null if it has not been made.
-    [[nodiscard]] const gpu::Texture* texture(int texture) const;
+    [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex texture) const;
     /// A texture that reads (0, 0, 0, 1) everywhere.
     const gpu::Texture& emptyTexture(scene::TextureTarget target);
     const gpu::Sampler& sampler(bool clamp);
     /// The vertex array that connects the mesh's buffers to the program's inputs; cached.
-    const gpu::VertexArray& vertexArray(int planned, int program, const BuiltProgram& built);
+    const gpu::VertexArray& vertexArray(plan::PlannedMeshIndex planned, plan::PlannedProgramIndex program,
+                                        const BuiltProgram& built);
     /// The render target of a pass into textures; cached.
     Result<const gpu::Target*> target(const scene::Pass& pass);
 
@@ -92,15 +93,16 @@ class DeviceScene {
     };
     using PictureTexels = Result<image::TexelBlock>;
     using NoiseTexels = Result<noise::TexelShorts>;
-    void make(int shape, bool withTangents, MadeMesh& made);
-    void reportOnce(int shape, Diagnostics* remarks);
+    void make(scene::ShapeIndex shape, bool withTangents, MadeMesh& made);
+    void reportOnce(scene::ShapeIndex shape, Diagnostics* remarks);
     std::shared_ptr<const geometry::Mesh> earlierMesh(const std::string& key);
     [[nodiscard]] const VertexBox* boundsOfMesh(const geometry::Mesh& mesh) const;
     std::shared_ptr<const DeviceMesh> earlierDeviceMesh(const std::string& key, const plan::FramePlan& plan,
-                                                        std::size_t planned);
+                                                        plan::PlannedMeshIndex planned);
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
-    Diagnostics upload(const plan::FramePlan& plan, std::size_t planned, const ProgramLibrary& programs);
-    Diagnostics makeTexture(int index);
+    Diagnostics upload(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
+                       const ProgramLibrary& programs);
+    Diagnostics makeTexture(scene::TextureIndex index);
     Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key);
     NoiseTexels noiseTexels(const scene::NoiseSource& source, const Place& place);
     PictureTexels pictureTexels(const scene::Texture& texture, const scene::PictureSource& picture);
@@ -111,22 +113,23 @@ class DeviceScene {
     SharedParts* shared_;
     bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
-    std::map<int, MadeMesh> meshes_;
-    std::map<int, VertexBox> bounds_;
-    std::vector<std::string> deviceMeshKeys_;
-    std::map<int, std::string> textureKeys_;
-    std::vector<std::shared_ptr<const DeviceMesh>> deviceMeshes_;
-    std::map<int, std::shared_ptr<const gpu::Texture>> textures_;
-    std::set<int> written_;  ///< textures that programs may write to as images; never shared
-    std::map<std::vector<int>, int> pictures_;  ///< files of a picture -> the texture that holds it
-    std::map<int, int> sameTexture_;
+    std::map<scene::ShapeIndex, MadeMesh> meshes_;
+    std::map<scene::ShapeIndex, VertexBox> bounds_;
+    scene::List<std::string, plan::PlannedMesh> deviceMeshKeys_;
+    std::map<scene::TextureIndex, std::string> textureKeys_;
+    scene::List<std::shared_ptr<const DeviceMesh>, plan::PlannedMesh> deviceMeshes_;
+    std::map<scene::TextureIndex, std::shared_ptr<const gpu::Texture>> textures_;
+    std::set<scene::TextureIndex> written_;  ///< textures that programs may write to as images; never shared
+    /// Files and target of a picture -> the texture that holds it.
+    std::map<std::pair<std::vector<scene::FileIndex>, scene::TextureTarget>, scene::TextureIndex> pictures_;
+    std::map<scene::TextureIndex, scene::TextureIndex> sameTexture_;
     std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
     std::map<std::string, NoiseTexels> noiseAhead_;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
     std::map<bool, gpu::Sampler> samplers_;
-    std::map<std::pair<int, int>, gpu::VertexArray> vertexArrays_;
+    std::map<std::pair<plan::PlannedMeshIndex, plan::PlannedProgramIndex>, gpu::VertexArray> vertexArrays_;
     std::map<int, gpu::SharedDepth> depthBuffers_;
-    std::map<std::pair<std::vector<int>, int>, gpu::Target> targets_;
+    std::map<std::pair<std::vector<scene::TextureIndex>, int>, gpu::Target> targets_;
 };
 
 }  // namespace glibra::render

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "image/texture_file.h"
-#include "noise/cache.h"
 #include "noise/noise.h"
 #include "plan/texture_uses.h"
 #include "render/device_scene.h"
@@ -98,7 +97,7 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
 /// The files of a picture, in order.
 std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scene::PictureSource& picture) {
     std::vector<std::filesystem::path> paths;
-    for (const int each : picture.files) paths.push_back(scene.files[static_cast<std::size_t>(each)].path);
+    for (const scene::FileIndex each : picture.files) paths.push_back(scene.files[each].path);
     return paths;
 }
 
@@ -106,13 +105,14 @@ std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scen
 
 DeviceScene::NoiseTexels DeviceScene::noiseTexels(const scene::NoiseSource& source, const Place& place) {
     const StageTimer timer(stats_, "noise");
-    if (source.file == scene::kNone) {
+    if (!source.file) {
         if (source.texels == scene::NoiseTexels::bytes)
-            return widened(noise::cachedTexels(source.dimensions, source.size));
+            return widened(source.dimensions == 3 ? noise::noise3Texels(source.size)
+                                                  : noise::noise2Texels(source.size));
         return source.dimensions == 3 ? noise::noise3Shorts(source.size) : noise::noise2Shorts(source.size);
     }
     stats_.add("files read", 1);
-    const scene::FileReference& file = scene_.files[static_cast<std::size_t>(source.file)];
+    const scene::FileReference& file = scene_.files[source.file];
     Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
     if (!read) return std::move(read.diagnostics);
     noise::TexelBytes bytes(read->data.size());
@@ -129,8 +129,8 @@ DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& text
     return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
 }
 
-void DeviceScene::readAhead(int index) {
-    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
+void DeviceScene::readAhead(scene::TextureIndex index) {
+    const scene::Texture& texture = scene_.textures[index];
     const std::string key = reuseKey(scene_, texture);
     if (key.empty() || (shared_ && shared_->textures.contains(key))) return;
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
@@ -138,27 +138,25 @@ void DeviceScene::readAhead(int index) {
         return;
     }
     const auto& picture = std::get<scene::PictureSource>(texture.source);
-    const bool areThere = std::none_of(picture.files.begin(), picture.files.end(), [this](int file) {
-        return hasError(scene_.files[static_cast<std::size_t>(file)].remarks);
-    });
+    const bool areThere =
+        std::none_of(picture.files.begin(), picture.files.end(),
+                     [this](scene::FileIndex file) { return hasError(scene_.files[file].remarks); });
     if (areThere && !picturesAhead_.contains(key))
         picturesAhead_.emplace(key, pictureTexels(texture, picture));
 }
 
-Diagnostics DeviceScene::makeTexture(int index) {
-    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
+Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
+    const scene::Texture& texture = scene_.textures[index];
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
     if (picture && sharesTextures_) {
         // Files used twice are read once: statements that name the same files share one texture.
-        std::vector<int> key = picture->files;
-        key.push_back(static_cast<int>(texture.target));
-        const auto [first, isNew] = pictures_.try_emplace(std::move(key), index);
+        const auto [first, isNew] = pictures_.try_emplace({picture->files, texture.target}, index);
         if (!isNew) {
             sameTexture_[index] = first->second;
             stats_.skip("texture",
                         fmt::format("unit {}: shares the texture that line {} makes from the same file",
                                     plan::slotText(texture.unit, texture.target),
-                                    scene_.textures[static_cast<std::size_t>(first->second)].place.line),
+                                    scene_.textures[first->second].place.line),
                         texture.place);
             return {};
         }
@@ -224,8 +222,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
 
     const auto& picture = std::get<scene::PictureSource>(texture.source);
     Diagnostics diagnostics;
-    for (const int each : picture.files)
-        append(diagnostics, scene_.files[static_cast<std::size_t>(each)].remarks);
+    for (const scene::FileIndex each : picture.files) append(diagnostics, scene_.files[each].remarks);
     if (hasError(diagnostics)) return diagnostics;
     auto ahead = picturesAhead_.extract(key);
     PictureTexels block = ahead ? std::move(ahead.mapped()) : pictureTexels(texture, picture);
@@ -240,7 +237,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
     return made;
 }
 
-const gpu::Texture* DeviceScene::texture(int texture) const {
+const gpu::Texture* DeviceScene::texture(scene::TextureIndex texture) const {
     const auto same = sameTexture_.find(texture);
     const auto found = textures_.find(same == sameTexture_.end() ? texture : same->second);
     return found == textures_.end() ? nullptr : found->second.get();
@@ -270,7 +267,7 @@ Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
     for (const auto& [key, known] : targets_)
         if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
     std::vector<const gpu::Texture*> textures;
-    for (const int each : pass.targets) textures.push_back(texture(each));
+    for (const scene::TextureIndex each : pass.targets) textures.push_back(texture(each));
     gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
     Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
     if (!made) {

@@ -71,7 +71,7 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene,
 
 void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;
-    std::set<int> reported;
+    std::set<plan::PlannedProgramIndex> reported;
     for (const plan::PlannedPass& pass : plan_.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
@@ -158,24 +158,23 @@ glm::dvec4 FrameDrawer::clearColor(const glm::dvec4& color, bool isWindow) const
     return {(*chosen)[0], (*chosen)[1], (*chosen)[2], (*chosen)[3]};
 }
 
-void FrameDrawer::forgetLiterals(int program) {
-    ProgramState& state = states_[static_cast<std::size_t>(program)];
+void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
+    ProgramState& state = states_[program];
     state.literalsSet = false;
     state.blocks.clear();
 }
 
-void FrameDrawer::setLiterals(int program, const BuiltProgram& built) {
-    ProgramState& state = states_[static_cast<std::size_t>(program)];
+void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built) {
+    ProgramState& state = states_[program];
     if (state.literalsSet) return;
     state.literalsSet = true;
     std::vector<std::vector<std::byte>> blocks;
     for (const base::UniformBlock& each : built.interface.blocks)
         blocks.emplace_back(static_cast<std::size_t>(each.bytes));
-    for (const plan::UniformBinding& binding : plan_.programs[static_cast<std::size_t>(program)].values) {
+    for (const plan::UniformBinding& binding : plan_.programs[program].values) {
         const auto* literal = std::get_if<plan::Literal>(&binding.value);
         if (!literal) continue;
-        const base::ActiveUniform& uniform =
-            built.interface.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
         if (uniform.block >= 0)
             gpu::writeBlockMember(blocks[static_cast<std::size_t>(uniform.block)], uniform, literal->values,
                                   binding.firstElement);
@@ -209,12 +208,10 @@ void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts)
 
 void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
                               const DrawFacts& facts, bool isWindow) {
-    for (const plan::UniformBinding& binding :
-         plan_.programs[static_cast<std::size_t>(planned.program)].values) {
+    for (const plan::UniformBinding& binding : plan_.programs[planned.program].values) {
         const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
         if (!supplied) continue;
-        const base::ActiveUniform& uniform =
-            built.interface.uniforms[static_cast<std::size_t>(binding.uniform)];
+        const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
         gpu::setUniform(*built.program, uniform,
                         suppliedValue(supplied->value, facts, uniform.arraySize).span());
     }
@@ -256,7 +253,7 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
 
 void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built) {
     for (const plan::TextureUse& use : planned.textures) {
-        const gpu::Texture* texture = use.texture == scene::kNone ? nullptr : device_.texture(use.texture);
+        const gpu::Texture* texture = use.texture ? device_.texture(use.texture) : nullptr;
         if (!texture) texture = &device_.emptyTexture(use.target);
         if (use.isImage) {
             glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0,
@@ -266,8 +263,7 @@ void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProg
             device_.sampler(use.clamp).bind(use.driverUnit);
         }
         const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
-        gpu::setUniform(*built.program, built.interface.uniforms[static_cast<std::size_t>(use.uniform)], unit,
-                        use.element);
+        gpu::setUniform(*built.program, at(built.interface.uniforms, use.uniform), unit, use.element);
     }
 }
 
@@ -316,8 +312,7 @@ bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgr
 }
 
 const BuiltProgram* FrameDrawer::ownProgramOf(const plan::PlannedDraw& planned) const {
-    const BuiltProgram* own =
-        programs_.find(plan_.programs[static_cast<std::size_t>(planned.program)].variant);
+    const BuiltProgram* own = programs_.find(plan_.programs[planned.program].variant);
     return own != nullptr && own->program ? own : nullptr;
 }
 
@@ -364,7 +359,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
         facts.color = kMagenta;
         setBuiltins(built, facts);
     }
-    const std::vector<gpu::Buffer>& blocks = states_[static_cast<std::size_t>(planned.program)].blocks;
+    const std::vector<gpu::Buffer>& blocks = states_[planned.program].blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i)
         blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
     setConstantInputs(planned, built, facts.color);

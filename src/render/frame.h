@@ -66,7 +66,7 @@ class FrameDrawer {
     /// begin with their implicit clears.
     void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
     /// Call it after the plan's literals of this program (index into FramePlan::programs) have changed.
-    void forgetLiterals(int program);
+    void forgetLiterals(plan::PlannedProgramIndex program);
 
     /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
     void submit(const plan::PlannedDraw& planned) const;
@@ -89,7 +89,7 @@ class FrameDrawer {
     void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
-    void setLiterals(int program, const BuiltProgram& built);
+    void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
     [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                    const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect) const;
@@ -108,7 +108,7 @@ class FrameDrawer {
     const ProgramLibrary& programs_;
     DeviceScene& device_;
     Stats& stats_;
-    std::vector<ProgramState> states_;
+    scene::List<ProgramState, plan::PlannedProgram> states_;
     const Frame* frame_ = nullptr;  ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;

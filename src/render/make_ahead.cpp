@@ -76,15 +76,15 @@ void SceneRenderer::State::makeAhead() {
     const auto texturesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
         const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
         const glsl::TranslatedProgram* translated = programs.translated(variant);
-        std::vector<int> textures;
+        std::vector<scene::TextureIndex> textures;
         if (!translated || hasError(translated->diagnostics)) return textures;
         device.bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
-        if (variant.program == scene::kNone) return textures;
+        if (!variant.program) return textures;
         const plan::ProgramInterface guess = samplersIn(*translated);
         std::vector<bool> used;
-        const auto samplers = plan::resolveUniforms(scene.programs[static_cast<std::size_t>(variant.program)],
-                                                    scene.path, guess, *overrides, used)
-                                  .samplers;
+        const auto samplers =
+            plan::resolveUniforms(scene.programs[variant.program], scene.path, guess, *overrides, used)
+                .samplers;
         const gpu::Capabilities& driver = context.capabilities();
         const auto units = plan::assignUnits(guess, samplers, driver.combinedTextureUnits, 0);
         if (!units) return textures;
@@ -92,15 +92,15 @@ void SceneRenderer::State::makeAhead() {
             textures.push_back(use.texture);
         return textures;
     };
-    const plan::Needs needs =
-        plan::findNeeds(scene,
-                        {texturesOf, [this](int program) { return programs.mayWriteImages(program); },
-                         [this](const scene::Draw& draw, const scene::Pass& pass) {
-                             return outOfSight(draw, pass, nullptr);
-                         }},
-                        false);
-    for (std::size_t i = 0; i < needs.textures.size(); ++i)
-        if (needs.textures[i]) device.readAhead(static_cast<int>(i));
+    const plan::Needs needs = plan::findNeeds(
+        scene,
+        {texturesOf, [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
+         [this](const scene::Draw& draw, const scene::Pass& pass) {
+             return outOfSight(draw, pass, nullptr);
+         }},
+        false);
+    for (const scene::TextureIndex each : scene.textures.indices())
+        if (needs.textures[each]) device.readAhead(each);
 }
 
 }  // namespace glibra::render

@@ -41,8 +41,8 @@ struct Searched {
 struct Found {
     const plan::PlannedDraw* draw = nullptr;
     std::size_t pixels = 0;
-    std::size_t x = 0, y = 0;    ///< of the first one, from the top left
-    int texture = scene::kNone;  ///< that was drawn into; kNone: the window
+    std::size_t x = 0, y = 0;       ///< of the first one, from the top left
+    scene::TextureIndex texture{};  ///< that was drawn into; none: the window
 };
 
 class Search {
@@ -74,7 +74,7 @@ class Search {
                                                 steps.begin(), steps.end(), [](const auto& step) {
                                                     return std::holds_alternative<plan::PlannedDraw>(step);
                                                 }));
-            const std::vector<int>& textures = plan.passes[pass].pass->targets;
+            const std::vector<scene::TextureIndex>& textures = plan.passes[pass].pass->targets;
             if (first < end && textures.empty()) all.push_back({pass, 0, first, end});
             for (std::size_t i = 0; first < end && i < textures.size(); ++i)
                 if (isFloat(textures[i])) all.push_back({pass, static_cast<int>(i), first, end});
@@ -83,9 +83,8 @@ class Search {
         return all;
     }
 
-    [[nodiscard]] bool isFloat(int texture) const {
-        const auto* made = std::get_if<scene::EmptySource>(
-            &renderer_.scene().textures[static_cast<std::size_t>(texture)].source);
+    [[nodiscard]] bool isFloat(scene::TextureIndex texture) const {
+        const auto* made = std::get_if<scene::EmptySource>(&renderer_.scene().textures[texture].source);
         return made != nullptr && made->format != scene::TexelFormat::rgba8;
     }
 
@@ -116,17 +115,16 @@ class Search {
             halve(where, middle, between, high, after);
             return;
         }
-        const std::vector<int>& textures = renderer_.plan().passes[where.pass].pass->targets;
+        const std::vector<scene::TextureIndex>& textures = renderer_.plan().passes[where.pass].pass->targets;
         added.draw = draws_[low];
         if (!textures.empty()) added.texture = textures[static_cast<std::size_t>(where.color)];
         found_.push_back(added);
     }
 
     [[nodiscard]] int widthOf(const Searched& where) const {
-        const std::vector<int>& textures = renderer_.plan().passes[where.pass].pass->targets;
+        const std::vector<scene::TextureIndex>& textures = renderer_.plan().passes[where.pass].pass->targets;
         if (textures.empty()) return renderer_.width();
-        const scene::Texture& texture =
-            renderer_.scene().textures[static_cast<std::size_t>(textures.front())];
+        const scene::Texture& texture = renderer_.scene().textures[textures.front()];
         return std::get<scene::EmptySource>(texture.source).width;
     }
 
@@ -137,12 +135,11 @@ class Search {
 };
 
 /// "Sphere draws NaN or infinity into 12 pixels of texture unit 6, the first at 3, 4".
-std::string describe(const Found& found, const scene::Scene& scene, const std::map<int, int>& lines) {
+std::string describe(const Found& found, const scene::Scene& scene,
+                     const std::map<scene::TextureIndex, int>& lines) {
     std::string text = fmt::format("{} leaves NaN or infinity in {} pixel{}", found.draw->draw->word,
                                    found.pixels, found.pixels == 1 ? "" : "s");
-    if (found.texture != scene::kNone)
-        text += fmt::format(" of the texture of unit {}",
-                            scene.textures[static_cast<std::size_t>(found.texture)].unit);
+    if (found.texture) text += fmt::format(" of the texture of unit {}", scene.textures[found.texture].unit);
     text += fmt::format(", the first at {}, {}", found.x, found.y);
     for (const plan::TextureUse& use : found.draw->textures)
         if (const auto line = lines.find(use.texture); line != lines.end())
@@ -179,11 +176,11 @@ Result<NanSearch> NanSearch::load(gpu::Context& context, const std::filesystem::
 Diagnostics NanSearch::at(double time) {
     const std::vector<Found> found = Search(renderer_, time).run();
     Diagnostics diagnostics;
-    std::map<int, int> lines;  // texture -> scene line of the first draw that broke it
+    std::map<scene::TextureIndex, int> lines;  // texture -> scene line of the first draw that broke it
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Place& place = found[i].draw->draw->place;
         const std::string text = describe(found[i], renderer_.scene(), lines);
-        if (found[i].texture != scene::kNone) lines.emplace(found[i].texture, place.line);
+        if (found[i].texture) lines.emplace(found[i].texture, place.line);
         diagnostics.push_back(warning("draw-W06", countingRest(text, i, found.size()), place));
         if (i + 1 == kMostNamed) break;
     }

@@ -134,8 +134,7 @@ std::optional<std::vector<budget::Patch>> PatchProbe::State::capture(
     copyUniforms(*built, *program, reflected);
     for (const base::ActiveUniform& each : reflected.uniforms)
         for (const budget::LevelValue& value : values)
-            if (built->interface.uniforms[static_cast<std::size_t>(value.uniform)].emittedName ==
-                each.emittedName)
+            if (at(built->interface.uniforms, value.uniform).emittedName == each.emittedName)
                 gpu::setUniform(*program, each, std::array{value.value});
     program->use();
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);

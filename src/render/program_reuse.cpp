@@ -44,9 +44,8 @@ bool ProgramLibrary::borrow(const plan::ProgramVariant& variant, BuiltProgram& b
     static_cast<base::ActiveResources&>(built.interface) = std::move(earlier->resources);
     built.remarks = std::move(earlier->remarks);
     stats_.add("programs kept", 1);
-    const bool isBuiltin = variant.program == scene::kNone;
-    const scene::Program* program =
-        isBuiltin ? nullptr : &scene_.programs[static_cast<std::size_t>(variant.program)];
+    const bool isBuiltin = !variant.program;
+    const scene::Program* program = isBuiltin ? nullptr : &scene_.programs[variant.program];
     stats_.skip("program", fmt::format("'{}': already linked", isBuiltin ? "built-in" : program->name),
                 isBuiltin ? Place{scene_.path, 1, 1} : program->place);
     return true;
@@ -122,10 +121,9 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.source + '\0';
     // A value that was set stays in the program. A uniform that loses its tag must get its initial value
     // back.
-    if (variant.program != scene::kNone) {
+    if (variant.program) {
         std::vector<std::string> tags;
-        for (const glib::UniformSpec& each :
-             scene_.programs[static_cast<std::size_t>(variant.program)].uniforms)
+        for (const glib::UniformSpec& each : scene_.programs[variant.program].uniforms)
             tags.push_back(
                 fmt::format("{} {} {}", each.tag, static_cast<int>(each.form), each.values.size()));
         for (const std::string& each : options_.set)
@@ -139,9 +137,10 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
 }
 
 std::pair<int, std::string> ProgramLibrary::identityOf(const plan::ProgramVariant& variant) const {
-    if (variant.program == scene::kNone) return {};
-    const std::string& name = scene_.programs[static_cast<std::size_t>(variant.program)].name;
-    const auto before = std::count_if(scene_.programs.begin(), scene_.programs.begin() + variant.program,
+    if (!variant.program) return {};
+    const std::string& name = scene_.programs[variant.program].name;
+    const auto end = scene_.programs.begin() + static_cast<std::ptrdiff_t>(variant.program.position());
+    const auto before = std::count_if(scene_.programs.begin(), end,
                                       [&](const scene::Program& each) { return each.name == name; });
     return {static_cast<int>(before), name};
 }
@@ -156,9 +155,8 @@ BuiltProgram* ProgramLibrary::earlierByKey(const std::string& key) {
 BuiltProgram* ProgramLibrary::lastGoodOf(const plan::ProgramVariant& variant) {
     if (!previous_) return nullptr;
     for (const auto& [known, built] : previous_->programs_)
-        if (built->program && (known.program == scene::kNone) == (variant.program == scene::kNone) &&
-            known.flatColors == variant.flatColors && known.colorTargets == variant.colorTargets &&
-            previous_->identityOf(known) == identityOf(variant))
+        if (built->program && !known.program == !variant.program && known.flatColors == variant.flatColors &&
+            known.colorTargets == variant.colorTargets && previous_->identityOf(known) == identityOf(variant))
             return built.get();
     return nullptr;
 }

@@ -69,11 +69,11 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
                                const RenderOptions& options, bool tiled, Stats& stats, SharedParts* shared)
     : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats), shared_(shared) {}
 
-const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
+const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex file) {
     const auto [entry, isNew] = sources_.try_emplace(file);
     SourceFile& source = entry->second;
     if (!isNew) return source;
-    const scene::FileReference& reference = scene_.files[static_cast<std::size_t>(file)];
+    const scene::FileReference& reference = scene_.files[file];
     source.diagnostics = reference.remarks;
     source.path = reference.path.string();
     if (reference.path.empty()) return source;
@@ -84,10 +84,11 @@ const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(int file) {
     return source;
 }
 
-std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(int program, std::string_view tag) const {
+std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(scene::ProgramIndex program,
+                                                            std::string_view tag) const {
     std::vector<glsl::SamplerKind> kinds;
     int unit = 0;
-    for (const glib::UniformSpec& each : scene_.programs[static_cast<std::size_t>(program)].uniforms)
+    for (const glib::UniformSpec& each : scene_.programs[program].uniforms)
         if (each.tag == tag && !each.values.empty()) unit = static_cast<int>(each.values.front());
     for (const scene::Texture& each : scene_.textures) {
         if (each.unit != unit) continue;
@@ -103,13 +104,13 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.flatColors = variant.flatColors;
     request.colorTargets = variant.colorTargets;
     request.tiled = tiled_;
-    if (variant.program == scene::kNone) {
+    if (!variant.program) {
         request.name = "built-in";
         request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
                           {glsl::Stage::fragment, "flat.frag", std::string(builtin_shaders::flat_frag())}};
         return request;
     }
-    const scene::Program& program = scene_.programs[static_cast<std::size_t>(variant.program)];
+    const scene::Program& program = scene_.programs[variant.program];
     request.name = program.name;
     request.place = program.place;
     request.shim = options_.shim;
@@ -140,9 +141,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
 
 bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
                              BuiltProgram& built, Diagnostics& diagnostics) {
-    const Place programPlace = variant.program == scene::kNone
-                                   ? Place{}
-                                   : scene_.programs[static_cast<std::size_t>(variant.program)].place;
+    const Place programPlace = variant.program ? scene_.programs[variant.program].place : Place{};
     const StageTimer timer(stats_, "compile");
     std::vector<gpu::StageSource> stages;
     for (const glsl::TranslatedStage& each : translated.stages)
@@ -190,7 +189,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         }
         append(diagnostics, built.remarks);
     }
-    const bool isBuiltin = variant.program == scene::kNone;
+    const bool isBuiltin = !variant.program;
     if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
         built.program = std::exchange(earlier->program, std::nullopt);
         built.interface = std::move(earlier->interface);
@@ -221,8 +220,8 @@ const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) co
     return nullptr;
 }
 
-bool ProgramLibrary::mayWriteImages(int program) {
-    for (const scene::StageFile& stage : scene_.programs[static_cast<std::size_t>(program)].stages) {
+bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
+    for (const scene::StageFile& stage : scene_.programs[program].stages) {
         const SourceFile& source = sourceFile(stage.file);
         if (source.text && source.text->find("image") != std::string::npos &&
             (source.text->find("imageStore") != std::string::npos ||

@@ -68,7 +68,7 @@ class ProgramLibrary {
     /// The program that interfaceOf has made; null before its first call for the variant.
     [[nodiscard]] const BuiltProgram* find(const plan::ProgramVariant& variant) const;
     /// True if any source of the program names an image function.
-    bool mayWriteImages(int program);
+    bool mayWriteImages(scene::ProgramIndex program);
 
   private:
     /// A shader file as read, or the diagnostics that prevented it.
@@ -82,12 +82,13 @@ class ProgramLibrary {
         std::shared_ptr<const glsl::TranslatedProgram> program;
         Diagnostics diagnostics;
     };
-    const SourceFile& sourceFile(int file);
+    const SourceFile& sourceFile(scene::FileIndex file);
     const Translation& translationOf(const plan::ProgramVariant& variant);
     std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
     bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);
-    [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(int program, std::string_view tag) const;
+    [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
+                                                              std::string_view tag) const;
     void build(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] std::string keyOf(const plan::ProgramVariant& variant,
                                     const glsl::TranslatedProgram& translated) const;
@@ -105,7 +106,7 @@ class ProgramLibrary {
     Stats& stats_;
     SharedParts* shared_;
     ProgramLibrary* previous_ = nullptr;
-    std::map<int, SourceFile> sources_;
+    std::map<scene::FileIndex, SourceFile> sources_;
     std::set<std::filesystem::path> included_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;

@@ -9,9 +9,9 @@
 namespace glibra::render {
 namespace {
 
-std::string stampOf(const scene::Scene& scene, int file) {
-    if (file == scene::kNone) return "-";
-    const std::filesystem::path& path = scene.files[static_cast<std::size_t>(file)].path;
+std::string stampOf(const scene::Scene& scene, scene::FileIndex file) {
+    if (!file) return "-";
+    const std::filesystem::path& path = scene.files[file].path;
     std::error_code failure;
     const auto size = std::filesystem::file_size(path, failure);
     const auto changed = std::filesystem::last_write_time(path, failure).time_since_epoch().count();
@@ -30,7 +30,7 @@ std::string reuseKey(const scene::Scene& scene, const scene::Shape& shape) {
 std::string reuseKey(const scene::Scene& scene, const scene::Texture& texture) {
     std::string key = fmt::format("{}", static_cast<int>(texture.target));
     if (const auto* picture = std::get_if<scene::PictureSource>(&texture.source)) {
-        for (const int each : picture->files) key += stampOf(scene, each);
+        for (const scene::FileIndex each : picture->files) key += stampOf(scene, each);
         return key;
     }
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source))

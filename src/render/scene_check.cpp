@@ -45,14 +45,14 @@ std::string portable(std::string_view source) {
 
 std::vector<TranslatedShader> translatedShaders(const scene::Scene& scene, const plan::FramePlan& plan) {
     std::vector<TranslatedShader> shaders;
-    for (std::size_t i = 0; i < plan.programs.size(); ++i) {
-        const int program = plan.programs[i].variant.program;
-        std::string name =
-            program == scene::kNone ? "built-in" : scene.programs[static_cast<std::size_t>(program)].name;
+    for (const plan::PlannedProgramIndex i : plan.programs.indices()) {
+        const scene::ProgramIndex program = plan.programs[i].variant.program;
+        std::string name = program ? scene.programs[program].name : "built-in";
         for (char& c : name)
             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
         for (const glsl::TranslatedStage& each : plan.programs[i].interface->facts.stages)
-            shaders.push_back({fmt::format("{}-{}.{}", i, name, suffix(each.stage)), portable(each.source)});
+            shaders.push_back(
+                {fmt::format("{}-{}.{}", i.position(), name, suffix(each.stage)), portable(each.source)});
     }
     return shaders;
 }

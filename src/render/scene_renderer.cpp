@@ -65,14 +65,12 @@ std::optional<Moment> SceneRenderer::momentOf(double time) const {
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
             if (!draw) continue;
-            const plan::PlannedProgram& program =
-                state_->plan.programs[static_cast<std::size_t>(draw->program)];
+            const plan::PlannedProgram& program = state_->plan.programs[draw->program];
             for (const plan::UniformBinding& each : program.values) {
                 const auto* supplied = std::get_if<plan::Supplied>(&each.value);
                 if (!supplied || supplied->value != glsl::Builtin::timer) continue;
                 const bool isFloat =
-                    program.interface->uniforms[static_cast<std::size_t>(each.uniform)].type.base ==
-                    plan::BaseType::floating;
+                    at(program.interface->uniforms, each.uniform).type.base == plan::BaseType::floating;
                 const double timer = timerAt(time, draw->draw->timerPeriod);
                 timers[draw->draw->timerPeriod] =
                     isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;

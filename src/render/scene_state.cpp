@@ -22,7 +22,7 @@ plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOpt
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
             return programs.interfaceOf(variant);
         },
-        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
 }
 
 /// Chooses counts for what a first plan needs. The scene is then planned again with the chosen shapes.
@@ -51,7 +51,7 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
                         .patches = [&](std::size_t pass, std::size_t step,
                                        auto values) { return probe.patches(pass, step, values); }});
     if (options.samples == 0) options.samples = choice.samples;
-    for (const int shape : budget::apply(choice, scene)) device.forgetMesh(shape);
+    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) device.forgetMesh(shape);
     planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
     stats.decisions = std::move(choice.decisions);
     return std::move(choice.diagnostics);
@@ -85,13 +85,13 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
 
 std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
                                              Diagnostics* remarks) {
-    const geometry::Topology topology = scene::topologyOf(scene.shapes[static_cast<std::size_t>(draw.shape)]);
+    const geometry::Topology topology = scene::topologyOf(scene.shapes[draw.shape]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
     if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
     Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
     if (!pass.targets.empty()) {
-        const scene::Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+        const scene::Texture& target = scene.textures[pass.targets.front()];
         const auto* size = std::get_if<scene::EmptySource>(&target.source);
         if (!size) return {};
         screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, options.tileSize > 0};
@@ -105,21 +105,23 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
 bool SceneRenderer::State::mayShowEarlierFrames() {
     const bool writesImages =
         std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
-            return each.variant.program != scene::kNone && programs.mayWriteImages(each.variant.program);
+            return each.variant.program && programs.mayWriteImages(each.variant.program);
         });
     if (writesImages) return true;
-    std::set<int> targets;
+    std::set<scene::TextureIndex> targets;
     for (const plan::PlannedPass& pass : plan.passes)
         targets.insert(pass.pass->targets.begin(), pass.pass->targets.end());
-    std::set<int> fresh;        // targets whose content is of this frame
-    std::set<int> freshDepths;  // depth buffers likewise
+    std::set<scene::TextureIndex> fresh;  // targets whose content is of this frame
+    std::set<int> freshDepths;            // depth buffers likewise
     for (const plan::PlannedPass& pass : plan.passes) {
         const auto& steps = pass.steps;
         const bool isCleared = !steps.empty() && std::holds_alternative<const scene::Clear*>(steps.front());
         for (std::size_t i = 0; i < pass.pass->targets.size(); ++i)
             if (isCleared || pass.pass->clearColors[i]) fresh.insert(pass.pass->targets[i]);
         if (isCleared || pass.pass->clearDepth) freshDepths.insert(pass.pass->depthBuffer);
-        const auto isOld = [&](int texture) { return targets.contains(texture) && !fresh.contains(texture); };
+        const auto isOld = [&](scene::TextureIndex texture) {
+            return targets.contains(texture) && !fresh.contains(texture);
+        };
         if (std::any_of(pass.pass->targets.begin(), pass.pass->targets.end(), isOld) ||
             (!pass.pass->targets.empty() && !freshDepths.contains(pass.pass->depthBuffer)))
             return true;
@@ -137,7 +139,7 @@ Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
         const StageTimer timer(stats, "view");
         const scene::ViewMove move = scene::autoView(
-            scene, [&](int shape) { return device.mesh(shape, false, &diagnostics); },
+            scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); },
             static_cast<double>(width) / height);
         eyeDistance = move.distance;
         append(diagnostics, move.diagnostics);

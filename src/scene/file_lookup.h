@@ -1,7 +1,7 @@
 #pragma once
-// Where the files are that a scene names (language, 8.6). Only ordinary files are ever found: folders, pipes
-// and devices count as absent, and nothing is opened. Nothing here throws; what cannot be looked at is not
-// there.
+// Finds the files that a scene names (language, 8.6). Only ordinary files are found: folders, pipes and
+// devices count as missing, and so does a file in a folder that cannot be read. No file is opened, and no
+// function throws.
 
 #include <filesystem>
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace glibra::scene {
 
-/// Names in folders, listed once each and then kept. Pass one along with every look-up of a scene.
+/// A cache of folder listings. Use one for all look-ups of a scene.
 class FolderListings {
   public:
     /// The names in the folder ("" is the current one) in byte order, kLargestFolder at most; none if it
@@ -27,7 +27,7 @@ class FolderListings {
     std::map<std::string, std::vector<std::string>> names_;
 };
 
-/// The folders that names are relative to, in the order in which they are tried.
+/// The folders that names are relative to, in the order of the search.
 struct SearchFolders {
     std::vector<std::filesystem::path> beside;  ///< of the including file (if any), then of the scene
     std::vector<std::filesystem::path>
@@ -46,11 +46,11 @@ SearchFolders searchFolders(const std::filesystem::path& scenePath, const Interp
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 
-/// What #include finds: the same, but first beside the including file.
+/// Looks up a file for #include: like findFile, but first beside the including file.
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
                           const InterpretOptions& options = {});
 
-/// True if it is an ordinary file, links followed.
+/// True if the path leads to an ordinary file. Links are followed.
 bool isOrdinaryFile(const std::filesystem::path& path);
 
 }  // namespace glibra::scene

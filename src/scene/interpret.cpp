@@ -63,10 +63,10 @@ std::string textOf(const glib::Command& command) {
     return text;
 }
 
-int fileOf(Interpreter& in, const std::string& name, const Place& place) {
-    const auto [entry, isNew] = in.files.try_emplace(name, static_cast<int>(in.scene.files.size()));
-    if (isNew) in.scene.files.push_back(findFile(name, place, in.folders, in.listings));
-    return entry->second;
+FileIndex fileOf(Interpreter& in, const std::string& name, const Place& place) {
+    FileIndex& index = in.files[name];
+    if (!index) index = in.scene.files.add(findFile(name, place, in.folders, in.listings));
+    return index;
 }
 
 Scene interpret(const glib::Script& script, const InterpretOptions& options) {

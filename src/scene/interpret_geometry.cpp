@@ -13,24 +13,20 @@ namespace glibra::scene {
 namespace {
 
 /// Returns the index of the current slot table. Draws share it until a texture statement changes the slots.
-int currentSlots(Interpreter& in) {
-    if (in.slotTable == kNone) {
-        in.slotTable = static_cast<int>(in.scene.slotTables.size());
-        in.scene.slotTables.push_back(in.state.slots);
-    }
+SlotTableIndex currentSlots(Interpreter& in) {
+    if (!in.slotTable) in.slotTable = in.scene.slotTables.add(in.state.slots);
     return in.slotTable;
 }
 
-int shareShape(Interpreter& in, Shape shape) {
+ShapeIndex shareShape(Interpreter& in, Shape shape) {
     std::string file;
-    if (shape.file != kNone) {
-        const FileReference& reference = in.scene.files[static_cast<std::size_t>(shape.file)];
+    if (shape.file) {
+        const FileReference& reference = in.scene.files[shape.file];
         file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
     }
-    const auto [entry, isNew] = in.shapes.try_emplace({shape.command, shape.numbers, std::move(file)},
-                                                      static_cast<int>(in.scene.shapes.size()));
-    if (isNew) in.scene.shapes.push_back(std::move(shape));
-    return entry->second;
+    ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
+    if (!index) index = in.scene.shapes.add(std::move(shape));
+    return index;
 }
 
 std::string_view primitiveWord(geometry::Topology topology) {
@@ -82,16 +78,16 @@ bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
 
 }  // namespace
 
-int shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh mesh) {
+ShapeIndex shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh mesh) {
     const std::uint64_t hash = hashOf(mesh);
     const auto [first, last] = in.listShapes.equal_range(hash);
     for (auto each = first; each != last; ++each) {
-        const Shape& shape = in.scene.shapes[static_cast<std::size_t>(each->second)];
+        const Shape& shape = in.scene.shapes[each->second];
         if (shape.command == command && isSameMesh(*shape.list, mesh)) return each->second;
     }
-    const int index = static_cast<int>(in.scene.shapes.size());
+    const ShapeIndex index =
+        in.scene.shapes.add({command, {}, {}, std::make_shared<const geometry::Mesh>(std::move(mesh))});
     in.listShapes.emplace(hash, index);
-    in.scene.shapes.push_back({command, {}, kNone, std::make_shared<const geometry::Mesh>(std::move(mesh))});
     return index;
 }
 
@@ -129,11 +125,9 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     made.timerPeriod = state.timerPeriod;
     made.givenNumbers = command.givenNumbers;
     if (in.scene.verbose) {
-        const std::string program =
-            state.program == kNone
-                ? "built-in program"
-                : fmt::format("program '{}'",
-                              in.scene.programs[static_cast<std::size_t>(state.program)].name);
+        const std::string program = state.program
+                                        ? fmt::format("program '{}'", in.scene.programs[state.program].name)
+                                        : "built-in program";
         in.report(
             diagnose("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
     }
@@ -141,7 +135,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
 }
 
 void doPrimitive(Interpreter& in, const glib::Command& command) {
-    Shape shape{command.id, command.numbers, kNone, nullptr};
+    Shape shape{command.id, command.numbers, {}, nullptr};
     const geometry::Counts counts = countsOf(shape).value_or(geometry::Counts{});
     if (!countVertices(in, command, counts.vertices)) return;
     const std::string size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,

@@ -10,20 +10,19 @@ namespace glibra::scene {
 namespace {
 
 /// The texture that an empty 2D texture command has put on the unit, or none.
-int emptyTextureOn(const Interpreter& in, int unit) {
+TextureIndex emptyTextureOn(const Interpreter& in, int unit) {
     for (const Slot& slot : in.state.slots)
         if (slot.unit == unit && slot.target == TextureTarget::texture2D &&
-            std::holds_alternative<EmptySource>(
-                in.scene.textures[static_cast<std::size_t>(slot.texture)].source))
+            std::holds_alternative<EmptySource>(in.scene.textures[slot.texture].source))
             return slot.texture;
-    return kNone;
+    return {};
 }
 
-const EmptySource& sourceOf(const Interpreter& in, int texture) {
-    return std::get<EmptySource>(in.scene.textures[static_cast<std::size_t>(texture)].source);
+const EmptySource& sourceOf(const Interpreter& in, TextureIndex texture) {
+    return std::get<EmptySource>(in.scene.textures[texture].source);
 }
 
-/// glib-E11 for what is wrong with these units as targets, or the target list.
+/// Returns the target list, or nothing with glib-E11 if these units cannot be targets.
 std::optional<TargetList> targetList(Interpreter& in, const glib::Command& command) {
     TargetList list;
     list.place = in.place(command);
@@ -33,8 +32,8 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
     };
     for (const double number : command.numbers) {
         const int unit = static_cast<int>(number);
-        const int texture = emptyTextureOn(in, unit);
-        if (texture == kNone)
+        const TextureIndex texture = emptyTextureOn(in, unit);
+        if (!texture)
             return refuse(fmt::format(
                 "unit {0} holds no empty 2D texture; write 'Texture2D {0} 1024 1024' first", unit));
         if (std::find(list.units.begin(), list.units.end(), unit) != list.units.end())
@@ -74,12 +73,12 @@ Pass beginPass(Interpreter& in, int depthBuffer) {
         clearOnce(!in.isWindowCleared);
         in.isWindowCleared = true;
     }
-    for (const int texture : target.textures) clearOnce(in.clearedTextures.insert(texture).second);
+    for (const TextureIndex texture : target.textures) clearOnce(in.clearedTextures.insert(texture).second);
     pass.clearDepth = in.clearedDepths.insert(depthBuffer).second;
     return pass;
 }
 
-/// True if the implicit clear of the pass has just done all that Clear would do.
+/// True if the implicit clear of the pass does the same as Clear would do now.
 bool isClearAlready(const Pass& pass, const glm::dvec4& color) {
     return pass.steps.empty() && pass.clearDepth &&
            std::all_of(pass.clearColors.begin(), pass.clearColors.end(),

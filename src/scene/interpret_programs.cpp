@@ -1,4 +1,4 @@
-// Shader files, programs, and what else is said once (language, 3.5 and 3.6).
+// Shader files, programs, and the other commands (language, 3.5 and 3.6).
 
 #include <fmt/format.h>
 
@@ -40,8 +40,7 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     program.geometryOutput = in.state.geometryOutput;
     program.geometryVerticesOut = in.state.geometryVerticesOut;
     program.uniforms = command.uniforms;
-    in.state.program = static_cast<int>(in.scene.programs.size());
-    in.scene.programs.push_back(std::move(program));
+    in.state.program = in.scene.programs.add(std::move(program));
 }
 
 void doGeometryInput(Interpreter& in, const glib::Command& command) {

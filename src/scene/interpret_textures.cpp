@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::uint64_t kAllTextures = std::uint64_t{4} << 30U;  // bytes
 
-/// Index of the noise textures, which are made first.
-constexpr int kNoise2Texture = 0;
-constexpr int kNoise3Texture = 1;
+/// The noise textures, which are made first.
+constexpr TextureIndex kNoise2Texture{0};
+constexpr TextureIndex kNoise3Texture{1};
 
-/// TexelFormat in the order of glib's table of formats.
+/// The formats in the order of glib's table.
 constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f,
                               TexelFormat::r32f};
 
@@ -40,10 +40,9 @@ TextureTarget targetOfDimensions(std::size_t dimensions) {
 
 /// Puts the texture into its slot; slots stay sorted by unit and target.
 void store(Interpreter& in, const glib::Command& command, Texture texture) {
-    const int index = static_cast<int>(in.scene.textures.size());
-    const Slot slot{texture.unit, texture.target, index};
-    in.scene.textures.push_back(std::move(texture));
-    in.slotTable = kNone;
+    Slot slot{texture.unit, texture.target, {}};
+    slot.texture = in.scene.textures.add(std::move(texture));
+    in.slotTable = {};
     const auto order = [](const Slot& a, const Slot& b) {
         return std::pair(a.unit, a.target) < std::pair(b.unit, b.target);
     };
@@ -55,10 +54,10 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
     if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
         in.reportWarning(command, "glib-W36",
                          fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
-    at->texture = index;
+    at->texture = slot.texture;
 }
 
-/// An empty texture of the sizes given, unless all such textures together become too large: glib-E15.
+/// Returns an empty texture, or nothing with glib-E15 if all such textures together would be too large.
 std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& command) {
     std::array<int, 3> sizes{1, 1, 1};
     const std::size_t format = formatOf(command.text);
@@ -79,7 +78,7 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
     return EmptySource{sizes[0], sizes[1], sizes[2], kFormats[format]};
 }
 
-/// How many dimensions the command itself says; 0: none.
+/// The number of dimensions in the command's name; 0 if it has none.
 std::size_t dimensionsOf(glib::CommandId id) {
     switch (id) {
         case glib::CommandId::texture1D:
@@ -94,13 +93,13 @@ std::size_t dimensionsOf(glib::CommandId id) {
     return 0;
 }
 
-/// A texture from the file that the command names. A noise file that is not there is the built-in noise.
+/// A texture from the file that the command names. The built-in noise replaces a missing noise file.
 Texture pictureTexture(Interpreter& in, const glib::Command& command) {
     Texture texture;
     const std::size_t wanted = dimensionsOf(command.id);
     const Place place = in.script.place(command.textPosition);
-    const int file = fileOf(in, command.text, place);
-    const std::filesystem::path& path = in.scene.files[static_cast<std::size_t>(file)].path;
+    const FileIndex file = fileOf(in, command.text, place);
+    const std::filesystem::path& path = in.scene.files[file].path;
     const auto noise = path.empty() ? noiseNameOf(command.text) : std::nullopt;
     if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
         texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
@@ -186,19 +185,16 @@ std::span<const CommandAction> textureActions() {
 }
 
 void finishNoise(Interpreter& in) {
-    for (const int index : {kNoise2Texture, kNoise3Texture}) {
-        Texture& texture = in.scene.textures[static_cast<std::size_t>(index)];
+    for (const TextureIndex index : {kNoise2Texture, kNoise3Texture}) {
+        Texture& texture = in.scene.textures[index];
         NoiseSource noise;
         noise.dimensions = index == kNoise2Texture ? 2 : 3;
-        noise.size = in.noiseSizes[index];
-        noise.isSizeGiven = in.areNoiseSizesGiven[index];
+        noise.size = in.noiseSizes[index.position()];
+        noise.isSizeGiven = in.areNoiseSizesGiven[index.position()];
         FileReference file =
             noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
         noise.remarks = std::move(file.remarks);
-        if (!file.path.empty()) {
-            noise.file = static_cast<int>(in.scene.files.size());
-            in.scene.files.push_back(std::move(file));
-        }
+        if (!file.path.empty()) noise.file = in.scene.files.add(std::move(file));
         texture.source = std::move(noise);
     }
 }

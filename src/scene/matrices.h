@@ -1,6 +1,6 @@
 #pragma once
-// The matrices of a scene and what shaders are given of them (language, 6.2). All in double, for column
-// vectors; they are rounded once, when they go to the graphics device.
+// The matrices of a scene and those that shaders get (language, 6.2). All are double and for column vectors;
+// they are rounded once, when they go to the graphics device.
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -15,8 +15,8 @@ double cosineOfDegrees(double degrees);
 
 glm::dmat4 translation(const glm::dvec3& offset);
 glm::dmat4 scaling(const glm::dvec3& factors);
-/// Right-handed rotation about an axis through the origin, of any length; identity for an axis of length
-/// zero.
+/// Right-handed rotation about an axis through the origin. The axis may have any length; for length zero the
+/// result is the identity.
 glm::dmat4 rotation(double degrees, const glm::dvec3& axis);
 
 /// World to eye: eye at the origin, centre on -z, up in the half plane x = 0, y > 0. Nothing if eye and
@@ -24,20 +24,20 @@ glm::dmat4 rotation(double degrees, const glm::dvec3& axis);
 std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3& centre,
                                         const glm::dvec3& up);
 
-/// True if the upper left 3 x 3 (or the whole) has no inverse that means anything: its determinant is at most
-/// 1e-14 of the product of its columns' lengths, or not finite.
+/// True if the matrix has no useful inverse: its determinant is at most 1e-14 of the product of the lengths
+/// of its columns, or not finite.
 bool isSingular(const glm::dmat3& matrix);
 bool isSingular(const glm::dmat4& matrix);
 
-/// The inverse; of a singular matrix the zero matrix. Its elements may be beyond the range of floats.
+/// The inverse, or zero if the matrix is singular. The elements may be beyond the range of floats.
 glm::dmat4 inverseOrZero(const glm::dmat4& matrix);
 
-/// For normals: the inverse transpose of the upper left 3 x 3; of a singular one its cofactor matrix, which
-/// points the same way up to length and sign. Where its elements are too large or all too small for a float
-/// it is divided by the largest: directions are kept.
+/// The matrix for normals: the inverse transpose of the upper left 3 x 3. If that is singular, the result is
+/// its cofactor matrix, which gives the same directions except for sign. If the elements are too large or all
+/// too small for a float, they are divided by the largest, which keeps directions.
 glm::dmat3 normalMatrix(const glm::dmat4& modelView);
 
-/// One matrix with its three relatives.
+/// A matrix with its inverse, its transpose and the inverse of that.
 struct MatrixFamily {
     glm::dmat4 matrix{1.0};
     glm::dmat4 inverse{1.0};

@@ -12,8 +12,8 @@
 
 namespace glibra::scene {
 
-/// Up to three names of ordinary files in these folders, nearest first (by glib::editDistance; of equally
-/// near ones the first folder's, then byte order). Near means: at most a third of the name changed, or two
+/// Returns up to three names of ordinary files in these folders, nearest first by glib::editDistance. Equal
+/// distances are ordered by folder, then by bytes. A name is near if at most a third of it differs, or two
 /// bytes.
 std::vector<std::string> nearestFiles(std::string_view name, std::span<const std::filesystem::path> folders,
                                       FolderListings& listings);

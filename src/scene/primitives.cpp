@@ -127,16 +127,14 @@ std::optional<Counts> countsOf(const Shape& shape) {
     return spec->counts(geo::completeNumbers(*spec, shape.numbers));
 }
 
-Result<Mesh> makeMesh(const Scene& scene, int shape, bool withTangents) {
-    const Shape& wanted = scene.shapes[static_cast<std::size_t>(shape)];
+Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
+    const Shape& wanted = scene.shapes[shape];
     if (wanted.list) return *wanted.list;
-    const Place place = wanted.file == kNone ? Place{scene.path, 1, 1}
-                                             : scene.files[static_cast<std::size_t>(wanted.file)].place;
+    const Place place = wanted.file ? scene.files[wanted.file].place : Place{scene.path, 1, 1};
     try {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
-        if (wanted.file != kNone)
-            return readModel(wanted, scene.files[static_cast<std::size_t>(wanted.file)], withTangents);
+        if (wanted.file) return readModel(wanted, scene.files[wanted.file], withTangents);
         return diagnose("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)),
                         place);
     } catch (const std::exception& problem) {

@@ -33,6 +33,6 @@ std::optional<geometry::Counts> countsOf(const Shape& shape);
 /// shape that draws nothing gives a mesh without vertices. Models are read here, and the messages about their
 /// files (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, with the place of the first
 /// statement that names the file. draw-E05 if there is not enough memory.
-Result<geometry::Mesh> makeMesh(const Scene& scene, int shape, bool withTangents = true);
+Result<geometry::Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents = true);
 
 }  // namespace glibra::scene

@@ -1,7 +1,6 @@
 #pragma once
-// A Script, interpreted: everything a frame needs, as values. No GL, no pixels, no mesh data yet; names of
-// files are resolved, but nothing is read before something visible needs it. Indices refer to the vectors of
-// Scene.
+// An interpreted Script: everything that a frame needs, as values. There is no GL, no pixel and no mesh data
+// here. File names are resolved, but a file is read only when something visible needs it.
 
 #include <glibra/diagnostic.h>
 
@@ -20,15 +19,29 @@
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
+#include "scene/index.h"
 
 namespace glibra::scene {
 
-/// No such thing: "no program", "no texture", "no file".
-inline constexpr int kNone = -1;
+struct FileReference;
+struct Shape;
+struct Texture;
+struct Slot;
+struct Program;
 
-/// A file that a scene names, looked up but not read. `path` is empty if nothing was found; `remarks`
-/// (file-E01, file-W01 ...) belong to whoever needs the file. Statements that name the same file share one
-/// reference, with the place of the first.
+/// What all slots hold at one place of the scene, sorted by unit and target. Draws share these.
+using SlotTable = std::vector<Slot>;
+
+// Indices into the lists of Scene.
+using FileIndex = Index<FileReference>;
+using ShapeIndex = Index<Shape>;
+using TextureIndex = Index<Texture>;
+using SlotTableIndex = Index<SlotTable>;
+using ProgramIndex = Index<Program>;
+
+/// A file that a scene names, looked up but not read. `path` is empty if no file was found. `remarks`
+/// (file-E01, file-W01 ...) are reported when the file is needed. Statements that name the same file share
+/// one reference, with the place of the first statement.
 struct FileReference {
     std::string name;  ///< as written
     std::filesystem::path path;
@@ -44,9 +57,9 @@ struct Shape {
     /// states may follow: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an
     /// Xarrow.
     std::vector<double> numbers;
-    int file = kNone;  ///< index into Scene::files
+    FileIndex file{};
     std::shared_ptr<const geometry::Mesh>
-        list;  ///< the mesh itself where the scene's text gives the vertices
+        list;  ///< the mesh itself, if the text of the scene contains the vertices
 };
 
 using base::TextureTarget;
@@ -54,7 +67,7 @@ enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
 struct PictureSource {
-    std::vector<int> files;  ///< one, or six for a cube map
+    std::vector<FileIndex> files;  ///< one, or six for a cube map
     bool anyDimension =
         false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
 };
@@ -62,17 +75,18 @@ struct EmptySource {
     int width = 1, height = 1, depth = 1;
     TexelFormat format = TexelFormat::rgba8;
 };
-/// What a texel of noise holds of the function: what glman's does, or 16 bits of it.
+/// Precision of noise texels: 8 bits, as in glman, or 16 bits.
 enum class NoiseTexels { bytes, shorts };
 
-/// Noise of that size: the texels of the file if there is one (raw bytes of exactly that size), else built
-/// in. The remarks (file-N01, file-W09, file-W10) belong to whoever needs the texture.
+/// Noise of a given size. If there is a file with raw bytes of exactly that size, the texels come from it;
+/// otherwise the noise is built in. The remarks (file-N01, file-W09, file-W10) are reported when the texture
+/// is needed.
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
     bool isSizeGiven = false;                 ///< the scene states it
     NoiseTexels texels = NoiseTexels::bytes;  ///< of built-in noise
-    int file = kNone;                         ///< index into Scene::files
+    FileIndex file{};
     Diagnostics remarks;
 };
 
@@ -83,7 +97,7 @@ struct Texture {
     int unit = 0;
 };
 
-/// How a texture is read; apart from the texture itself.
+/// How a draw samples its textures.
 struct Sampling {
     bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
 };
@@ -92,20 +106,18 @@ struct Sampling {
 inline constexpr int kNoise2Unit = 2;
 inline constexpr int kNoise3Unit = 3;
 
-/// One filled slot of the (unit, target) table. The noise textures are Scene::textures[0] (2D, unit 2) and
-/// [1] (3D, unit 3).
+/// One filled slot of the (unit, target) table. The first two elements of Scene::textures are the noise
+/// textures: 2D on unit 2, 3D on unit 3.
 struct Slot {
     int unit = 0;
     TextureTarget target = TextureTarget::texture2D;
-    int texture = kNone;
+    TextureIndex texture{};
 };
-/// What all slots hold at one place of the scene, by rising unit and target; draws share these.
-using SlotTable = std::vector<Slot>;
 
-/// Shader files of one stage as they were current at a Program statement.
+/// The shader file of one stage that was current at a Program statement.
 struct StageFile {
     glsl::Stage stage = glsl::Stage::vertex;
-    int file = kNone;
+    FileIndex file{};
 };
 
 struct Program {
@@ -134,7 +146,7 @@ using Projection = std::variant<Perspective, Orthographic>;
 
 enum class BlendMode { none, overOpaque };
 
-/// Everything fixed-function about a draw. A classic scene sets few of these; each draw carries them all.
+/// The fixed-function state of a draw. A classic scene sets little of it, but each draw carries all of it.
 struct RasterState {
     BlendMode blend = BlendMode::overOpaque;
     double lineWidth = 1, pointSize = 1;  ///< pixels
@@ -144,9 +156,9 @@ struct RasterState {
 /// One geometry command with its complete state.
 struct Draw {
     Place place;
-    std::string word;  ///< the command as written, for messages; of a glBegin list its topology
-    int shape = kNone;
-    int program = kNone;
+    std::string word;  ///< the command as written, or the topology of a glBegin list; for messages
+    ShapeIndex shape{};
+    ProgramIndex program{};
     glm::dmat4 modelView{1.0};
     Projection projection;
     glm::dvec4 color{1.0};
@@ -154,14 +166,14 @@ struct Draw {
     int patchVertices = 3;
     bool flatColors = false;
     Sampling sampling;
-    int slots = 0;  ///< index into Scene::slotTables
+    SlotTableIndex slots{};
     double timerPeriod = 10;
     std::size_t givenNumbers =
         0;  ///< how many of the shape's numbers the scene states; the rest are defaults
 };
 
-/// Clears colour (all targets) and depth of the pass. A Clear that only repeats the pass's implicit clear is
-/// left out.
+/// Clears the colour of all targets and the depth of the pass. A Clear that only repeats the implicit clear
+/// of the pass is left out.
 struct Clear {
     Place place;
     glm::dvec4 color{0.0};
@@ -170,10 +182,10 @@ struct Clear {
 /// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors` and
 /// `clearDepth`.
 struct Pass {
-    std::vector<int> targets;  ///< indices into Scene::textures; empty: the window
-    int depthBuffer = 0;       ///< passes with the same number share depth; 0 is the window's
+    std::vector<TextureIndex> targets;  ///< empty: the window
+    int depthBuffer = 0;                ///< passes with the same number share depth; 0 is the window's
     std::vector<std::optional<glm::dvec4>>
-        clearColors;  ///< a target each (window: one); nothing: keep content
+        clearColors;  ///< one per target (the window has one); nothing: the content is kept
     bool clearDepth = false;
     Place place;  ///< of RenderToTexture, for messages
     std::vector<std::variant<Draw, Clear>> steps;
@@ -182,15 +194,15 @@ struct Pass {
 struct Scene {
     std::string path;
     int width = 600, height = 600;
-    std::vector<FileReference> files;
-    std::vector<Shape> shapes;
-    std::vector<Texture> textures;
-    std::vector<SlotTable> slotTables;
-    std::vector<Program> programs;
+    List<FileReference> files;
+    List<Shape> shapes;
+    List<Texture> textures;
+    List<SlotTable> slotTables;
+    List<Program> programs;
     std::vector<Pass> passes;  ///< in order; the last content of the window is the picture
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
-    bool verbose = false;  ///< Verbose: every executed operation is in the diagnostics, as glib-N02
+    bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
     Diagnostics diagnostics;
 };
 

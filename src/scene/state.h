@@ -1,5 +1,5 @@
 #pragma once
-// Inside the room: the state machine of the language, section 2.1, and the handlers of the commands.
+// Private to this room: the state machine (language, 2.1) and the handlers of the commands.
 
 #include <cstdint>
 #include <map>
@@ -29,15 +29,15 @@ struct SavedMatrix {
     Place place;
 };
 
-/// What RenderToTexture chose; no units: the window.
+/// The targets that RenderToTexture selected. Without units it is the window.
 struct TargetList {
     std::vector<int> units;
-    std::vector<int> textures;
+    std::vector<TextureIndex> textures;
     int width = 0, height = 0;
     Place place;
 };
 
-/// What a statement may change for the statements after it.
+/// The state that a statement may change for the statements after it.
 struct State {
     Projection projection = Perspective{};
     glm::dmat4 modelView{1.0};
@@ -49,15 +49,15 @@ struct State {
     bool flatColors = false;
     Sampling sampling;
     SlotTable slots;
-    std::map<glsl::Stage, int> stageFiles;
+    std::map<glsl::Stage, FileIndex> stageFiles;
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
-    int program = kNone;
+    ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
 };
 
-/// A glBegin list that waits for its glEnd.
+/// A glBegin list that has not met its glEnd.
 struct OpenList {
     geometry::ListTopology topology{};
     std::string word;
@@ -76,14 +76,14 @@ struct Interpreter {
     SearchFolders folders;
     FolderListings listings;
     std::optional<OpenList> list;
-    bool isOrphan = false;  ///< the statement before belonged to a list that is not open, and that is told
+    bool isOrphan = false;  ///< the statement before needed an open list; that has been reported
 
-    // What has been made so far, to share it.
-    std::map<std::string, int> files;  ///< by name as written
-    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, int> shapes;
-    std::multimap<std::uint64_t, int> listShapes;  ///< by hash of the mesh
-    int slotTable = kNone;                         ///< the table that equals state.slots, if there is one
-    std::set<int> clearedTextures;
+    // Everything made so far, so that equal things are shared.
+    std::map<std::string, FileIndex> files;  ///< by name as written
+    std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
+    std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
+    SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
+    std::set<TextureIndex> clearedTextures;
     bool isWindowCleared = false;
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;  ///< by units and size
     std::set<int> clearedDepths;
@@ -132,7 +132,7 @@ std::span<const CommandAction> programActions();  // interpret_programs.cpp
 const CommandAction* actionOf(glib::CommandId command);
 
 /// Returns the index of the file that a statement names. A file is looked up where it is named first.
-int fileOf(Interpreter&, const std::string& name, const Place& place);
+FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
 
 // interpret_view.cpp
 
@@ -164,7 +164,7 @@ void doPrimitive(Interpreter&, const glib::Command&);
 /// What a geometry command draws with the current state. `size` describes it for Verbose; `color` replaces
 /// the current colour.
 struct Drawing {
-    int shape = kNone;
+    ShapeIndex shape{};
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
@@ -173,7 +173,7 @@ void draw(Interpreter&, const glib::Command&, const Drawing&);
 /// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.
-int shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
+ShapeIndex shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
 
 /// Returns the statement as messages repeat it: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);

@@ -1,6 +1,6 @@
 #pragma once
-// What of a texture file is known without reading its texels: the dimension, and whether it is noise
-// (language, 8.1, 8.3 and 9.5). At most 32 bytes and the length of a file are looked at.
+// Tells the dimension of a texture file, and whether it holds noise, without reading its texels (language,
+// 8.1, 8.3 and 9.5). At most 32 bytes and the length of the file are read.
 
 #include <filesystem>
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace glibra::scene {
 
-/// The target that `Texture` puts the file into: 2D for pictures; for raw textures the smallest dimension
-/// whose header fits the length exactly; 2D for everything else, which the reader refuses.
+/// The target of a file that `Texture` names: 2D for pictures; for raw textures the smallest dimension whose
+/// header fits the length exactly; 2D for everything else, which is rejected when it is read.
 TextureTarget targetOfFile(const std::filesystem::path& path);
 
-/// A raw byte texture of exactly n x n (x n) texels.
+/// True if the file is a raw byte texture of exactly size x size (x size) texels.
 bool holdsNoise(const std::filesystem::path& path, int dimensions, int size);
 
-/// The size in a name such as noise3d.064.tex, folders and case ignored; nothing for other names and for
-/// sizes that the built-in noise does not have.
+/// Dimensions and size from a name such as noise3d.064.tex. Folders and case are ignored. Returns nothing for
+/// other names and for sizes that the built-in noise does not have.
 struct NoiseName {
     int dimensions = 3;
     int size = 64;
@@ -28,8 +28,8 @@ std::optional<NoiseName> noiseNameOf(std::string_view fileName);
 /// "noise3d.064.tex"
 std::string noiseFileName(int dimensions, int size);
 
-/// The noise file beside the scene: its path and note file-N01 if there is one that holds noise of that size,
-/// no path and file-W10 if it holds something else, nothing at all if there is none.
+/// The noise file beside the scene. If it holds noise of that size, the result has its path and the note
+/// file-N01; if it holds something else, the warning file-W10 and no path; if it is missing, neither.
 FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dimensions, int size,
                               const Place& place);
 

@@ -29,7 +29,7 @@ glm::dmat4 perspectiveMatrix(const Perspective& view, double aspect) {
     return matrix;
 }
 
-/// Limits of one axis; equal ones stand for -1 and 1.
+/// The limits of one axis. Equal limits stand for -1 and 1.
 struct Range {
     double low, high;
     [[nodiscard]] double size() const { return high - low; }
@@ -77,7 +77,7 @@ struct Box {
     }
 };
 
-/// Calls `use(eye space position, w)` for every finite vertex. A fourth coordinate is no part of the place.
+/// Calls `use(eye space position, w)` for every finite vertex. The position does not contain w.
 template <class Use>
 void eachVertex(const geometry::Mesh& mesh, const glm::dmat4& modelView, const Use& use) {
     const geometry::Attribute* position = mesh.attribute(geometry::kPosition);
@@ -116,7 +116,7 @@ double halfAngle(const SeenDraw& seen) {
     return std::atan(std::min(tangent, seen.aspect * tangent));
 }
 
-/// The sphere about all vertices, around the centre of their box.
+/// The sphere that contains all vertices, around the centre of their box.
 struct Sphere {
     glm::dvec3 centre{0.0};
     double radius = 0;
@@ -163,7 +163,7 @@ glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
 
 double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
     if (pass.targets.empty()) return windowAspect;
-    const Texture& target = scene.textures[static_cast<std::size_t>(pass.targets.front())];
+    const Texture& target = scene.textures[pass.targets.front()];
     const auto* size = std::get_if<EmptySource>(&target.source);
     return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
 }
@@ -185,7 +185,7 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     for (const SeenDraw& seen : draws) angle = std::min(angle, halfAngle(seen));
     const glm::dvec3 c = sphere->centre;
     const double distance = (sphere->radius + std::hypot(c.x, c.y) * std::cos(angle)) / std::sin(angle);
-    // A distance that is a sixteenth but for rounding errors stays one.
+    // A distance that is a multiple of 1/16 except for rounding errors stays that multiple.
     const double moved = std::ceil(16 * (distance + c.z) - kRounding) / 16;
     if (!(moved > 0) || !std::isfinite(moved)) return move;
     move.distance = moved;

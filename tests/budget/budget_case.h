@@ -50,9 +50,9 @@ class Budget {
         const plan::FramePlan plan = plan::planFrame(
             scene,
             [&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-                return variant.program == scene::kNone ? builtin : program;
+                return variant.program ? program : builtin;
             },
-            [](int) { return false; }, {});
+            [](scene::ProgramIndex) { return false; }, {});
         choice = budget::choose(scene, plan, request);
         replaced = apply(choice, scene);
         return choice;
@@ -62,7 +62,7 @@ class Budget {
         return std::get<scene::Draw>(scene.passes.front().steps.at(index));
     }
     [[nodiscard]] const std::vector<double>& numbers(std::size_t index) const {
-        return scene.shapes.at(static_cast<std::size_t>(draw(index).shape)).numbers;
+        return scene.shapes[draw(index).shape].numbers;
     }
     [[nodiscard]] std::string decision(const std::string& what) const {
         for (const Decision& each : choice.decisions)
@@ -74,7 +74,7 @@ class Budget {
     plan::ProgramInterface program;
     Request request;
     Choice choice;
-    std::vector<int> replaced;
+    std::vector<scene::ShapeIndex> replaced;
 };
 
 inline const std::string kProgram = "Vertex a.vert\nFragment a.frag\nProgram P uKd .5\n";

@@ -23,7 +23,7 @@ class NoiseBudget : public Budget {
     }
     [[nodiscard]] NoiseFormat chosen() {
         choose();
-        const auto& noise = std::get<scene::NoiseSource>(scene.textures[1].source);
+        const auto& noise = std::get<scene::NoiseSource>(scene.textures.at(1).source);
         return {noise.size, noise.texels};
     }
 };
@@ -66,7 +66,7 @@ TEST(Choose, TakesTheNoiseFromPicturesWhereTheyTellIt) {
             ++asked;
             EXPECT_EQ(from.noise.size(), 1U);
             EXPECT_GT(to.noise.front().format.size, from.noise.front().format.size);
-            EXPECT_EQ(to.noise.front().texture, 1);
+            EXPECT_EQ(to.noise.front().texture, scene::TextureIndex(1));
             return shifts;
         };
         const NoiseFormat chosen = budget.chosen();

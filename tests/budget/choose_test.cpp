@@ -27,7 +27,7 @@ TEST(Choose, GivesASphereTheLeastCountsForItsPixels) {
     EXPECT_LE(off * straight, .25);
     EXPECT_GE(off * straight, .25 / 1.3);
     EXPECT_EQ(budget.choice.diagnostics.size(), 0U);
-    EXPECT_EQ(budget.replaced, std::vector<int>{0});
+    EXPECT_EQ(budget.replaced, std::vector{scene::ShapeIndex(0)});
 }
 
 TEST(Choose, CountsFallWithTheRootOfTheBound) {
@@ -269,7 +269,7 @@ TEST(Choose, JudgesAPassIntoATextureInItsTexels) {
         "Texture2D 6 60 60\nRenderToTexture 6\n" + kEye + "Sphere\nRenderToTexture\n";
     Budget budget(toTexture + kProgram + "QuadXY\n");
     budget.addSampler("uTexUnit", scene::TextureTarget::texture2D, "sampler2D");
-    budget.scene.programs[0].uniforms = {{"uTexUnit", glib::UniformForm::number, {6}, {}, {}}};
+    budget.scene.programs.at(0).uniforms = {{"uTexUnit", glib::UniformForm::number, {6}, {}, {}}};
     budget.choose();
     Budget whole(kEye + "Sphere\n");
     whole.choose();

@@ -17,7 +17,7 @@ namespace {
 using glib::CommandId;
 
 std::uint64_t vertices(CommandId command, const std::vector<double>& numbers) {
-    return scene::countsOf({command, numbers, scene::kNone, nullptr})->vertices;
+    return scene::countsOf({command, numbers, {}, nullptr})->vertices;
 }
 
 CountsRequest request(CommandId command, std::vector<double> numbers, double allowed,
@@ -108,7 +108,7 @@ TEST(LeastCounts, StopAtTheLimitAndSaySo) {
          {glib::commandOf("Sphere"), glib::commandOf("Teapot"), glib::commandOf("Soccerball")}) {
         std::vector<double> numbers{1, 60, 60};
         if (command != glib::commandOf("Sphere"))
-            numbers = surfaceModel(command)->complete({command, {1}, -1, {}});
+            numbers = surfaceModel(command)->complete({command, {1}, {}, {}});
         if (command == glib::commandOf("Teapot")) numbers = {16};
         const LeastCounts found = leastCounts(request(command, numbers, 1e-15));
         EXPECT_FALSE(found.isKept);

@@ -12,7 +12,7 @@ namespace {
 /// One uniform at 8, from 1 to 64, whose true error is `pixels` / level^2.
 LevelsRequest request(double pixels, double maxError) {
     LevelsRequest made;
-    made.uniforms = {{.uniform = 3, .value = 8, .least = 1, .most = 64}};
+    made.uniforms = {{.uniform = plan::UniformIndex(3), .value = 8, .least = 1, .most = 64}};
     made.isFree = true;
     made.maxError = maxError;
     made.error = [pixels](std::span<const LevelValue> coarse,
@@ -61,8 +61,8 @@ TEST(LeastLevels, ThatAreStatedStay) {
 
 TEST(LeastLevels, KeepTheirProportionsAsFarAsTheirRangesGo) {
     LevelsRequest two = request(100, .25);
-    two.uniforms = {{.uniform = 0, .value = 8, .least = 1, .most = 64},
-                    {.uniform = 1, .value = 4, .least = 1, .most = 6}};
+    two.uniforms = {{.uniform = plan::UniformIndex(0), .value = 8, .least = 1, .most = 64},
+                    {.uniform = plan::UniformIndex(1), .value = 4, .least = 1, .most = 6}};
     const auto found = leastLevels(two);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->values[0].value, 20, .6);

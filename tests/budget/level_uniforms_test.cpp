@@ -18,7 +18,8 @@ class Tessellated {
             plan::ActiveUniform& uniform = interface.uniforms.emplace_back();
             uniform.name = name;
             uniform.location = static_cast<int>(interface.uniforms.size()) - 1;
-            program.values.push_back({uniform.location, 0, plan::Literal{{value}}});
+            program.values.push_back(
+                {plan::UniformIndex(interface.uniforms.size() - 1), 0, plan::Literal{{value}}});
         }
         program.interface = &interface;
     }
@@ -33,7 +34,7 @@ TEST(LevelUniforms, DecideLevelsAloneAndAreAboveZero) {
     const Tessellated tessellated;
     const std::vector<LevelUniform> found = levelUniforms(tessellated.program, 32);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].uniform, 0);
+    EXPECT_EQ(found[0].uniform, plan::UniformIndex(0));
     EXPECT_EQ(found[0].value, 4);
 }
 
@@ -49,7 +50,7 @@ TEST(LevelUniforms, HaveTheRangesOfTheirSliders) {
     Tessellated tessellated;
     EXPECT_EQ(levelUniforms(tessellated.program, 32)[0].least, 1);
     EXPECT_EQ(levelUniforms(tessellated.program, 32)[0].most, 32);
-    tessellated.program.controls.push_back({0, glib::UniformForm::range, 0, 4, 30});
+    tessellated.program.controls.push_back({plan::UniformIndex(0), glib::UniformForm::range, 0, 4, 30});
     EXPECT_EQ(levelUniforms(tessellated.program, 32)[0].least, 1);
     EXPECT_EQ(levelUniforms(tessellated.program, 32)[0].most, 30);
     tessellated.program.controls[0].minimum = 3;

@@ -98,7 +98,7 @@ class NoiseError : public testing::TestWithParam<std::size_t> {
     [[nodiscard]] noise::TexelShorts shorts(int size) const {
         return dimensions() == 3 ? noise::noise3Shorts(size) : noise::noise2Shorts(size);
     }
-    [[nodiscard]] std::vector<std::uint8_t> bytes(int size) const {
+    [[nodiscard]] noise::TexelBytes bytes(int size) const {
         return dimensions() == 3 ? noise::noise3Texels(size) : noise::noise2Texels(size);
     }
 

@@ -29,8 +29,8 @@ inline glm::dvec3 valueAt(const geometry::Mesh& mesh, std::string_view name, std
 
 inline geometry::Mesh meshOf(glib::CommandId command, const std::vector<double>& numbers) {
     scene::Scene scene;
-    scene.shapes.push_back({command, numbers, scene::kNone, nullptr});
-    return *scene::makeMesh(scene, 0);
+    scene.shapes.push_back({command, numbers, {}, nullptr});
+    return *scene::makeMesh(scene, scene::ShapeIndex(0));
 }
 
 /// A point of a triangle. Place and texture coordinates are interpolated linearly, as the rasteriser does.

@@ -38,13 +38,13 @@ image::Image waves(double shift) {
     return picture([&](double x) { return .5 + .4 * std::sin((x - shift) * std::numbers::pi / 16); });
 }
 
-VertexDraw sphere(int program, double slices, bool isFree = true) {
+VertexDraw sphere(std::size_t program, double slices, bool isFree = true) {
     return {.pass = 0,
-            .step = static_cast<std::size_t>(program),
+            .step = program,
             .model = surfaceModel(glib::commandOf("Sphere")),
             .numbers = {1, slices, slices / 2},
             .isFree = {isFree, isFree},
-            .program = program,
+            .program = plan::PlannedProgramIndex(program),
             .fidelity = Fidelity::shape,
             .scale = .1};
 }

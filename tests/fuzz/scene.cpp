@@ -26,10 +26,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const glibra::scene::Pass& pass : scene.passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<glibra::scene::Draw>(&step)) {
-                check(draw->shape >= 0 && static_cast<std::size_t>(draw->shape) < scene.shapes.size(),
-                      "a draw has a shape");
-                check(draw->program == glibra::scene::kNone ||
-                          static_cast<std::size_t>(draw->program) < scene.programs.size(),
+                check(draw->shape.position() < scene.shapes.size(), "a draw has a shape");
+                check(!draw->program || draw->program.position() < scene.programs.size(),
                       "a draw has a program of the scene, or none");
             }
     return 0;

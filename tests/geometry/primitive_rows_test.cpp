@@ -9,11 +9,11 @@
 namespace glibra::geometry {
 namespace {
 
-/// The default numbers with small counts, so that meshes are quickly made.
+/// The default numbers with small counts, so that meshes are quickly made. Fixed counts keep their default.
 std::vector<double> smallNumbers(const PrimitiveSpec& spec) {
     std::vector<double> numbers = completeNumbers(spec, {});
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (spec.arguments[i].kind == ArgumentKind::count)
+        if (spec.arguments[i].kind == ArgumentKind::count && !spec.arguments[i].isFixed)
             numbers[i] = spec.arguments[i].least + 2 + static_cast<double>(i);
     return numbers;
 }

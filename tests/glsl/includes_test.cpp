@@ -1,4 +1,4 @@
-// Language 7.11: #include, #line, #pragma once, conditions, and the map of lines.
+// #include, #line, #pragma once, conditional branches, and the map of lines (language, 7.11).
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ struct Statistics {
 };
 
 /// Of one component (0..3), or of the sum of all four (4).
-Statistics statisticsOf(const std::vector<std::uint8_t>& texels, std::size_t component) {
+Statistics statisticsOf(const TexelBytes& texels, std::size_t component) {
     Statistics result{0, 0, 4, 0};
     double squares = 0;
     const double count = static_cast<double>(texels.size()) / 4;

@@ -139,9 +139,8 @@ class Drawing {
         int height = scene_.height;
         if (!isWindow) {
             std::vector<GLuint> names;
-            for (const int each : pass.targets) names.push_back(textures_.texture(each));
-            const auto& size = std::get<scene::EmptySource>(
-                scene_.textures[static_cast<std::size_t>(pass.targets.front())].source);
+            for (const scene::TextureIndex each : pass.targets) names.push_back(textures_.texture(each));
+            const auto& size = std::get<scene::EmptySource>(scene_.textures[pass.targets.front()].source);
             width = size.width;
             height = size.height;
             offscreen.emplace(gl_, width, height, names);
@@ -163,15 +162,14 @@ class Drawing {
     }
 
     void drawOne(const scene::Draw& draw, double aspect) {
-        const std::vector<glib::UniformSpec>& tags =
-            scene_.programs[static_cast<std::size_t>(draw.program)].uniforms;
+        const std::vector<glib::UniformSpec>& tags = scene_.programs[draw.program].uniforms;
         const glm::dmat4 projection = scene::projectionMatrix(draw.projection, aspect);
         gl_.MatrixMode(GL_PROJECTION);
         gl_.LoadMatrixd(glm::value_ptr(projection));
         gl_.MatrixMode(GL_MODELVIEW);
         gl_.LoadMatrixd(glm::value_ptr(draw.modelView));
 
-        CompatibilityProgram& program = *programs_.at(static_cast<std::size_t>(draw.program));
+        CompatibilityProgram& program = *programs_[draw.program];
         program.use();
         program.setTags(tags);
         program.setRuntimeValues(scene::drawMatrices(draw.modelView, projection), 0);
@@ -205,7 +203,7 @@ class Drawing {
                       const std::vector<glib::UniformSpec>& tags) {
         GLuint unit = 0;
         for (const CompatibilityProgram::Sampler& sampler : program.samplers(tags)) {
-            for (const scene::Slot& slot : scene_.slotTables[static_cast<std::size_t>(draw.slots)])
+            for (const scene::Slot& slot : scene_.slotTables[draw.slots])
                 if (slot.unit == sampler.unit && slot.target == sampler.target)
                     textures_.bind(slot.texture, unit, draw.sampling.clamp);
             gl_.Uniform1i(sampler.location, static_cast<GLint>(unit));
@@ -216,10 +214,10 @@ class Drawing {
     const GladGLContext& gl_;
     const scene::Scene& scene_;
     CompatibilityTextures textures_;
-    std::vector<std::unique_ptr<CompatibilityProgram>> programs_;
+    scene::List<std::unique_ptr<CompatibilityProgram>, scene::Program> programs_;
     WrittenOutputs written_;
     std::optional<Target> window_;
-    std::map<int, geometry::Mesh> meshes_;
+    std::map<scene::ShapeIndex, geometry::Mesh> meshes_;
 };
 
 }  // namespace

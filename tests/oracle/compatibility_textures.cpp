@@ -33,8 +33,8 @@ CompatibilityTextures::~CompatibilityTextures() {
     for (const auto& [index, name] : names_) gl_.DeleteTextures(1, &name);
 }
 
-GLenum CompatibilityTextures::targetOf(int index) const {
-    switch (scene_.textures[static_cast<std::size_t>(index)].target) {
+GLenum CompatibilityTextures::targetOf(scene::TextureIndex index) const {
+    switch (scene_.textures[index].target) {
         case scene::TextureTarget::texture1D:
             return GL_TEXTURE_1D;
         case scene::TextureTarget::texture2D:
@@ -47,7 +47,7 @@ GLenum CompatibilityTextures::targetOf(int index) const {
     return GL_TEXTURE_CUBE_MAP;
 }
 
-GLuint CompatibilityTextures::texture(int index) {
+GLuint CompatibilityTextures::texture(scene::TextureIndex index) {
     const auto [entry, isNew] = names_.try_emplace(index, 0);
     if (isNew) {
         gl_.GenTextures(1, &entry->second);
@@ -57,8 +57,8 @@ GLuint CompatibilityTextures::texture(int index) {
     return entry->second;
 }
 
-void CompatibilityTextures::fill(int index) const {
-    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
+void CompatibilityTextures::fill(scene::TextureIndex index) const {
+    const scene::Texture& texture = scene_.textures[index];
     const GLenum target = targetOf(index);
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const int n = noise->size;
@@ -78,7 +78,7 @@ void CompatibilityTextures::fill(int index) const {
     }
     const auto& picture = std::get<scene::PictureSource>(texture.source);
     std::vector<std::filesystem::path> paths;
-    for (const int file : picture.files) paths.push_back(scene_.files[static_cast<std::size_t>(file)].path);
+    for (const scene::FileIndex file : picture.files) paths.push_back(scene_.files[file].path);
     const Result<image::TexelBlock> read = target == GL_TEXTURE_CUBE_MAP
                                                ? image::readCubeMap(paths)
                                                : image::readTexture(paths.front(), dimensionsOf(target));
@@ -97,13 +97,12 @@ void CompatibilityTextures::fill(int index) const {
     }
 }
 
-void CompatibilityTextures::bind(int index, GLuint unit, bool clamp) {
+void CompatibilityTextures::bind(scene::TextureIndex index, GLuint unit, bool clamp) {
     gl_.ActiveTexture(GL_TEXTURE0 + unit);
     const GLuint name = texture(index);
     const GLenum target = targetOf(index);
     gl_.BindTexture(target, name);
-    const bool isNoise =
-        std::holds_alternative<scene::NoiseSource>(scene_.textures[static_cast<std::size_t>(index)].source);
+    const bool isNoise = std::holds_alternative<scene::NoiseSource>(scene_.textures[index].source);
     const bool clamped = target == GL_TEXTURE_CUBE_MAP || (clamp && !isNoise);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl_.TexParameteri(target, wrap, clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);

@@ -20,16 +20,16 @@ class CompatibilityTextures {
     ~CompatibilityTextures();
 
     /// The GL name of Scene::textures[index]. Throws std::runtime_error if its file cannot be read.
-    GLuint texture(int index);
+    GLuint texture(scene::TextureIndex index);
     /// Binds it to a texture image unit, with the sampling rules of language, 2.4.
-    void bind(int index, GLuint unit, bool clamp);
+    void bind(scene::TextureIndex index, GLuint unit, bool clamp);
 
   private:
-    [[nodiscard]] GLenum targetOf(int index) const;
-    void fill(int index) const;
+    [[nodiscard]] GLenum targetOf(scene::TextureIndex index) const;
+    void fill(scene::TextureIndex index) const;
     const GladGLContext& gl_;
     const scene::Scene& scene_;
-    std::map<int, GLuint> names_;
+    std::map<scene::TextureIndex, GLuint> names_;
 };
 
 }  // namespace glibra::oracle

@@ -112,74 +112,70 @@ class SceneByHand {
         window();
     }
 
-    int file(const std::string& name) {
-        scene.files.push_back({name, name, {}, at(nextLine())});
-        return static_cast<int>(scene.files.size()) - 1;
+    scene::FileIndex file(const std::string& name) {
+        return scene.files.add({name, name, {}, at(nextLine())});
     }
     /// A program with these stages; each stage's file is NAME.vert, NAME.frag and so on. It becomes current.
-    int program(const std::string& name,
-                std::initializer_list<glsl::Stage> stages = {glsl::Stage::vertex, glsl::Stage::fragment}) {
+    scene::ProgramIndex program(const std::string& name, std::initializer_list<glsl::Stage> stages = {
+                                                             glsl::Stage::vertex, glsl::Stage::fragment}) {
         static const char* const kSuffixes[] = {".vert", ".tcs", ".tes", ".geom", ".frag"};
         scene::Program result;
         result.name = name;
         for (const glsl::Stage stage : stages)
             result.stages.push_back({stage, file("shaders/" + name + kSuffixes[static_cast<int>(stage)])});
         result.place = at(nextLine());
-        scene.programs.push_back(result);
-        return currentProgram = static_cast<int>(scene.programs.size()) - 1;
+        return currentProgram = scene.programs.add(std::move(result));
     }
-    int texture(int unit, scene::TextureTarget target = scene::TextureTarget::texture2D) {
+    scene::TextureIndex texture(int unit, scene::TextureTarget target = scene::TextureTarget::texture2D) {
         return addTexture({target,
                            scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}, false},
                            at(nextLine()), unit});
     }
-    int noise(int dimensions) {
+    scene::TextureIndex noise(int dimensions) {
         const auto target =
             dimensions == 2 ? scene::TextureTarget::texture2D : scene::TextureTarget::texture3D;
         return addTexture({target, scene::NoiseSource{.dimensions = dimensions, .remarks = {}},
                            at(nextLine()), dimensions});
     }
-    int emptyTexture(int unit) {
+    scene::TextureIndex emptyTexture(int unit) {
         return addTexture(
             {scene::TextureTarget::texture2D, scene::EmptySource{64, 64, 1, {}}, at(nextLine()), unit});
     }
     /// RenderToTexture into these textures; none: the window.
-    scene::Pass& target(std::vector<int> textures) {
+    scene::Pass& target(std::vector<scene::TextureIndex> textures) {
         scene::Pass pass;
-        pass.depthBuffer = textures.empty() ? 0 : textures.front() + 1;
+        pass.depthBuffer = textures.empty() ? 0 : depthBufferOf(textures.front());
         pass.targets = std::move(textures);
         pass.place = at(nextLine());
         pass.clearDepth = true;
         scene.passes.push_back(std::move(pass));
         return scene.passes.back();
     }
+    static int depthBufferOf(scene::TextureIndex texture) { return static_cast<int>(texture.position()) + 1; }
     scene::Pass& window() { return target({}); }
 
-    int shape(glib::CommandId command, std::vector<double> numbers = {1, 1, 4, 4}) {
-        for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-            if (scene.shapes[i].command == command && scene.shapes[i].numbers == numbers)
-                return static_cast<int>(i);
-        scene.shapes.push_back({command, std::move(numbers), scene::kNone, nullptr});
-        return static_cast<int>(scene.shapes.size()) - 1;
+    scene::ShapeIndex shape(glib::CommandId command, std::vector<double> numbers = {1, 1, 4, 4}) {
+        for (const scene::ShapeIndex i : scene.shapes.indices())
+            if (scene.shapes[i].command == command && scene.shapes[i].numbers == numbers) return i;
+        return scene.shapes.add({command, std::move(numbers), {}, nullptr});
     }
     /// The mesh of a glBegin list with as many vertices as make one primitive.
-    int list(geometry::Topology topology, int patchVertices = 0) {
+    scene::ShapeIndex list(geometry::Topology topology, int patchVertices = 0) {
         auto mesh = std::make_shared<geometry::Mesh>();
         mesh->topology = topology;
         mesh->patchVertices = patchVertices;
         mesh->attributes.push_back({std::string(geometry::kPosition), 3, std::vector<float>(18)});
         for (int i = 0; i < geometry::verticesPerPrimitive(topology, patchVertices); ++i)
             mesh->indices.push_back(static_cast<std::uint32_t>(i));
-        scene.shapes.push_back({glib::CommandId::glBegin, {}, scene::kNone, mesh});
-        return static_cast<int>(scene.shapes.size()) - 1;
+        return scene.shapes.add({glib::CommandId::glBegin, {}, {}, mesh});
     }
-    scene::Draw& draw(std::string word, int shapeIndex) {
+    scene::Draw& draw(std::string word, scene::ShapeIndex shapeIndex) {
         scene::Draw result;
         result.place = at(nextLine());
         result.word = std::move(word);
         result.shape = shapeIndex;
         result.program = currentProgram;
-        result.slots = static_cast<int>(scene.slotTables.size()) - 1;
+        result.slots = scene::SlotTableIndex(scene.slotTables.size() - 1);
         scene.passes.back().steps.emplace_back(result);
         return std::get<scene::Draw>(scene.passes.back().steps.back());
     }
@@ -187,13 +183,13 @@ class SceneByHand {
     scene::Draw& teapot() { return draw("Teapot", shape(glib::commandOf("Teapot"))); }
     void clear() { scene.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
 
-    int currentProgram = scene::kNone;
+    scene::ProgramIndex currentProgram;
     int line = 0;
 
   private:
     int nextLine() { return ++line; }
-    int addTexture(scene::Texture texture) {
-        const int index = static_cast<int>(scene.textures.size());
+    scene::TextureIndex addTexture(scene::Texture texture) {
+        const scene::TextureIndex index(scene.textures.size());
         scene::SlotTable slots = scene.slotTables.back();
         std::erase_if(slots, [&](const scene::Slot& slot) {
             return slot.unit == texture.unit && slot.target == texture.target;
@@ -207,11 +203,11 @@ class SceneByHand {
 
 /// Answers for programs by index; counts and orders the questions.
 struct Programs {
-    std::map<int, ProgramInterface> byIndex;
+    std::map<scene::ProgramIndex, ProgramInterface> byIndex;
     ProgramInterface builtin;
-    std::vector<int> imageWriters;
+    std::vector<scene::ProgramIndex> imageWriters;
     std::vector<ProgramVariant> asked;
-    std::vector<int> askedForImages;
+    std::vector<scene::ProgramIndex> askedForImages;
 
     Programs() {
         builtin.usable = true;
@@ -224,16 +220,16 @@ struct Programs {
             scene,
             [this](const ProgramVariant& variant) -> const ProgramInterface& {
                 asked.push_back(variant);
-                return variant.program < 0 ? builtin : byIndex.at(variant.program);
+                return variant.program ? byIndex.at(variant.program) : builtin;
             },
-            [this](int program) {
+            [this](scene::ProgramIndex program) {
                 askedForImages.push_back(program);
                 return std::find(imageWriters.begin(), imageWriters.end(), program) != imageWriters.end();
             },
             options);
     }
-    [[nodiscard]] std::vector<int> askedPrograms() const {
-        std::vector<int> programs;
+    [[nodiscard]] std::vector<scene::ProgramIndex> askedPrograms() const {
+        std::vector<scene::ProgramIndex> programs;
         for (const ProgramVariant& each : asked) programs.push_back(each.program);
         return programs;
     }

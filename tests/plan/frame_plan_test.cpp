@@ -30,7 +30,7 @@ TEST(BuiltinProgram, DrawsSilentlyWithoutAProgram) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), "Sphere");
-    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{scene::kNone});
+    EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_TRUE(plan.diagnostics.empty());
 }
 TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
@@ -42,7 +42,7 @@ TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
     const Place first = hand.sphere().place;
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{scene::kNone});
+    EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_EQ(ids(plan.diagnostics), "draw-W01");
     EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; flat colour used");
     EXPECT_EQ(plan.diagnostics[0].place.line, first.line - 1);
@@ -63,23 +63,23 @@ TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
 TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms.push_back(number("uTex", 6));
     programs.byIndex[program] = interfaceWith({{"uTex", "sampler2D"}});
-    const int first = hand.texture(6);
+    const auto first = hand.texture(6);
     hand.sphere();
-    const int second = hand.texture(6);
+    const auto second = hand.texture(6);
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[0]).textures.at(0).texture, first);
     EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[1]).textures.at(0).texture, second);
-    EXPECT_EQ(plan.textures, (std::vector<int>{first, second}));
+    EXPECT_EQ(plan.textures, (std::vector{first, second}));
     EXPECT_EQ(plan.programs.size(), 1U);
 }
 TEST(PlannedTexture, InAnEmptySlotIsReportedOnceAProgram) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms.push_back(number("uTexUnit", 5));
     programs.byIndex[program] = interfaceWith({{"uTexUnit", "sampler3D"}});
     hand.texture(5);
@@ -87,17 +87,17 @@ TEST(PlannedTexture, InAnEmptySlotIsReportedOnceAProgram) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(textOf(plan.diagnostics, "draw-W02"), "sampler 'uTexUnit' reads unit 5 / 3D, which is empty");
-    EXPECT_EQ(firstDraw(plan).textures.at(0).texture, scene::kNone);
+    EXPECT_FALSE(firstDraw(plan).textures.at(0).texture);
 }
 
 struct Feedback : testing::Test {
     SceneByHand hand;
     Programs programs;
-    int target = hand.emptyTexture(6);
+    scene::TextureIndex target = hand.emptyTexture(6);
     int passLine = 0;
 
     FramePlan plan(const char* word) {
-        const int program = hand.program("Dots");
+        const auto program = hand.program("Dots");
         hand.scene.programs.back().uniforms.push_back(number("uTex", 6));
         programs.byIndex[program] = interfaceWith({{"uTex", word}});
         passLine = hand.target({target}).place.line;
@@ -116,19 +116,19 @@ TEST_F(Feedback, OfASamplerIsRefused) {
 }
 TEST_F(Feedback, OfAnotherTargetOfTheUnitIsNone) {
     hand.texture(6, scene::TextureTarget::cube);
-    programs.imageWriters.push_back(0);
+    programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("samplerCube").diagnostics), "");
 }
 
 TEST_F(Feedback, OfAnImageIsNoSampling) {
-    programs.imageWriters.push_back(0);
+    programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("image2D").diagnostics), "");
 }
 
 TEST(VertexInput, ThatNobodyKnowsIsReported) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].inputs = {{"aVertex", 0},       {"glibra_Normal", 1},  {"aPos", 2},
                                         {"glibra_sample", 3}, {"gl_InstanceID", -1}, {"glibra_unnamed", 4}};
@@ -145,7 +145,7 @@ TEST(VertexInput, ThatNobodyKnowsIsReported) {
 TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("points");
+    const auto program = hand.program("points");
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.writesPointSize = true;
     hand.sphere();
@@ -157,7 +157,7 @@ TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
 TEST(WrongSubmission, LeavesTheDrawOutAndKeepsTheRest) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("silh", {Stage::vertex, Stage::geometry, Stage::fragment});
+    const auto program = hand.program("silh", {Stage::vertex, Stage::geometry, Stage::fragment});
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.geometryInput = "triangles";
     hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
@@ -170,7 +170,7 @@ TEST(WrongSubmission, LeavesTheDrawOutAndKeepsTheRest) {
 TEST(TooManyUnits, AreAnErrorOfTheDraw) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms = {number("a", 5), number("b", 6)};
     programs.byIndex[program] = interfaceWith({{"a", "sampler2D"}, {"b", "sampler2D"}});
     hand.sphere();
@@ -185,7 +185,7 @@ TEST(TooManyUnits, AreAnErrorOfTheDraw) {
 TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms.push_back(number("uKa", 1));
     programs.byIndex[program].facts.diagnostics = {
         error("glsl-E01", "'vMC' : undeclared identifier", {"a.frag", 3, 1}),
@@ -202,7 +202,7 @@ TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
 TEST(UniformsOfAPlan, AreResolvedAndTheirMessagesSaidOnceForAllVariants) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms = {number("uKa", .5), number("ukb", 1)};
     programs.byIndex[program] = interfaceWith({{"uKa", "float"}});
     hand.sphere();
@@ -216,7 +216,7 @@ TEST(OverridesOfAPlan, ThatNameNothingAreReportedOnceWithoutAPlace) {
     SceneByHand hand;
     Programs programs;
     for (const char* name : {"A", "B"}) {
-        const int program = hand.program(name);
+        const auto program = hand.program(name);
         programs.byIndex[program] = interfaceWith({{"uShrink", "float"}});
         hand.sphere();
     }
@@ -232,7 +232,7 @@ TEST(OverridesOfAPlan, ThatNameNothingAreReportedOnceWithoutAPlace) {
 TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("A");
+    const auto program = hand.program("A");
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].facts.uniforms["uUnused"] = {};
     hand.sphere();
@@ -250,7 +250,7 @@ TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreLetPass) {
     Programs programs;
     hand.program("Unused");
     hand.scene.programs.back().uniforms.push_back(number("uKd", 1));
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
     hand.sphere();
     PlanOptions options;
@@ -262,8 +262,9 @@ std::string summary(const FramePlan& plan) {
     std::string text = drawn(plan) + "\n";
     for (const Diagnostic& each : plan.diagnostics) text += toString(each) + "\n";
     for (const Skipped& each : plan.skipped) text += each.what + " " + each.why + "\n";
-    for (const PlannedProgram& each : plan.programs) text += std::to_string(each.variant.program) + " ";
-    for (const int each : plan.textures) text += std::to_string(each) + " ";
+    for (const PlannedProgram& each : plan.programs)
+        text += std::to_string(each.variant.program.position()) + " ";
+    for (const scene::TextureIndex each : plan.textures) text += std::to_string(each.position()) + " ";
     for (const PlannedMesh& mesh : plan.meshes)
         for (const std::string& attribute : mesh.attributes) text += attribute + " ";
     return text;
@@ -272,11 +273,11 @@ TEST(Planning, TwiceGivesTheSamePlan) {
     SceneByHand hand;
     Programs programs;
     hand.noise(2);
-    const int target = hand.emptyTexture(10);
-    const int program = hand.program("Dots");
+    const auto target = hand.emptyTexture(10);
+    const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms = {number("uTex", 10), number("uWrong", 1), number("uOther", 2)};
     programs.byIndex[program] = interfaceWith({{"uTex", "sampler2D"}, {"uB", "float"}, {"uC", "float"}});
-    const int maker = hand.program("Maker");
+    const auto maker = hand.program("Maker");
     programs.byIndex[maker] = interfaceWith({{"Noise2", "sampler2D"}});
     hand.target({target});
     hand.teapot();

@@ -42,7 +42,7 @@ struct LoopCase {
 
 TEST(LongLoop, IsToldWithItsRoundsAndItsPlace) {
     LoopCase one;
-    one.program.values.push_back({0, 0, Literal{{100'000}}});
+    one.program.values.push_back({UniformIndex(0), 0, Literal{{100'000}}});
     const Diagnostics said = one.report({loopTo("uN")});
     EXPECT_EQ(textOf(said, "draw-W08"),
               "this loop runs up to 100,000 rounds, but the driver ends a shader's loops after 65,535; the "
@@ -81,7 +81,7 @@ TEST(LongLoop, OfAnInitialisedUniformIsNotKnown) {
 }
 TEST(LongLoop, OfAUniformThatTheRuntimeSuppliesIsNotKnown) {
     LoopCase one;
-    one.program.values.push_back({0, 0, Supplied{glsl::Builtin::timer}});
+    one.program.values.push_back({UniformIndex(0), 0, Supplied{glsl::Builtin::timer}});
     EXPECT_TRUE(one.report({loopTo("uN")}).empty());
 }
 

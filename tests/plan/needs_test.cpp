@@ -17,14 +17,14 @@ using test::skipped;
 using Words = std::vector<std::string>;
 
 /// A program of two stages that samples one unit; it becomes current.
-int sampling(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
-    const int program = hand.program(name);
+scene::ProgramIndex sampling(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
+    const auto program = hand.program(name);
     hand.scene.programs.back().uniforms.push_back(number("uTexUnit", unit));
     programs.byIndex[program] = interfaceWith({{"uTexUnit", "sampler2D"}});
     return program;
 }
-int plain(SceneByHand& hand, Programs& programs, const std::string& name) {
-    const int program = hand.program(name);
+scene::ProgramIndex plain(SceneByHand& hand, Programs& programs, const std::string& name) {
+    const auto program = hand.program(name);
     programs.byIndex[program] = interfaceWith({});
     return program;
 }
@@ -33,10 +33,10 @@ TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Unused");
-    const int used = plain(hand, programs, "Used");
+    const auto used = plain(hand, programs, "Used");
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{used});
+    EXPECT_EQ(programs.askedPrograms(), std::vector{used});
     EXPECT_EQ(skipped(plan, "program"), Words{"'Unused': nothing is drawn with it"});
     EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing that is seen needs it",
                                             "'shaders/Unused.frag': nothing that is seen needs it"}));
@@ -52,19 +52,19 @@ TEST(Needs, AProgramIsAskedForOnceAVariant) {
     hand.teapot();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(programs.asked.size(), 2U);
-    EXPECT_EQ(programs.asked[1], (ProgramVariant{0, true, 1}));
+    EXPECT_EQ(programs.asked[1], (ProgramVariant{scene::ProgramIndex(0), true, 1}));
     EXPECT_EQ(plan.meshes.size(), 2U);
 }
 
 TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
     SceneByHand hand;
     Programs programs;
-    const int hidden = plain(hand, programs, "Hidden");
+    const auto hidden = plain(hand, programs, "Hidden");
     hand.teapot();
     hand.clear();
     hand.teapot();
     hand.clear();
-    const int clearLine = hand.line;
+    const auto clearLine = hand.line;
     plain(hand, programs, "Seen");
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
@@ -74,7 +74,7 @@ TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
     EXPECT_EQ(skipped(plan, "statement"), Words{"Clear: " + why});
     EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing that is seen draws it"});
     EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing that is seen is drawn with it"});
-    EXPECT_EQ(programs.askedForImages, std::vector<int>{hidden});
+    EXPECT_EQ(programs.askedForImages, std::vector{hidden});
 }
 
 TEST(Needs, DrawsBeforeAClearAreKeptForImageWrites) {
@@ -96,7 +96,7 @@ TEST(Needs, APassOfTheWindowBeforeTheLastClearIsNotSeen) {
     Programs programs;
     plain(hand, programs, "Dots");
     hand.sphere();
-    const int target = hand.emptyTexture(6);
+    const auto target = hand.emptyTexture(6);
     hand.target({target});
     hand.teapot();
     hand.window();
@@ -119,25 +119,25 @@ TEST(Needs, AWindowWithoutDrawsIsStillCleared) {
 TEST(Needs, PassesFollowAChainOfSampledTargets) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
-    const int b = hand.emptyTexture(11);
-    const int c = hand.emptyTexture(12);
-    const int first = plain(hand, programs, "A");
+    const auto a = hand.emptyTexture(10);
+    const auto b = hand.emptyTexture(11);
+    const auto c = hand.emptyTexture(12);
+    const auto first = plain(hand, programs, "A");
     hand.target({a});
     hand.sphere();
-    const int second = sampling(hand, programs, "B", 10);
+    const auto second = sampling(hand, programs, "B", 10);
     hand.target({b});
     hand.teapot();
     plain(hand, programs, "C");
     hand.target({c});
     hand.draw("Torus", hand.shape(glib::commandOf("Torus")));
-    const int last = sampling(hand, programs, "Final", 11);
+    const auto last = sampling(hand, programs, "Final", 11);
     hand.window();
     hand.draw("QuadXY", hand.shape(glib::commandOf("QuadXY")));
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
-    EXPECT_EQ(programs.askedPrograms(), (std::vector<int>{last, second, first}));
-    EXPECT_EQ(plan.textures, (std::vector<int>{a, b}));
+    EXPECT_EQ(programs.askedPrograms(), (std::vector{last, second, first}));
+    EXPECT_EQ(plan.textures, (std::vector{a, b}));
     EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 12 / 2D: no active sampler reads it"});
     EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing that is seen is drawn with it"});
@@ -148,7 +148,7 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
 TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
+    const auto a = hand.emptyTexture(10);
     sampling(hand, programs, "Reader", 10);
     hand.sphere();
     plain(hand, programs, "Writer");
@@ -160,8 +160,8 @@ TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
 TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
-    const int b = hand.emptyTexture(11);
+    const auto a = hand.emptyTexture(10);
+    const auto b = hand.emptyTexture(11);
     sampling(hand, programs, "ReadsB", 11);
     hand.target({a});
     hand.sphere();
@@ -176,8 +176,8 @@ TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
 TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
-    const int b = hand.emptyTexture(11);
+    const auto a = hand.emptyTexture(10);
+    const auto b = hand.emptyTexture(11);
     plain(hand, programs, "Both");
     hand.target({a, b});
     hand.sphere();
@@ -189,20 +189,20 @@ TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(drawn(plan), " | Sphere | Sphere");
-    EXPECT_EQ(plan.textures, (std::vector<int>{a, b}));
+    EXPECT_EQ(plan.textures, (std::vector{a, b}));
     EXPECT_EQ(plan.programs.at(1).variant.colorTargets, 2);
 }
 
 TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
+    const auto a = hand.emptyTexture(10);
     plain(hand, programs, "Dots");
     hand.target({a});
     hand.sphere();
-    const int again = hand.emptyTexture(10);  // the same unit, so the same depth buffer
+    const auto again = hand.emptyTexture(10);  // the same unit, so the same depth buffer
     scene::Pass& second = hand.target({again});
-    second.depthBuffer = a + 1;
+    second.depthBuffer = hand.depthBufferOf(a);
     second.clearDepth = false;
     hand.teapot();
     sampling(hand, programs, "Final", 10);
@@ -214,13 +214,13 @@ TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
 TEST(Needs, APassThatClearsItsSharedDepthNeedsNoneBeforeIt) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
+    const auto a = hand.emptyTexture(10);
     plain(hand, programs, "Dots");
     hand.target({a});
     hand.sphere();
-    const int again = hand.emptyTexture(10);
+    const auto again = hand.emptyTexture(10);
     scene::Pass& second = hand.target({again});
-    second.depthBuffer = a + 1;
+    second.depthBuffer = hand.depthBufferOf(a);
     second.clearDepth = false;
     hand.clear();
     hand.teapot();
@@ -233,8 +233,8 @@ TEST(Needs, APassThatClearsItsSharedDepthNeedsNoneBeforeIt) {
 TEST(Needs, APassThatMayWriteImagesIsNeededAndSoIsWhatItSamples) {
     SceneByHand hand;
     Programs programs;
-    const int a = hand.emptyTexture(10);
-    const int b = hand.emptyTexture(11);
+    const auto a = hand.emptyTexture(10);
+    const auto b = hand.emptyTexture(11);
     plain(hand, programs, "Source");
     hand.target({a});
     hand.sphere();
@@ -270,12 +270,12 @@ TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
 TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
     SceneByHand hand;
     Programs programs;
-    const int used = hand.texture(5);
+    const auto used = hand.texture(5);
     hand.texture(6);
     sampling(hand, programs, "Dots", 5);
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    EXPECT_EQ(plan.textures, std::vector<int>{used});
+    EXPECT_EQ(plan.textures, std::vector{used});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 6 / 2D: no active sampler reads it"});
     EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing that is seen needs it"});
 }
@@ -284,34 +284,34 @@ TEST(Needs, NoiseIsMadeOnlyIfAnActiveSamplerReadsIt) {
     SceneByHand hand;
     Programs programs;
     hand.noise(2);
-    const int noise3 = hand.noise(3);
-    const int program = hand.program("Dots");
+    const auto noise3 = hand.noise(3);
+    const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({{"Noise3", "sampler3D"}});
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    EXPECT_EQ(plan.textures, std::vector<int>{noise3});
+    EXPECT_EQ(plan.textures, std::vector{noise3});
     EXPECT_EQ(skipped(plan, "noise texture"), Words{"unit 2 / 2D: no active sampler reads it"});
 }
 
 TEST(Needs, NoiseIsMadeForAnySamplerThatReadsItsSlot) {
     SceneByHand hand;
     Programs programs;
-    const int noise2 = hand.noise(2);
+    const auto noise2 = hand.noise(2);
     sampling(hand, programs, "Dots", 2);
     hand.sphere();
-    EXPECT_EQ(programs.plan(hand.scene).textures, std::vector<int>{noise2});
+    EXPECT_EQ(programs.plan(hand.scene).textures, std::vector{noise2});
 }
 
 TEST(Needs, AttributesThatNoProgramReadsAreNotMade) {
     SceneByHand hand;
     Programs programs;
-    const int program = hand.program("Dots");
+    const auto program = hand.program("Dots");
     programs.byIndex[program] = interfaceWith({});
     programs.byIndex[program].inputs = {{"aVertex", 0}, {"glibra_Normal", 1}, {"gl_VertexID", -1}};
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);
-    EXPECT_EQ(plan.meshes[0].attributes, (Words{"position", "normal"}));
+    EXPECT_EQ(plan.meshes.at(0).attributes, (Words{"position", "normal"}));
     EXPECT_EQ(skipped(plan, "attribute"),
               (Words{"texCoord of Sphere: no program reads it", "tangent of Sphere: no program reads it"}));
 }
@@ -321,12 +321,12 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     Programs programs;
     plain(hand, programs, "Position");
     hand.sphere();
-    const int program = plain(hand, programs, "Tangents");
+    const auto program = plain(hand, programs, "Tangents");
     programs.byIndex[program].inputs.push_back({"Tangent", 1});
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.meshes.size(), 1U);
-    EXPECT_EQ(plan.meshes[0].attributes, (Words{"position", "tangent"}));
+    EXPECT_EQ(plan.meshes.at(0).attributes, (Words{"position", "tangent"}));
 }
 
 /// Says that shapes of that command are out of sight; counts the questions.
@@ -337,7 +337,7 @@ struct Blinkers {
         PlanOptions result;
         result.outOfSight = [this, &scene](const scene::Draw& draw, const scene::Pass&) {
             ++asked;
-            const bool isUnseen = scene.shapes.at(static_cast<std::size_t>(draw.shape)).command == unseen;
+            const bool isUnseen = scene.shapes[draw.shape].command == unseen;
             return isUnseen ? std::string("it is behind a wall") : std::string();
         };
         return result;
@@ -347,19 +347,19 @@ struct Blinkers {
 TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindIt) {
     SceneByHand hand;
     Programs programs;
-    const int target = hand.emptyTexture(6);
+    const auto target = hand.emptyTexture(6);
     plain(hand, programs, "Inner");
     hand.target({target});
     hand.sphere();
     hand.window();
     sampling(hand, programs, "Outer", 6);
     hand.teapot();
-    hand.currentProgram = scene::kNone;
+    hand.currentProgram = {};
     hand.sphere();
     Blinkers blinkers{glib::commandOf("Teapot")};
     const FramePlan plan = programs.plan(hand.scene, blinkers.options(hand.scene));
     EXPECT_EQ(drawn(plan), " | Sphere");
-    EXPECT_EQ(programs.askedPrograms(), std::vector<int>{scene::kNone});
+    EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_TRUE(plan.textures.empty());
     EXPECT_EQ(plan.meshes.size(), 1U);
     EXPECT_EQ(skipped(plan, "draw"), Words{"Teapot: it is behind a wall"});
@@ -387,14 +387,14 @@ TEST(Needs, AMeshForEachDrawIsPlannedOnRequestOnly) {
     options.shareMeshes = false;
     const FramePlan plan = programs.plan(hand.scene, options);
     ASSERT_EQ(plan.meshes.size(), 3U);
-    EXPECT_EQ(plan.meshes[1].attributes, plan.meshes[0].attributes);
+    EXPECT_EQ(plan.meshes.at(1).attributes, plan.meshes.at(0).attributes);
 }
 
 TEST(Needs, CheckSkipsNothing) {
     SceneByHand hand;
     Programs programs;
     hand.noise(2);
-    const int c = hand.emptyTexture(12);
+    const auto c = hand.emptyTexture(12);
     plain(hand, programs, "Unused");
     plain(hand, programs, "Dots");
     hand.teapot();
@@ -408,8 +408,8 @@ TEST(Needs, CheckSkipsNothing) {
     EXPECT_EQ(drawn(plan), "Teapot Clear Sphere | Sphere");
     EXPECT_EQ(plan.textures.size(), 2U);
     EXPECT_TRUE(plan.skipped.empty());
-    const std::vector<int> asked = programs.askedPrograms();
-    EXPECT_NE(std::find(asked.begin(), asked.end(), 0), asked.end());
+    const auto asked = programs.askedPrograms();
+    EXPECT_NE(std::find(asked.begin(), asked.end(), scene::ProgramIndex(0)), asked.end());
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ struct Case {
     ProgramInterface interface;
 
     explicit Case(std::initializer_list<Stage> stages) { hand.program("silh", stages); }
-    Result<Submission> submit(const char* word, int shape, int patchVertices = 3) {
+    Result<Submission> submit(const char* word, scene::ShapeIndex shape, int patchVertices = 3) {
         scene::Draw& draw = hand.draw(word, shape);
         draw.patchVertices = patchVertices;
-        return submissionOf(hand.scene, draw, &hand.scene.programs[0], interface);
+        return submissionOf(hand.scene, draw, &hand.scene.programs.at(0), interface);
     }
     Result<Submission> submit(const char* word, CommandId command, int patchVertices = 3) {
         return submit(word, hand.shape(command), patchVertices);
@@ -145,7 +145,7 @@ struct PointSizeCase : Case {
         interface.facts.writesPointSize = true;
         scene::Draw& draw = hand.draw("X", hand.shape(command));
         draw.raster.pointSizeFromShader = mode;
-        return ignoresPointSize(draw, &hand.scene.programs[0], interface,
+        return ignoresPointSize(draw, &hand.scene.programs.at(0), interface,
                                 {topologyOf(hand.scene.shapes.back()), 0});
     }
 };

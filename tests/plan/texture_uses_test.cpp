@@ -19,28 +19,32 @@ std::vector<int> driverUnits(const Result<std::vector<UnitUse>>& result) {
 TEST(DriverUnits, AreCompactWhateverTheUnitsOfTheLanguage) {
     const auto interface =
         test::interfaceWith({{"a", "sampler2D"}, {"b", "sampler3D"}, {"c", "samplerCube"}});
-    const std::vector<SamplerBinding> samplers{{0, 0, 127}, {1, 0, 3}, {2, 0, 50}};
+    const std::vector<SamplerBinding> samplers{
+        {UniformIndex(0), 0, 127}, {UniformIndex(1), 0, 3}, {UniformIndex(2), 0, 50}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 1, 2}));
 }
 TEST(DriverUnits, AreSharedBySamplersOfOneTypeOnOneUnit) {
     const auto interface = test::interfaceWith({{"a", "sampler2D"}, {"b", "sampler2D[2]"}});
-    const std::vector<SamplerBinding> samplers{{0, 0, 5}, {1, 0, 6}, {1, 1, 5}};
+    const std::vector<SamplerBinding> samplers{
+        {UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 6}, {UniformIndex(1), 1, 5}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 1, 0}));
 }
 TEST(DriverUnits, AreApartForSamplersOfDifferentTypeOnOneUnit) {
     const auto interface =
         test::interfaceWith({{"a", "sampler2D"}, {"b", "samplerCube"}, {"c", "isampler2D"}});
-    const std::vector<SamplerBinding> samplers{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}};
+    const std::vector<SamplerBinding> samplers{
+        {UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 5}, {UniformIndex(2), 0, 5}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 1, 2}));
 }
 TEST(DriverUnits, OfImagesAreCountedApart) {
     const auto interface = test::interfaceWith({{"a", "sampler2D"}, {"b", "image2D"}});
-    const std::vector<SamplerBinding> samplers{{0, 0, 5}, {1, 0, 6}};
+    const std::vector<SamplerBinding> samplers{{UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 6}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 0}));
 }
 TEST(DriverUnits, AreNotMoreThanTheDriverHas) {
     const auto interface = test::interfaceWith({{"a", "sampler2D[3]"}});
-    const std::vector<SamplerBinding> samplers{{0, 0, 5}, {0, 1, 6}, {0, 2, 7}};
+    const std::vector<SamplerBinding> samplers{
+        {UniformIndex(0), 0, 5}, {UniformIndex(0), 1, 6}, {UniformIndex(0), 2, 7}};
     EXPECT_TRUE(assignUnits(interface, samplers, 3, 8));
     const auto result = assignUnits(interface, samplers, 2, 8);
     EXPECT_FALSE(result);
@@ -48,30 +52,30 @@ TEST(DriverUnits, AreNotMoreThanTheDriverHas) {
 }
 TEST(DriverUnits, ForImagesAreNotMoreThanTheDriverHas) {
     const auto interface = test::interfaceWith({{"a", "image2D"}});
-    EXPECT_FALSE(assignUnits(interface, std::vector<SamplerBinding>{{0, 0, 5}}, 80, 0));
+    EXPECT_FALSE(assignUnits(interface, std::vector<SamplerBinding>{{UniformIndex(0), 0, 5}}, 80, 0));
 }
 
 std::vector<TextureUse> uses(SceneByHand& hand, const ProgramInterface& interface, int unit,
                              bool clamp = false) {
     scene::Draw& draw = hand.sphere();
     draw.sampling.clamp = clamp;
-    return textureUses(hand.scene, draw, interface, std::vector<UnitUse>{{{0, 0, unit}, 0}});
+    return textureUses(hand.scene, draw, interface, std::vector<UnitUse>{{{UniformIndex(0), 0, unit}, 0}});
 }
 
 TEST(TextureUse, FollowsTheTypeOfTheSampler) {
     SceneByHand hand;
-    const int picture = hand.texture(5);
-    const int cube = hand.texture(5, TextureTarget::cube);
+    const auto picture = hand.texture(5);
+    const auto cube = hand.texture(5, TextureTarget::cube);
     EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "sampler2D"}}), 5).at(0).texture, picture);
     EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "samplerCube"}}), 5).at(0).texture, cube);
-    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "sampler3D"}}), 5).at(0).texture, scene::kNone);
+    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler3D"}}), 5).at(0).texture);
 }
 TEST(TextureUse, SeesWhatTheSlotHoldsAtTheDraw) {
     SceneByHand hand;
     const auto interface = test::interfaceWith({{"a", "sampler2D"}});
-    const int before = hand.texture(6);
+    const auto before = hand.texture(6);
     EXPECT_EQ(uses(hand, interface, 6).at(0).texture, before);
-    const int after = hand.texture(6);
+    const auto after = hand.texture(6);
     EXPECT_EQ(uses(hand, interface, 6).at(0).texture, after);
     EXPECT_NE(before, after);
 }
@@ -91,7 +95,7 @@ TEST(TextureUse, ClampsByTheDrawExceptNoiseAndCubes) {
 TEST(TextureUse, OfASamplerThatScenesCannotFillIsEmpty) {
     SceneByHand hand;
     hand.texture(5);
-    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "sampler2DArray"}}), 5).at(0).texture, scene::kNone);
+    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler2DArray"}}), 5).at(0).texture);
 }
 TEST(SlotText, NamesUnitAndTarget) {
     EXPECT_EQ(slotText(5, TextureTarget::texture3D), "5 / 3D");

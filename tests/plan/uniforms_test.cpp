@@ -29,11 +29,11 @@ UniformResolution resolve(const ProgramInterface& interface, std::vector<glib::U
     return resolveUniforms(program(std::move(pairs)), test::kScenePath, interface, overrides, used);
 }
 /// The literal of a uniform; the last one counts.
-Values literal(const UniformResolution& resolution, int uniform) {
+Values literal(const UniformResolution& resolution, std::size_t uniform) {
     Values values;
     for (const UniformBinding& each : resolution.values)
         if (const auto* found = std::get_if<Literal>(&each.value);
-            each.uniform == uniform && found != nullptr)
+            each.uniform.position() == uniform && found != nullptr)
             values = found->values;
     return values;
 }

@@ -148,11 +148,11 @@ TEST(Lists, ThePatchSizeIsThatOfTheEnd) {
 TEST(Lists, TrianglesAndLinesWithAdjacencyAreMeshesToo) {
     const Scene scene = run("Triangles [0 0 0] [1 0 0] [0 1 0 2]\nLinesAdjacency 0 0 0 1 0 0 2 0 0 3 0 0\n");
     ASSERT_EQ(scene.shapes.size(), 2U);
-    EXPECT_EQ(scene.shapes[0].list->topology, geometry::Topology::triangles);
-    EXPECT_EQ(valuesOf(*scene.shapes[0].list, geometry::kPosition),
+    EXPECT_EQ(scene.shapes.at(0).list->topology, geometry::Topology::triangles);
+    EXPECT_EQ(valuesOf(*scene.shapes.at(0).list, geometry::kPosition),
               (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 2}));
-    EXPECT_EQ(scene.shapes[1].list->topology, geometry::Topology::linesAdjacency);
-    EXPECT_EQ(scene.shapes[1].list->indices.size(), 4U);
+    EXPECT_EQ(scene.shapes.at(1).list->topology, geometry::Topology::linesAdjacency);
+    EXPECT_EQ(scene.shapes.at(1).list->indices.size(), 4U);
     EXPECT_EQ(drawsOf(scene).at(0).word, "Triangles");
 }
 

@@ -40,7 +40,7 @@ TEST(Passes, OneTexturePassAndTheWindow) {
     ASSERT_EQ(scene.passes.size(), 2U);
     const Pass& texture = scene.passes[0];
     ASSERT_EQ(texture.targets.size(), 1U);
-    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(texture.targets[0])).unit, 6);
+    EXPECT_EQ(scene.textures[texture.targets[0]].unit, 6);
     EXPECT_EQ(texture.clearColors, Colors{kRed});
     EXPECT_TRUE(texture.clearDepth);
     EXPECT_NE(texture.depthBuffer, 0);

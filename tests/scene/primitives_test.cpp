@@ -64,13 +64,13 @@ TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {
     for (const Expected& each : kShapes) {
         const Scene scene = run(std::string(each.text) + "\n");
         ASSERT_EQ(scene.shapes.size(), 1U) << each.text;
-        EXPECT_EQ(topologyOf(scene.shapes[0]), each.topology) << each.text;
-        const auto mesh = makeMesh(scene, 0);
+        EXPECT_EQ(topologyOf(scene.shapes.at(0)), each.topology) << each.text;
+        const auto mesh = makeMesh(scene, ShapeIndex(0));
         ASSERT_TRUE(mesh) << each.text;
         EXPECT_EQ(static_cast<int>(mesh->vertexCount()), each.vertices) << each.text;
         EXPECT_EQ(static_cast<int>(mesh->indices.size()), each.indices) << each.text;
         EXPECT_EQ(mesh->topology, each.topology) << each.text;
-        const auto counts = countsOf(scene.shapes[0]);
+        const auto counts = countsOf(scene.shapes.at(0));
         ASSERT_TRUE(counts) << each.text;
         EXPECT_EQ(static_cast<int>(counts->vertices), each.vertices) << each.text;
         EXPECT_EQ(static_cast<int>(counts->primitives) * geometry::verticesPerPrimitive(each.topology),
@@ -85,7 +85,7 @@ struct Extent {
 };
 Extent extentOf(std::string_view text) {
     Extent extent;
-    const auto mesh = makeMesh(run(text), 0);
+    const auto mesh = makeMesh(run(text), ShapeIndex(0));
     const geometry::Attribute* position = mesh ? mesh->attribute(geometry::kPosition) : nullptr;
     if (position == nullptr) return extent;
     const auto stride = static_cast<std::size_t>(position->components);
@@ -129,7 +129,7 @@ TEST(Primitives, ArgumentsReachTheirShapesInOrder) {
 
 TEST(Primitives, TheSeedOfAJitterCloudCounts) {
     const auto positions = [](std::string_view text) {
-        return makeMesh(run(text), 0)->attribute(geometry::kPosition)->values;
+        return makeMesh(run(text), ShapeIndex(0))->attribute(geometry::kPosition)->values;
     };
     EXPECT_EQ(positions("JitterCloud 3 3 3\n"), positions("JitterCloud 3 3 3 0\n"));
     EXPECT_NE(positions("JitterCloud 3 3 3\n"), positions("JitterCloud 3 3 3 1\n"));
@@ -143,9 +143,9 @@ TEST(Primitives, AZeroSizeDrawsNothing) {
           "WireCone 1 0", "WireCube 0", "WireBox 1 1 0"}) {
         const Scene scene = run(std::string(text) + "\n");
         ASSERT_EQ(scene.shapes.size(), 1U) << text;
-        EXPECT_TRUE(drawsNothing(scene.shapes[0])) << text;
-        EXPECT_EQ(countsOf(scene.shapes[0])->vertices, 0U) << text;
-        const auto mesh = makeMesh(scene, 0);
+        EXPECT_TRUE(drawsNothing(scene.shapes.at(0))) << text;
+        EXPECT_EQ(countsOf(scene.shapes.at(0))->vertices, 0U) << text;
+        const auto mesh = makeMesh(scene, ShapeIndex(0));
         ASSERT_TRUE(mesh) << text;
         EXPECT_EQ(mesh->vertexCount(), 0U) << text;
         EXPECT_TRUE(mesh->indices.empty()) << text;
@@ -164,13 +164,13 @@ TEST(Models, ObjCommandsGiveTheirKindOfMesh) {
     ASSERT_EQ(scene.shapes.size(), 4U);
     const std::array topologies{triangles, lines, trianglesAdjacency, patches};
     const std::array indices{6U, 8U, 12U, 6U};
-    for (int i = 0; i < 4; ++i) {
-        const auto mesh = makeMesh(scene, i);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto mesh = makeMesh(scene, ShapeIndex(i));
         ASSERT_TRUE(mesh);
-        EXPECT_EQ(mesh->topology, topologies[static_cast<std::size_t>(i)]);
-        EXPECT_EQ(mesh->indices.size(), indices[static_cast<std::size_t>(i)]);
-        EXPECT_FALSE(countsOf(scene.shapes[static_cast<std::size_t>(i)])) << "only the file knows";
-        EXPECT_FALSE(drawsNothing(scene.shapes[static_cast<std::size_t>(i)]));
+        EXPECT_EQ(mesh->topology, topologies[i]);
+        EXPECT_EQ(mesh->indices.size(), indices[i]);
+        EXPECT_FALSE(countsOf(scene.shapes.at(i))) << "only the file knows";
+        EXPECT_FALSE(drawsNothing(scene.shapes.at(i)));
     }
 }
 
@@ -178,15 +178,15 @@ TEST(Models, TangentsAreMadeOnlyIfWanted) {
     const TemporaryFolder folder;
     folder.write("square.obj", kSquare);
     const Scene scene = run("Obj square.obj\n", folder.path() / "a.glib");
-    EXPECT_NE(makeMesh(scene, 0)->attribute(geometry::kTangent), nullptr);
-    EXPECT_EQ(makeMesh(scene, 0, false)->attribute(geometry::kTangent), nullptr);
+    EXPECT_NE(makeMesh(scene, ShapeIndex(0))->attribute(geometry::kTangent), nullptr);
+    EXPECT_EQ(makeMesh(scene, ShapeIndex(0), false)->attribute(geometry::kTangent), nullptr);
 }
 
 TEST(Models, RemarksOfTheFileComeWithTheMesh) {
     const TemporaryFolder folder;
     folder.write("square.obj", std::string(kSquare) + "l 1 2\n");
     const Scene scene = run("\nObj Square.obj\n", folder.path() / "a.glib");
-    const auto mesh = makeMesh(scene, 0);
+    const auto mesh = makeMesh(scene, ShapeIndex(0));
     EXPECT_TRUE(mesh);
     EXPECT_EQ(idsOf(mesh.diagnostics), "file-W01 file-W04");
     EXPECT_EQ(mesh.diagnostics.at(0).place.line, 2);
@@ -202,13 +202,13 @@ TEST(Models, WhatCannotBeReadIsToldAtTheSceneOrInTheFile) {
         run("Obj absent.obj\nObj empty.obj\nObj faceless.obj\nShp broken.shp\n", folder.path() / "a.glib");
     ASSERT_EQ(scene.shapes.size(), 4U);
     const std::array ids{"file-E01", "file-E02", "file-E07", "file-E04"};
-    for (int i = 0; i < 4; ++i) {
-        const auto mesh = makeMesh(scene, i);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto mesh = makeMesh(scene, ShapeIndex(i));
         EXPECT_FALSE(mesh);
-        EXPECT_EQ(idsOf(mesh.diagnostics), ids[static_cast<std::size_t>(i)]) << textsOf(mesh.diagnostics);
+        EXPECT_EQ(idsOf(mesh.diagnostics), ids[i]) << textsOf(mesh.diagnostics);
     }
-    EXPECT_EQ(makeMesh(scene, 0).diagnostics.at(0).place.line, 1);
-    EXPECT_EQ(makeMesh(scene, 1).diagnostics.at(0).place.line, 2);
+    EXPECT_EQ(makeMesh(scene, ShapeIndex(0)).diagnostics.at(0).place.line, 1);
+    EXPECT_EQ(makeMesh(scene, ShapeIndex(1)).diagnostics.at(0).place.line, 2);
 }
 
 TEST(Models, AShapefileIsReadByItsContent) {
@@ -231,7 +231,7 @@ TEST(Models, AShapefileIsReadByItsContent) {
     little(120, 0x4010000000000000U, 8);
     const TemporaryFolder folder;
     folder.write("point.shp", file);
-    const auto mesh = makeMesh(run("Shp point.shp\n", folder.path() / "a.glib"), 0);
+    const auto mesh = makeMesh(run("Shp point.shp\n", folder.path() / "a.glib"), ShapeIndex(0));
     ASSERT_TRUE(mesh) << textsOf(mesh.diagnostics);
     EXPECT_EQ(mesh->topology, points);
     ASSERT_EQ(mesh->vertexCount(), 1U);

@@ -17,8 +17,7 @@ using tests::textsOf;
 std::string stagesOf(const Scene& scene, const Program& program) {
     std::string text;
     for (const StageFile& each : program.stages)
-        text += std::to_string(static_cast<int>(each.stage)) +
-                scene.files.at(static_cast<std::size_t>(each.file)).name + " ";
+        text += std::to_string(static_cast<int>(each.stage)) + scene.files[each.file].name + " ";
     return text;
 }
 
@@ -26,12 +25,12 @@ TEST(Programs, StagesAreInheritedByTheNextProgram) {
     const Scene scene =
         run("Vertex a.vert\nFragment a.frag\nProgram One uA 1\nFragment b.frag\nProgram Two uB 2\n");
     ASSERT_EQ(scene.programs.size(), 2U);
-    EXPECT_EQ(stagesOf(scene, scene.programs[0]), "0a.vert 4a.frag ");
-    EXPECT_EQ(stagesOf(scene, scene.programs[1]), "0a.vert 4b.frag ");
+    EXPECT_EQ(stagesOf(scene, scene.programs.at(0)), "0a.vert 4a.frag ");
+    EXPECT_EQ(stagesOf(scene, scene.programs.at(1)), "0a.vert 4b.frag ");
     EXPECT_EQ(scene.files.size(), 3U);
-    EXPECT_EQ(scene.programs[0].name, "One");
-    EXPECT_EQ(scene.programs[1].place.line, 5);
-    EXPECT_EQ(scene.programs[1].uniforms.at(0).tag, "uB");
+    EXPECT_EQ(scene.programs.at(0).name, "One");
+    EXPECT_EQ(scene.programs.at(1).place.line, 5);
+    EXPECT_EQ(scene.programs.at(1).uniforms.at(0).tag, "uB");
 }
 
 TEST(Programs, AStageWordWithoutFileRemovesTheStage) {
@@ -41,7 +40,7 @@ TEST(Programs, AStageWordWithoutFileRemovesTheStage) {
             "TessControl\nTessEvaluation\nGeometry\nProgram B\n");
     EXPECT_EQ(stagesOf(scene, scene.programs.at(0)), "0a.vert 1a.tcs 2a.tes 3a.geom 4a.frag ");
     EXPECT_EQ(stagesOf(scene, scene.programs.at(1)), "0a.vert 4a.frag ");
-    EXPECT_FALSE(scene.programs[1].hasStage(glsl::Stage::geometry));
+    EXPECT_FALSE(scene.programs.at(1).hasStage(glsl::Stage::geometry));
 }
 
 TEST(Programs, TheCommandDecidesTheStageNotTheSuffix) {
@@ -51,9 +50,9 @@ TEST(Programs, TheCommandDecidesTheStageNotTheSuffix) {
 
 TEST(Programs, DrawsUseTheProgramOfTheirPlace) {
     const auto draws = drawsOf(run("Sphere\nVertex a\nProgram A\nSphere\nProgram A\nSphere\n"));
-    EXPECT_EQ(draws.at(0).program, kNone);
-    EXPECT_EQ(draws.at(1).program, 0);
-    EXPECT_EQ(draws.at(2).program, 1) << "the same files make another program";
+    EXPECT_FALSE(draws.at(0).program);
+    EXPECT_EQ(draws.at(1).program, ProgramIndex(0));
+    EXPECT_EQ(draws.at(2).program, ProgramIndex(1)) << "the same files make another program";
 }
 
 TEST(Programs, GeometryTypesStayInForce) {
@@ -73,7 +72,7 @@ TEST(Programs, AMissingStageFileIsNobodysErrorYet) {
     const Scene scene = run("Vertex no-such.vert\nProgram A\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "");
     EXPECT_EQ(textsOf(scene.files.at(0).remarks), "1:8 file-E01 cannot find 'no-such.vert'");
-    EXPECT_TRUE(scene.files[0].path.empty());
+    EXPECT_TRUE(scene.files.at(0).path.empty());
 }
 
 TEST(Programs, GstapHasNoEffect) {

@@ -37,7 +37,7 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
     EXPECT_EQ(view.near, .1);
     EXPECT_EQ(view.far, 1000);
     EXPECT_EQ(draw.color, glm::dvec4(1.0));
-    EXPECT_EQ(draw.program, kNone);
+    EXPECT_FALSE(draw.program);
     EXPECT_EQ(draw.patchVertices, 3);
     EXPECT_EQ(draw.raster.lineWidth, 1);
     EXPECT_EQ(draw.raster.pointSize, 1);

@@ -15,15 +15,15 @@ using tests::run;
 using tests::TemporaryFolder;
 using tests::textsOf;
 
-/// What the slot holds at the draw; kNone if it is empty.
-int heldBy(const Scene& scene, const Draw& draw, int unit, TextureTarget target) {
-    for (const Slot& slot : scene.slotTables.at(static_cast<std::size_t>(draw.slots)))
+/// What the slot holds at the draw; none if it is empty.
+TextureIndex heldBy(const Scene& scene, const Draw& draw, int unit, TextureTarget target) {
+    for (const Slot& slot : scene.slotTables[draw.slots])
         if (slot.unit == unit && slot.target == target) return slot.texture;
-    return kNone;
+    return {};
 }
 
-const Texture& textureOf(const Scene& scene, int index) {
-    return scene.textures.at(static_cast<std::size_t>(index));
+const Texture& textureOf(const Scene& scene, TextureIndex index) {
+    return scene.textures[index];
 }
 
 /// A raw texture: little-endian sizes, then texels.
@@ -40,32 +40,32 @@ std::string raw(const std::vector<std::uint32_t>& sizes, std::size_t texelBytes)
 TEST(Textures, NoiseLiesOnUnits2And3FromTheStart) {
     const Scene scene = run("Sphere\n");
     const Draw draw = drawsOf(scene).at(0);
-    const int noise2 = heldBy(scene, draw, 2, TextureTarget::texture2D);
-    const int noise3 = heldBy(scene, draw, 3, TextureTarget::texture3D);
-    ASSERT_NE(noise2, kNone);
-    ASSERT_NE(noise3, kNone);
+    const TextureIndex noise2 = heldBy(scene, draw, 2, TextureTarget::texture2D);
+    const TextureIndex noise3 = heldBy(scene, draw, 3, TextureTarget::texture3D);
+    ASSERT_TRUE(noise2);
+    ASSERT_TRUE(noise3);
     const auto& two = std::get<NoiseSource>(textureOf(scene, noise2).source);
     const auto& three = std::get<NoiseSource>(textureOf(scene, noise3).source);
     EXPECT_EQ(two.dimensions, 2);
     EXPECT_EQ(three.dimensions, 3);
     EXPECT_EQ(two.size, 64);
     EXPECT_EQ(three.size, 64);
-    EXPECT_EQ(heldBy(scene, draw, 2, TextureTarget::texture3D), kNone);
+    EXPECT_FALSE(heldBy(scene, draw, 2, TextureTarget::texture3D));
 }
 
 TEST(Textures, TheLastNoiseSizeCountsForTheWholeScene) {
     const Scene scene = run("Noise3D 32\nSphere\nNoise3D 128\nNoise2D 256\n");
-    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, 0).source).size, 256);
-    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, 1).source).size, 128);
+    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).size, 256);
+    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).size, 128);
 }
 
 TEST(Textures, EachDrawSeesWhatItsSlotsHoldAtItsPlace) {
     const Scene scene = run("Texture2D 6 a.bmp\nSphere\nTexture2D 6 b.bmp\nSphere\nSphere\n");
     const auto draws = drawsOf(scene);
     const auto nameAt = [&](std::size_t i) {
-        const int texture = heldBy(scene, draws.at(i), 6, TextureTarget::texture2D);
-        const int file = std::get<PictureSource>(textureOf(scene, texture).source).files.at(0);
-        return scene.files.at(static_cast<std::size_t>(file)).name;
+        const TextureIndex texture = heldBy(scene, draws.at(i), 6, TextureTarget::texture2D);
+        const FileIndex file = std::get<PictureSource>(textureOf(scene, texture).source).files.at(0);
+        return scene.files[file].name;
     };
     EXPECT_EQ(nameAt(0), "a.bmp");
     EXPECT_EQ(nameAt(1), "b.bmp");
@@ -81,8 +81,8 @@ TEST(Textures, OneUnitHoldsATextureForEachTarget) {
     const std::array targets{TextureTarget::texture1D, TextureTarget::texture2D, TextureTarget::texture3D,
                              TextureTarget::cube};
     for (const TextureTarget target : targets) {
-        const int texture = heldBy(scene, draw, 6, target);
-        ASSERT_NE(texture, kNone);
+        const TextureIndex texture = heldBy(scene, draw, 6, target);
+        ASSERT_TRUE(texture);
         EXPECT_EQ(textureOf(scene, texture).target, target);
         EXPECT_EQ(textureOf(scene, texture).unit, 6);
     }
@@ -92,7 +92,9 @@ TEST(Textures, OneUnitHoldsATextureForEachTarget) {
 TEST(Textures, EmptyOnesHaveSizesAndAFormat) {
     const Scene scene =
         run("Texture2D 6 640 480\nTexture3D 7 2 3 4 rgba16f\nTexture1D 8 5 R32F\nTexture2D 9 1 1 RGBA32F\n");
-    const auto sourceOf = [&](int index) { return std::get<EmptySource>(textureOf(scene, index).source); };
+    const auto sourceOf = [&](std::size_t index) {
+        return std::get<EmptySource>(scene.textures.at(index).source);
+    };
     EXPECT_EQ(sourceOf(2).width, 640);
     EXPECT_EQ(sourceOf(2).height, 480);
     EXPECT_EQ(sourceOf(2).depth, 1);
@@ -106,9 +108,9 @@ TEST(Textures, EmptyOnesHaveSizesAndAFormat) {
 
 TEST(Textures, TextureTakesItsDimensionFromTheNumberOfSizes) {
     const Scene scene = run("Texture 6 8\nTexture 6 8 8\nTexture 6 8 8 8\n");
-    EXPECT_EQ(textureOf(scene, 2).target, TextureTarget::texture1D);
-    EXPECT_EQ(textureOf(scene, 3).target, TextureTarget::texture2D);
-    EXPECT_EQ(textureOf(scene, 4).target, TextureTarget::texture3D);
+    EXPECT_EQ(textureOf(scene, TextureIndex(2)).target, TextureTarget::texture1D);
+    EXPECT_EQ(textureOf(scene, TextureIndex(3)).target, TextureTarget::texture2D);
+    EXPECT_EQ(textureOf(scene, TextureIndex(4)).target, TextureTarget::texture3D);
 }
 
 TEST(Textures, TextureTakesItsDimensionFromTheContentOfTheFile) {
@@ -126,9 +128,9 @@ TEST(Textures, TextureTakesItsDimensionFromTheContentOfTheFile) {
     EXPECT_EQ(targetOfFile(folder.path() / "absent.tex"), TextureTarget::texture2D);
     EXPECT_EQ(targetOfFile(folder.path()), TextureTarget::texture2D);
     const Scene scene = run("Texture 6 three.tex\nTexture2D 7 two.tex\n", folder.path() / "a.glib");
-    EXPECT_EQ(textureOf(scene, 2).target, TextureTarget::texture3D);
-    EXPECT_TRUE(std::get<PictureSource>(textureOf(scene, 2).source).anyDimension);
-    EXPECT_FALSE(std::get<PictureSource>(textureOf(scene, 3).source).anyDimension);
+    EXPECT_EQ(textureOf(scene, TextureIndex(2)).target, TextureTarget::texture3D);
+    EXPECT_TRUE(std::get<PictureSource>(textureOf(scene, TextureIndex(2)).source).anyDimension);
+    EXPECT_FALSE(std::get<PictureSource>(textureOf(scene, TextureIndex(3)).source).anyDimension);
 }
 
 TEST(Textures, SizesWhoseProductOverflowsFitNothing) {
@@ -141,10 +143,10 @@ TEST(Textures, SizesWhoseProductOverflowsFitNothing) {
 
 TEST(Textures, ACubeMapHasSixFiles) {
     const Scene scene = run("CubeMap 5 px nx py ny pz nz\n");
-    const auto& source = std::get<PictureSource>(textureOf(scene, 2).source);
+    const auto& source = std::get<PictureSource>(textureOf(scene, TextureIndex(2)).source);
     ASSERT_EQ(source.files.size(), 6U);
     std::string names;
-    for (const int file : source.files) names += scene.files.at(static_cast<std::size_t>(file)).name;
+    for (const FileIndex file : source.files) names += scene.files[file].name;
     EXPECT_EQ(names, "pxnxpynypznz");
 }
 
@@ -153,7 +155,7 @@ TEST(Textures, StatementsThatNameTheSameFileShareItsReference) {
     EXPECT_EQ(scene.files.size(), 2U);
     EXPECT_EQ(scene.textures.size(), 4U) << "but each statement owns a texture";
     EXPECT_EQ(scene.shapes.size(), 2U);
-    EXPECT_EQ(scene.shapes[0].file, scene.shapes[1].file);
+    EXPECT_EQ(scene.shapes.at(0).file, scene.shapes.at(1).file);
 }
 
 TEST(Textures, ReplacingTheNoiseIsTold) {
@@ -168,14 +170,16 @@ TEST(Textures, ReplacingTheNoiseIsTold) {
 TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
     const Scene scene =
         run("Texture3D 6 noise3d.064.tex\nTexture2D 7 C:\\tex\\Noise2D.128.tex\nTexture 8 noise3d.016.tex\n");
-    const auto sourceOf = [&](int index) { return std::get<NoiseSource>(textureOf(scene, index).source); };
+    const auto sourceOf = [&](std::size_t index) {
+        return std::get<NoiseSource>(scene.textures.at(index).source);
+    };
     EXPECT_EQ(sourceOf(2).dimensions, 3);
     EXPECT_EQ(sourceOf(2).size, 64);
-    EXPECT_EQ(sourceOf(2).file, kNone);
+    EXPECT_FALSE(sourceOf(2).file);
     EXPECT_EQ(textsOf(sourceOf(2).remarks), "1:13 file-W09 'noise3d.064.tex' not found, built-in noise used");
     EXPECT_EQ(sourceOf(3).dimensions, 2);
     EXPECT_EQ(sourceOf(3).size, 128);
-    EXPECT_EQ(textureOf(scene, 4).target, TextureTarget::texture3D);
+    EXPECT_EQ(textureOf(scene, TextureIndex(4)).target, TextureTarget::texture3D);
     EXPECT_EQ(sourceOf(4).size, 16);
     EXPECT_EQ(idsOf(scene.diagnostics), "") << "who does not need the texture does not hear of it";
 }
@@ -184,12 +188,12 @@ TEST(Textures, ANoiseFileThatIsThereIsAFile) {
     const TemporaryFolder folder;
     folder.write("noise3d.016.tex", raw({16, 16, 16}, 4));
     const Scene scene = run("Texture3D 6 noise3d.016.tex\n", folder.path() / "a.glib");
-    EXPECT_TRUE(std::holds_alternative<PictureSource>(textureOf(scene, 2).source));
+    EXPECT_TRUE(std::holds_alternative<PictureSource>(textureOf(scene, TextureIndex(2)).source));
 }
 
 TEST(Textures, ANoiseNameOfTheOtherDimensionIsAMissingFile) {
     const Scene scene = run("Texture2D 6 noise3d.064.tex\n");
-    EXPECT_TRUE(std::holds_alternative<PictureSource>(textureOf(scene, 2).source));
+    EXPECT_TRUE(std::holds_alternative<PictureSource>(textureOf(scene, TextureIndex(2)).source));
     EXPECT_EQ(idsOf(scene.files.at(0).remarks), "file-E01");
 }
 
@@ -213,11 +217,11 @@ TEST(Textures, NoiseBesideTheSceneIsUsedIfItFits) {
     const TemporaryFolder folder;
     folder.write("noise3d.016.tex", raw({16, 16, 16}, 4));
     const Scene scene = run("Noise3D 16\nSphere\n", folder.path() / "a.glib");
-    const auto& noise = std::get<NoiseSource>(textureOf(scene, 1).source);
-    ASSERT_NE(noise.file, kNone);
-    EXPECT_EQ(scene.files.at(static_cast<std::size_t>(noise.file)).path, folder.path() / "noise3d.016.tex");
+    const auto& noise = std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source);
+    ASSERT_TRUE(noise.file);
+    EXPECT_EQ(scene.files[noise.file].path, folder.path() / "noise3d.016.tex");
     EXPECT_EQ(textsOf(noise.remarks), "1:1 file-N01 noise taken from 'noise3d.016.tex' beside the scene");
-    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, 0).source).file, kNone);
+    EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).file);
 }
 
 TEST(Textures, NoiseBesideTheSceneOfAnotherSizeIsIgnored) {
@@ -225,10 +229,10 @@ TEST(Textures, NoiseBesideTheSceneOfAnotherSizeIsIgnored) {
     folder.write("noise3d.064.tex", raw({16, 16, 16}, 4));
     folder.write("noise2d.064.tex", raw({64, 64}, 16));
     const Scene scene = run("Sphere\n", folder.path() / "a.glib");
-    EXPECT_EQ(std::get<NoiseSource>(textureOf(scene, 1).source).file, kNone);
-    EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, 1).source).remarks),
+    EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).file);
+    EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).remarks),
               "1:1 file-W10 'noise3d.064.tex' does not hold 64 x 64 x 64 bytes, ignored");
-    EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, 0).source).remarks),
+    EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).remarks),
               "1:1 file-W10 'noise2d.064.tex' does not hold 64 x 64 bytes, ignored");
     EXPECT_TRUE(scene.files.empty());
 }

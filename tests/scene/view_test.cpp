@@ -24,10 +24,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 /// The policy with the real meshes; `asked` counts the meshes that it wanted.
 ViewMove viewOf(const Scene& scene, double aspect = 1, int* asked = nullptr) {
-    std::map<int, geometry::Mesh> meshes;
+    std::map<ShapeIndex, geometry::Mesh> meshes;
     return autoView(
         scene,
-        [&](int shape) -> const geometry::Mesh* {
+        [&](ShapeIndex shape) -> const geometry::Mesh* {
             if (asked != nullptr) ++*asked;
             const auto [entry, isNew] = meshes.try_emplace(shape);
             if (isNew)
@@ -199,7 +199,7 @@ TEST(ViewPolicy, ShapesThatCannotBeMadeCountForNothing) {
     EXPECT_EQ(distanceOf("Obj absent.obj\nSphere\n"), 2.375);
     const Scene scene = run("Sphere\n");
     EXPECT_EQ(autoView(
-                  scene, [](int) { return nullptr; }, 1)
+                  scene, [](ShapeIndex) { return nullptr; }, 1)
                   .distance,
               0);
 }

@@ -151,7 +151,7 @@ geometry::Mesh meshOf(const std::string& text) {
     const scene::Scene scene = interpreted(text);
     EXPECT_EQ(scene.shapes.size(), 1U) << text;
     if (scene.shapes.empty()) return {};
-    Result<geometry::Mesh> mesh = scene::makeMesh(scene, 0);
+    Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0));
     EXPECT_TRUE(mesh) << text;
     return mesh ? std::move(*mesh) : geometry::Mesh();
 }

@@ -27,7 +27,7 @@ TEST(FileUse, KnowsWhatTheSceneDoesWithAFile) {
     EXPECT_EQ(use("a.frag").kind, Kind::text);
     EXPECT_EQ(std::filesystem::path(use("a.frag").place.file).filename(), "a.frag");
     EXPECT_EQ(use("shown.ppm").kind, Kind::texture) << text(session.diagnostics());
-    ASSERT_GE(use("shown.ppm").texture, 0);
+    ASSERT_TRUE(use("shown.ppm").texture);
     EXPECT_NE(session.live().texture(use("shown.ppm").texture), nullptr);
     EXPECT_EQ(use("unused.ppm").kind, Kind::data);
     EXPECT_EQ(use("unused.ppm").place.line, 3);

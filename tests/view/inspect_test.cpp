@@ -30,9 +30,9 @@ TEST(Texels, OfAFloatTargetAreItsNumbers) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     session.drawIfNeeded();
-    int target = -1;
-    for (std::size_t i = 0; i < session.live().scene().textures.size(); ++i)
-        if (session.live().scene().textures[i].unit == 6) target = static_cast<int>(i);
+    scene::TextureIndex target;
+    for (const scene::TextureIndex each : session.live().scene().textures.indices())
+        if (session.live().scene().textures[each].unit == 6) target = each;
     const gpu::Texture* texture = session.live().texture(target);
     ASSERT_TRUE(texture);
     const view::TexelImage image = view::texelsOf(*texture, 0);
@@ -71,7 +71,7 @@ TEST(Texels, OfNoiseHaveItsSlices) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
-    const gpu::Texture* noise = session.live().texture(1);
+    const gpu::Texture* noise = session.live().texture(scene::TextureIndex(1));
     ASSERT_TRUE(noise);
     EXPECT_EQ(view::sliceCount(*noise), 64);
     const view::TexelImage first = view::texelsOf(*noise, 0);

@@ -39,7 +39,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
         ASSERT_TRUE(session.reload());
         session.drawIfNeeded();
         EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
-        EXPECT_TRUE(session.live().showsEarlierProgram(0));
+        EXPECT_TRUE(session.live().showsEarlierProgram(scene::ProgramIndex(0)));
         ASSERT_TRUE(hasError(session.diagnostics()));
         EXPECT_EQ(session.diagnostics().front().place.line, 3) << text(session.diagnostics());
         EXPECT_NE(session.diagnostics().front().text.find("oops"), std::string::npos);
@@ -51,7 +51,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
     ASSERT_TRUE(session.reload());
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{0, 255, 255}));
-    EXPECT_FALSE(session.live().showsEarlierProgram(0));
+    EXPECT_FALSE(session.live().showsEarlierProgram(scene::ProgramIndex(0)));
     EXPECT_FALSE(hasError(session.diagnostics()));
 }
 

@@ -63,7 +63,8 @@ TEST(ProgramLine, ReadsBackAsTheValuesItWasMadeFrom) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     turnAll(session);
-    const std::string line = view::programLine(session.live().scene(), 0, session.knobs());
+    const std::string line =
+        view::programLine(session.live().scene(), scene::ProgramIndex(0), session.knobs());
     const glib::Script script = glib::parse(line, "copied");
     EXPECT_TRUE(script.diagnostics.empty()) << text(script.diagnostics) << line;
     ASSERT_EQ(script.commands.size(), 1U);

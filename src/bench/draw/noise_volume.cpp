@@ -92,7 +92,7 @@ std::vector<float> exactTexels(int n) {
 NoiseVolume::NoiseVolume(int n, NoiseFormat format, const std::vector<float>& exact)
     : n_(n), format_(format) {
     if (format == NoiseFormat::byteFloor) {
-        const std::vector<std::uint8_t> bytes = noise::noise3Texels(n);
+        const noise::TexelBytes bytes = noise::noise3Texels(n);
         values_.resize(bytes.size());
         std::ranges::transform(bytes, values_.begin(),
                                [](std::uint8_t byte) { return static_cast<float>(byte / kMostByte); });

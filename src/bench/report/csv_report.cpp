@@ -8,7 +8,7 @@
 namespace glibra::bench {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string csvField(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
     std::string cell = "\"";
     for (const char each : text) cell.append(each == '"' ? 2 : 1, each);
@@ -33,9 +33,9 @@ std::string csvReport(const Report& report) {
         for (const Figure& figure : subject.figures)
             for (const Curve& curve : figure.curves)
                 for (const Point& point : curve.points)
-                    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", quoted(subject.name),
-                                       quoted(figure.name), quoted(curve.name), number(point.setting),
-                                       quoted(point.label), number(point.error), quoted(figure.errorUnit),
+                    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csvField(subject.name),
+                                       csvField(figure.name), csvField(curve.name), number(point.setting),
+                                       csvField(point.label), number(point.error), csvField(figure.errorUnit),
                                        timing(point.time), point.memory ? number(*point.memory) : "",
                                        point.isOnFront ? 1 : 0);
     return csv;

@@ -37,7 +37,7 @@ bool isOpaqueAssignment(const Unit& unit, std::uint32_t at) {
 /// True for changes like `name.rgb = ...` and `name.xy *= ...`
 bool leavesAlphaAlone(const Unit& unit, std::uint32_t at) {
     return unit.text(at + 1) == "." && unit.text(at + 2).find_first_of("awq") == std::string_view::npos &&
-           behindSuffixes(unit, at) == at + 3;
+           afterSuffixes(unit, at) == at + 3;
 }
 
 }  // namespace

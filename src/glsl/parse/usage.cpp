@@ -56,7 +56,7 @@ std::map<std::string_view, unsigned> outputArguments(const Unit& unit) {
 
 }  // namespace
 
-std::uint32_t behindSuffixes(const Unit& unit, std::uint32_t at) {
+std::uint32_t afterSuffixes(const Unit& unit, std::uint32_t at) {
     const auto end = static_cast<std::uint32_t>(unit.view.size());
     ++at;
     while (at < end) {
@@ -91,7 +91,7 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket) {
 bool isWrittenAt(const Unit& unit, std::uint32_t at) {
     const auto isStep = [](std::string_view text) { return text == "++" || text == "--"; };
     std::uint32_t first = at;
-    std::uint32_t behind = behindSuffixes(unit, at);
+    std::uint32_t behind = afterSuffixes(unit, at);
     while (true) {
         const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
         if (isStep(before)) return true;
@@ -101,7 +101,7 @@ bool isWrittenAt(const Unit& unit, std::uint32_t at) {
                              unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
         if (!wrapped) return false;
         --first;
-        behind = behindSuffixes(unit, behind);
+        behind = afterSuffixes(unit, behind);
     }
 }
 

@@ -12,7 +12,7 @@ void findUsage(Unit& unit);
 bool isWrittenAt(const Unit& unit, std::uint32_t at);
 
 /// The index after the name at `at` and the subscripts and members that follow it.
-std::uint32_t behindSuffixes(const Unit& unit, std::uint32_t at);
+std::uint32_t afterSuffixes(const Unit& unit, std::uint32_t at);
 
 /// The value of a constant index, such as 2 in name[2]; -1 for anything else.
 int constantIndex(const Unit& unit, std::uint32_t openBracket);

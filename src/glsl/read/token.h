@@ -20,7 +20,7 @@ struct Token {
     std::uint16_t file = 0;   ///< index into the files of the stage
     TokenKind kind = TokenKind::other;
     bool active = true;             ///< false: in a branch of #if that is not compiled
-    bool directive = false;         ///< stands on a preprocessor line
+    bool directive = false;         ///< it is on a preprocessor line
     bool droppedBackslash = false;  ///< a // comment that ended in a backslash
     bool synthetic = false;         ///< written by the translator
 };

@@ -16,7 +16,7 @@ struct Dialect {
     int version = 330;    ///< a known desktop version
     int written = 330;    ///< the number that __VERSION__ gives
     bool given = false;   ///< the source has a #version line
-    bool core = false;    ///< the line says core
+    bool core = false;    ///< that line has the word core
     std::string profile;  ///< "core", "compatibility" or empty, for sources that are not translated
     Place place;
 };

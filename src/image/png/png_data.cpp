@@ -11,7 +11,6 @@
 #include "image/bytes.h"
 #include "image/png/deflate_end.h"
 #include "image/png/png_rows.h"
-#include "image/png/quick_deflate.h"
 
 namespace glibra::image {
 namespace {
@@ -46,7 +45,7 @@ struct PackedStripe {
 class StripePacker {
   public:
     StripePacker(const Image& image, int level, std::size_t mostBytes)
-        : image_(image), compressor_(libdeflate_alloc_compressor(level)) {
+        : image_(image), isFrame_(level == 0), compressor_(libdeflate_alloc_compressor(std::max(level, 1))) {
         if (!compressor_) throw std::bad_alloc();
         filtered_ = std::make_unique_for_overwrite<std::uint8_t[]>(mostBytes);
         bound_ = libdeflate_deflate_compress_bound(compressor_.get(), mostBytes);
@@ -55,8 +54,9 @@ class StripePacker {
 
     PackedStripe pack(Stripe stripe, bool isLast) {
         const std::size_t size = (1 + image_.rowBytes()) * static_cast<std::size_t>(stripe.rows);
-        filterRows(image_, stripe.firstRow, stripe.rows,
-                   chooseFiltering(image_, stripe.firstRow, stripe.rows), filtered_.get());
+        const PngFiltering filtering =
+            isFrame_ ? PngFiltering::up : chooseFiltering(image_, stripe.firstRow, stripe.rows);
+        filterRows(image_, stripe.firstRow, stripe.rows, filtering, filtered_.get());
         PackedStripe result;
         result.adler = libdeflate_adler32(1, filtered_.get(), size);
         const std::size_t packedSize =
@@ -68,6 +68,7 @@ class StripePacker {
 
   private:
     const Image& image_;
+    bool isFrame_;
     std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor_;
     std::unique_ptr<std::uint8_t[]> filtered_;
     std::unique_ptr<std::byte[]> packed_;
@@ -104,26 +105,10 @@ std::uint32_t joinAdler(std::uint32_t first, std::uint32_t second, std::size_t s
     return static_cast<std::uint32_t>(b << 16U | a);
 }
 
-/// Packs a piece of 128 KiB at a time, which stays in the processor's cache.
-std::vector<std::byte> packAtOnce(const Image& image) {
-    constexpr std::size_t kPieceBytes = std::size_t{128} << 10;
-    const std::size_t rowSize = 1 + image.rowBytes();
-    const int rows = static_cast<int>(std::clamp<std::size_t>(kPieceBytes / rowSize, 1, 65536));
-    std::vector<std::uint8_t> piece(rowSize * static_cast<std::size_t>(std::min(rows, image.height)));
-    QuickPacker packer(static_cast<std::size_t>(image.components) * bytesOf(image.type));
-    for (int y = 0; y < image.height; y += rows) {
-        const int count = std::min(rows, image.height - y);
-        filterRows(image, y, count, PngFiltering::up, piece.data());
-        packer.add(std::span(piece).first(rowSize * static_cast<std::size_t>(count)));
-    }
-    return packer.finish();
-}
-
 }  // namespace
 
 std::vector<std::byte> packPngData(const Image& image, int level, unsigned threads) {
     const std::size_t rowSize = 1 + image.rowBytes();
-    if (level == 0) return packAtOnce(image);
     const std::vector<Stripe> stripes = stripesOf(image);
     const auto packed = packStripes(image, stripes, level, static_cast<int>(threads));
     if (packed.empty()) return {};

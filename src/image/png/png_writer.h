@@ -11,8 +11,8 @@
 namespace glibra::image {
 
 struct PngOptions {
-    /// libdeflate's levels, 1 (fast) to 12 (smallest). 0: as quickly as possible, which suits the frames of
-    /// animations; the files are larger.
+    /// libdeflate's levels, 1 (fast) to 12 (smallest). 0: level 1 with the filter `up` for all rows, without
+    /// a choice of filters; it suits the frames of animations.
     int level = 4;
     /// Keyword and text (UTF-8), stored as tEXt, or as iTXt if the text is not plain ASCII. Keywords have 1
     /// to 79 printable ASCII characters; others are left out.

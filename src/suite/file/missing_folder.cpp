@@ -44,7 +44,7 @@ std::string whyNoFolder(const fs::path& folder) {
         }
         const std::vector<std::string> beside = foldersIn(known.empty() ? "." : known);
         const std::vector<std::string_view> names(beside.begin(), beside.end());
-        return fmt::format("there is no folder {}{}", glib::quoted(next.string()),
+        return fmt::format("there is no folder {}{}", glib::inQuotes(next.string()),
                            glib::suggestion(part.string(), names));
     }
     return {};

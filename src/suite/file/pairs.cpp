@@ -93,7 +93,7 @@ void resolvePairs(TomlReader& reader, std::span<const PairRequest> requests, Sui
         const auto other = find(names, request);
         if (!other) {
             reader.error("suite-E07",
-                         fmt::format("{}: there is no shot {}{}", word, glib::quoted(request.name.text),
+                         fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),
                                      hint(suite, request.name.text)),
                          request.name.place);
             continue;

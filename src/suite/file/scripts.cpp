@@ -55,15 +55,26 @@ class ScriptFinder {
     std::vector<fs::path> fitting(const PlacedText& pattern) {
         const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
         if (files) return *files;
+<<<<<<< HEAD
         reader_.error(
             "suite-E11",
             fmt::format("{}: the search would look at more than 1,000,000 files", glib::quoted(pattern.text)),
             pattern.place);
+=======
+        reader_.error("suite-E11",
+                      fmt::format("{}: more than 1,000,000 files would have to be looked at",
+                                  glib::inQuotes(pattern.text)),
+                      pattern.place);
+>>>>>>> main
         return {};
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
+<<<<<<< HEAD
         std::string text = fmt::format("{}: no file matches {}", key, glib::quoted(pattern.text));
+=======
+        std::string text = fmt::format("{}: {} fits no file", key, glib::inQuotes(pattern.text));
+>>>>>>> main
         if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
             text += "; " + why;
         else if (const std::string near = nearEnding(pattern.text); !near.empty())
@@ -109,7 +120,7 @@ class ScriptFinder {
         if (const std::string why = whyNotAName(name); !why.empty())
             reader_.error(
                 "suite-E05",
-                fmt::format("shot {} of {} {}", glib::quoted(name), glib::quoted(script.string()), why),
+                fmt::format("shot {} of {} {}", glib::inQuotes(name), glib::inQuotes(script.string()), why),
                 place);
         else
             found_.push_back({script, std::move(name), place});
@@ -134,7 +145,8 @@ class ScriptFinder {
             else if (const std::string why = whyNoFolder(parent); !why.empty())
                 hint = "; " + why;
         }
-        reader_.error("suite-E10", fmt::format("script: cannot find {}{}", glib::quoted(path.string()), hint),
+        reader_.error("suite-E10",
+                      fmt::format("script: cannot find {}{}", glib::inQuotes(path.string()), hint),
                       script.place);
     }
 

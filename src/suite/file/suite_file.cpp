@@ -136,7 +136,7 @@ class SuiteBuilder {
 
         const Place place = from.name ? from.name->place : script.place;
         if (const auto [old, isNew] = byName_.emplace(shot.name, place); !isNew) {
-            const std::string name = glib::quoted(shot.name);
+            const std::string name = glib::inQuotes(shot.name);
             reader_.error("suite-E06",
                           old->second == place
                               ? fmt::format("this makes two shots {}", name)
@@ -159,7 +159,7 @@ class SuiteBuilder {
             if (other != byName_.end())
                 reader_.error("suite-E06",
                               fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
-                                          glib::quoted(shot.name), other->first, other->second.line),
+                                          glib::inQuotes(shot.name), other->first, other->second.line),
                               byName_.at(shot.name));
         }
     }
@@ -226,13 +226,13 @@ Result<Suite> readFolder(const fs::path& folder) {
             problems.push_back(
                 error("suite-E06",
                       fmt::format("{} and {} would both be the shot '{}'; rename one",
-                                  glib::quoted(old->second), glib::quoted(script.string()), shot.name),
+                                  glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
                       place));
         else if (!why.empty())
-            problems.push_back(error(
-                "suite-E05",
-                fmt::format("shot {} of {} {}", glib::quoted(shot.name), glib::quoted(script.string()), why),
-                place));
+            problems.push_back(error("suite-E05",
+                                     fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
+                                                 glib::inQuotes(script.string()), why),
+                                     place));
         else
             suite.shots.push_back(std::move(shot));
     }
@@ -241,7 +241,7 @@ Result<Suite> readFolder(const fs::path& folder) {
             problems.push_back(
                 error("suite-E06",
                       fmt::format("the golden of {} would be a variant of that of {}; rename one",
-                                  glib::quoted(shot.script.string()), glib::quoted(other->second)),
+                                  glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
                       place));
     if (hasError(problems)) return problems;
     return suite;

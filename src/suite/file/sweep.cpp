@@ -67,9 +67,16 @@ class UniformReader {
             if (const auto* part = entry.value.as<TomlTable>()) {
                 read(*part, name + '.');
             } else if (!isUniformName(name)) {
+<<<<<<< HEAD
                 reader_.error("suite-E05",
                               fmt::format("{}: {} is not the name of a uniform", word(), glib::quoted(name)),
                               reader_.placeOf(entry.position));
+=======
+                reader_.error(
+                    "suite-E05",
+                    fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
+                    entry.keyPlace);
+>>>>>>> main
             } else {
                 readOne(name, entry);
             }
@@ -118,7 +125,7 @@ class UniformReader {
             std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
             const std::string given = fmt::format("--set {}={}: ", name, *text);
             if (why.starts_with(given)) why.erase(0, given.size());
-            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::quoted(*text), why),
+            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
                           reader_.placeOf(node));
             return std::nullopt;
         }

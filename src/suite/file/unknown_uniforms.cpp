@@ -22,7 +22,7 @@ void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
         // A pair in the scene has its own place there.
         if (each.id != "glib-W23" || !each.place.file.empty()) continue;
         const auto isAbout = [&](const PlacedUniform& uniform) {
-            return each.text.find("a uniform " + glib::quoted(withoutProgram(uniform.name))) !=
+            return each.text.find("a uniform " + glib::inQuotes(withoutProgram(uniform.name))) !=
                    std::string::npos;
         };
         const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);

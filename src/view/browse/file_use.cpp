@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isMadeOf(const scene::Texture& texture, int file) {
+bool isMadeOf(const scene::Texture& texture, scene::FileIndex file) {
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) return noise->file == file;
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
     return picture != nullptr &&
@@ -26,17 +26,15 @@ bool isSame(const fs::path& a, const fs::path& b) {
 
 FileUse useOf(const LiveScene& live, const fs::path& file) {
     for (const SourceFile& each : sourceFiles(live))
-        if (isSame(each.path, file)) return {FileUse::Kind::text, scene::kNone, {each.path.string(), 1, 1}};
+        if (isSame(each.path, file)) return {FileUse::Kind::text, {}, {each.path.string(), 1, 1}};
     const scene::Scene& scene = live.scene();
     FileUse use;
-    for (std::size_t i = 0; i < scene.files.size(); ++i) {
+    for (const scene::FileIndex i : scene.files.indices()) {
         if (!isSame(scene.files[i].path, file)) continue;
-        use = {FileUse::Kind::data, scene::kNone, scene.files[i].place};
-        for (std::size_t texture = 0; texture < scene.textures.size(); ++texture) {
-            const auto number = static_cast<int>(texture);
-            if (isMadeOf(scene.textures[texture], static_cast<int>(i)) && live.texture(number))
-                return {FileUse::Kind::texture, number, scene.textures[texture].place};
-        }
+        use = {FileUse::Kind::data, {}, scene.files[i].place};
+        for (const scene::TextureIndex texture : scene.textures.indices())
+            if (isMadeOf(scene.textures[texture], i) && live.texture(texture))
+                return {FileUse::Kind::texture, texture, scene.textures[texture].place};
     }
     return use;
 }

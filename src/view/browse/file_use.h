@@ -15,7 +15,7 @@ struct FileUse {
         data      ///< a model, or a texture that no visible object samples
     };
     Kind kind = Kind::none;
-    int texture = scene::kNone;  ///< index into Scene::textures
+    scene::TextureIndex texture{};
     Place place;  ///< the first line of a text; the statement that names a texture or data file
 };
 

@@ -54,9 +54,9 @@ class DebugRenderer {
 
     gpu::Context& context_;
     LiveScene& scene_;
-    std::map<std::tuple<DebugView, DebugStages, int, int>, Drawn>
-        drawn_;  ///< by program and mesh of the plan
-    std::map<std::pair<DebugView, int>, bool> told_;
+    std::map<std::tuple<DebugView, DebugStages, plan::PlannedProgramIndex, plan::PlannedMeshIndex>, Drawn>
+        drawn_;
+    std::map<std::pair<DebugView, plan::PlannedProgramIndex>, bool> told_;
     Diagnostics remarks_;
     std::optional<gpu::Target> target_;
     TexelImage numbers_;

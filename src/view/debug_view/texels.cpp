@@ -126,11 +126,11 @@ NonFiniteTexels countNonFinite(const TexelImage& image) {
     return count;
 }
 
-std::string textureTitle(const scene::Scene& scene, int texture) {
-    const scene::Texture& of = scene.textures[static_cast<std::size_t>(texture)];
+std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture) {
+    const scene::Texture& of = scene.textures[texture];
     std::string what;
     if (const auto* picture = std::get_if<scene::PictureSource>(&of.source))
-        what = scene.files[static_cast<std::size_t>(picture->files.front())].name;
+        what = scene.files[picture->files.front()].name;
     else if (std::holds_alternative<scene::NoiseSource>(of.source))
         what = "noise";
     else

@@ -46,6 +46,6 @@ struct NonFiniteTexels {
 NonFiniteTexels countNonFinite(const TexelImage& image);
 
 /// A scene's texture as named in lists: "unit 5 / 2D: wood.bmp, line 12", "unit 6 / 2D: target, line 8".
-std::string textureTitle(const scene::Scene& scene, int texture);
+std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture);
 
 }  // namespace glibra::view

@@ -39,7 +39,7 @@ std::vector<SourceFile> sourceFiles(const LiveScene& live) {
     for (int i = 0; i < glsl::kStageCount; ++i)
         for (const scene::Program& program : scene.programs)
             for (const scene::StageFile& each : program.stages) {
-                const std::filesystem::path& path = scene.files[static_cast<std::size_t>(each.file)].path;
+                const std::filesystem::path& path = scene.files[each.file].path;
                 if (each.stage != static_cast<glsl::Stage>(i) || path.empty()) continue;
                 const std::string role = wordOf(each.stage) + std::string(" shader of ");
                 SourceFile* known = find(files, path);

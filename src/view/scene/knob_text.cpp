@@ -54,8 +54,8 @@ std::string pairText(const Knob& knob) {
     return knob.tag + " " + valueText(knob);
 }
 
-std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs) {
-    std::string text = "Program " + scene.programs[static_cast<std::size_t>(program)].name;
+std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs) {
+    std::string text = "Program " + scene.programs[program].name;
     for (const Knob& each : knobs)
         if (each.program == program) text += " \\\n    " + pairText(each);
     return text + "\n";
@@ -66,8 +66,7 @@ std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<c
                               return each.tag == knob.tag && each.program != knob.program;
                           });
     std::string name = knob.tag;
-    if (isShared)
-        name = fmt::format("{}:{}", scene.programs[static_cast<std::size_t>(knob.program)].place.line, name);
+    if (isShared) name = fmt::format("{}:{}", scene.programs[knob.program].place.line, name);
     if (knob.widget == Widget::checkBox) return name + (knob.current.front() != 0 ? "=true" : "=false");
     return name + "=" + joined(knob.current, knob.current.size(), ",");
 }

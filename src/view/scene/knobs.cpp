@@ -11,14 +11,14 @@ namespace glibra::view {
 namespace {
 
 /// "Dots", or "Dots (2)" for the second of that name.
-std::string titleOf(const scene::Scene& scene, int program) {
-    const std::string& name = scene.programs[static_cast<std::size_t>(program)].name;
+std::string titleOf(const scene::Scene& scene, scene::ProgramIndex program) {
+    const std::string& name = scene.programs[program].name;
     int sameName = 0;
     int before = 0;
-    for (std::size_t i = 0; i < scene.programs.size(); ++i) {
+    for (const scene::ProgramIndex i : scene.programs.indices()) {
         if (scene.programs[i].name != name) continue;
         ++sameName;
-        if (static_cast<int>(i) <= program) ++before;
+        if (i <= program) ++before;
     }
     return sameName > 1 ? fmt::format("{} ({})", name, before) : name;
 }
@@ -47,7 +47,7 @@ std::pair<double, double> limitsOf(const glib::UniformSpec& spec) {
 
 Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, const glib::UniformSpec& spec,
             const plan::NamedUniform& named, const plan::Literal& literal) {
-    const plan::ActiveUniform& uniform = planned.interface->uniforms[static_cast<std::size_t>(named.uniform)];
+    const plan::ActiveUniform& uniform = at(planned.interface->uniforms, named.uniform);
     const plan::Control* control = nullptr;
     for (const plan::Control& each : planned.controls)
         if (each.uniform == named.uniform) control = &each;
@@ -82,11 +82,11 @@ std::vector<const glib::UniformSpec*> countingSpecs(const scene::Program& progra
     return specs;
 }
 
-void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, int index, std::vector<Knob>& knobs) {
-    const plan::PlannedProgram& planned = plan.programs[static_cast<std::size_t>(index)];
+void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, plan::PlannedProgramIndex index,
+              std::vector<Knob>& knobs) {
+    const plan::PlannedProgram& planned = plan.programs[index];
     const plan::UniformNames names(*planned.interface);
-    for (const glib::UniformSpec* spec :
-         countingSpecs(scene.programs[static_cast<std::size_t>(planned.variant.program)]))
+    for (const glib::UniformSpec* spec : countingSpecs(scene.programs[planned.variant.program]))
         for (const plan::NamedUniform& named : names.find(spec->tag))
             for (std::size_t i = 0; i < planned.values.size(); ++i) {
                 const plan::UniformBinding& binding = planned.values[i];
@@ -100,7 +100,7 @@ void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, int index,
                 Knob& knob = known != knobs.end()
                                  ? *known
                                  : knobs.emplace_back(knobOf(scene, planned, *spec, named, *literal));
-                knob.bindings.push_back({index, static_cast<int>(i)});
+                knob.bindings.push_back({index, i});
             }
 }
 
@@ -112,13 +112,13 @@ bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
 
 std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan) {
     std::vector<Knob> knobs;
-    for (std::size_t i = 0; i < plan.programs.size(); ++i)
-        if (plan.programs[i].variant.program != scene::kNone && plan.programs[i].interface->usable)
-            addKnobs(scene, plan, static_cast<int>(i), knobs);
+    for (const plan::PlannedProgramIndex i : plan.programs.indices())
+        if (plan.programs[i].variant.program && plan.programs[i].interface->usable)
+            addKnobs(scene, plan, i, knobs);
     for (Knob& knob : knobs)
         knob.isShared =
             std::any_of(plan.programs.begin(), plan.programs.end(), [&](const plan::PlannedProgram& each) {
-                return each.variant.program != scene::kNone && each.variant.program != knob.program &&
+                return each.variant.program && each.variant.program != knob.program &&
                        hasUniform(each, knob.tag);
             });
     std::stable_sort(knobs.begin(), knobs.end(),
@@ -126,12 +126,11 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan
     return knobs;
 }
 
-std::vector<int> apply(const Knob& knob, plan::FramePlan& plan) {
-    std::vector<int> programs;
+std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan) {
+    std::vector<plan::PlannedProgramIndex> programs;
     for (const Knob::Binding& each : knob.bindings) {
-        plan::PlannedProgram& planned = plan.programs[static_cast<std::size_t>(each.program)];
-        std::get<plan::Literal>(planned.values[static_cast<std::size_t>(each.value)].value).values =
-            knob.current;
+        plan::PlannedProgram& planned = plan.programs[each.program];
+        std::get<plan::Literal>(planned.values[each.value].value).values = knob.current;
         programs.push_back(each.program);
     }
     return programs;
@@ -139,8 +138,7 @@ std::vector<int> apply(const Knob& knob, plan::FramePlan& plan) {
 
 void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
     for (const Knob& each : knobs) {
-        const std::tuple key(each.program, scene.programs[static_cast<std::size_t>(each.program)].name,
-                             each.tag);
+        const std::tuple key(each.program, scene.programs[each.program].name, each.tag);
         if (each.isChanged())
             values_[key] = {each.form, each.written, each.current};
         else
@@ -150,8 +148,7 @@ void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
 
 void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) const {
     for (Knob& each : knobs) {
-        const auto found = values_.find(
-            {each.program, scene.programs[static_cast<std::size_t>(each.program)].name, each.tag});
+        const auto found = values_.find({each.program, scene.programs[each.program].name, each.tag});
         if (found == values_.end()) continue;
         const Kept& kept = found->second;
         if (kept.form == each.form && kept.written == each.written &&

@@ -21,7 +21,7 @@ enum class Widget {
 };
 
 struct Knob {
-    int program = 0;    ///< index into Scene::programs
+    scene::ProgramIndex program{};
     std::string title;  ///< the program's name; numbered if several programs have that name
     std::string tag;
     plan::ValueType type;  ///< of one element
@@ -36,8 +36,8 @@ struct Knob {
     std::string declaration;  ///< type and name for the tooltip: "vec3 uColor"
 
     struct Binding {
-        int program = 0;  ///< index into FramePlan::programs
-        int value = 0;    ///< index into PlannedProgram::values
+        plan::PlannedProgramIndex program{};
+        std::size_t value = 0;  ///< index into PlannedProgram::values
     };
     std::vector<Binding> bindings;
 
@@ -51,7 +51,7 @@ struct Knob {
 std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan);
 
 /// Writes the knob's values into the plan. Returns the indices of the planned programs that have changed.
-std::vector<int> apply(const Knob& knob, plan::FramePlan& plan);
+std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan);
 
 /// The values that a user has set, kept while a scene is read again. A value returns if program position,
 /// program name, tag and the specification in the file are the same.
@@ -66,7 +66,7 @@ class KeptValues {
         glib::UniformForm form{};
         std::vector<double> written, current;
     };
-    std::map<std::tuple<int, std::string, std::string>, Kept> values_;
+    std::map<std::tuple<scene::ProgramIndex, std::string, std::string>, Kept> values_;
 };
 
 /// "<0 0.25 1>": the knob's current value in the form that the file uses.
@@ -74,7 +74,7 @@ std::string valueText(const Knob& knob);
 /// "uKd <0 0.25 1>": the knob's tag and value.
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program.
-std::string programLine(const scene::Scene& scene, int program, std::span<const Knob> knobs);
+std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs);
 /// An argument for `--set`: "uKd=0.25", or "8:uKd=0.25" with the line of the Program command if another
 /// program has the uniform too. The numbers are the shortest text that reads back as the same value.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);

@@ -69,7 +69,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
             return programs.interfaceOf(variant);
         },
-        [this](int program) { return programs.mayWriteImages(program); }, planOptions);
+        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
     programs.forgetPrevious();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
@@ -88,7 +88,7 @@ void LiveScene::State::prepareFallback() {
         std::any_of(plan.programs.begin(), plan.programs.end(),
                     [](const plan::PlannedProgram& each) { return !each.interface->usable; });
     if (!isNeeded) return;
-    const plan::ProgramVariant builtin{scene::kNone, false, 1};
+    const plan::ProgramVariant builtin{{}, false, 1};
     programs.interfaceOf(builtin);
     drawer->setFallback(programs.find(builtin));
 }
@@ -104,7 +104,7 @@ void LiveScene::State::placeEye(double aspect, Diagnostics& diagnostics) {
     eyeDistance = 0;
     if (options.view == ViewPolicy::glman || scene.usesLookAt) return;
     scene::ViewMove move = scene::autoView(
-        scene, [&](int shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
+        scene, [&](scene::ShapeIndex shape) { return device.mesh(shape, false, &diagnostics); }, aspect);
     eyeDistance = move.distance;
     append(diagnostics, std::move(move.diagnostics));
 }
@@ -150,7 +150,7 @@ bool LiveScene::isAnimated() const {
     return false;
 }
 
-bool LiveScene::showsEarlierProgram(int program) const {
+bool LiveScene::showsEarlierProgram(scene::ProgramIndex program) const {
     for (const plan::PlannedProgram& each : state_->plan.programs) {
         const render::BuiltProgram* built =
             each.variant.program == program ? state_->programs.find(each.variant) : nullptr;
@@ -187,7 +187,8 @@ void LiveScene::drawOutOfSight(bool on) {
 }
 
 void LiveScene::setValue(const Knob& knob) {
-    for (const int program : apply(knob, state_->plan)) state_->drawer->forgetLiterals(program);
+    for (const plan::PlannedProgramIndex program : apply(knob, state_->plan))
+        state_->drawer->forgetLiterals(program);
 }
 
 Diagnostics LiveScene::longLoops() {
@@ -234,14 +235,14 @@ render::FrameDrawer& LiveScene::drawer() {
     return *state_->drawer;
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
-    const plan::PlannedMesh& planned = state_->plan.meshes[static_cast<std::size_t>(draw.mesh)];
+    const plan::PlannedMesh& planned = state_->plan.meshes[draw.mesh];
     Diagnostics alreadyReported;
     return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
     return state_->device.deviceMesh(draw.mesh);
 }
-const gpu::Texture* LiveScene::texture(int index) const {
+const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
     return state_->device.texture(index);
 }
 

@@ -41,8 +41,8 @@ class LiveScene {
     [[nodiscard]] std::vector<Knob> knobs() const;
     /// True if a program that draws something reads Timer.
     [[nodiscard]] bool isAnimated() const;
-    /// True if the program (index into Scene::programs) does not compile and its last good version is shown.
-    [[nodiscard]] bool showsEarlierProgram(int program) const;
+    /// True if the program does not compile and its last good version is shown.
+    [[nodiscard]] bool showsEarlierProgram(scene::ProgramIndex program) const;
     /// Every file that was read for it, the scene first. Missing files are left out.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     /// The core GLSL that was made from a shader's line, if the driver rejected that shader; otherwise empty.
@@ -69,8 +69,8 @@ class LiveScene {
     /// The mesh of a draw in memory, and on the device; null if there is none.
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
     [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
-    /// The texture (index into Scene::textures); null if it is not on the device.
-    [[nodiscard]] const gpu::Texture* texture(int index) const;
+    /// Null if it is not on the device.
+    [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const;
 
   private:
     struct State;

@@ -62,7 +62,8 @@ std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double 
             counted.push_back({&draw, gpu::Name<deleteQuery>(name)});
             glBeginQuery(GL_SAMPLES_PASSED, name);
         });
-        scene.drawer().draw(picture, {0, 0, picture.width(), picture.height()}, time, false);
+        const int width = picture.width(), height = picture.height();
+        scene.drawer().draw(picture, {scene.view(), width, height, {0, 0, width, height}, time, false});
         scene.drawer().setDrawHook({});
     }
     float depth = 1;

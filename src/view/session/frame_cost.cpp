@@ -17,8 +17,9 @@ double seconds(std::chrono::steady_clock::time_point since) {
 
 void drawOnce(Session& session) {
     const gpu::Target& picture = *session.picture();
-    session.live().drawer().draw(picture, {0, 0, picture.width(), picture.height()}, session.clock().time(),
-                                 true);
+    const int width = picture.width(), height = picture.height();
+    session.live().drawer().draw(
+        picture, {session.live().view(), width, height, {0, 0, width, height}, session.clock().time()});
 }
 
 /// Index of the pass that the draw belongs to.
@@ -34,9 +35,8 @@ std::vector<PassCost> passesOf(const LiveScene& live) {
     for (const plan::PlannedPass& each : live.plan().passes) {
         PassCost pass{"window", each.pass->place.line, 0};
         std::string units;
-        for (const int target : each.pass->targets)
-            units += (units.empty() ? "" : ", ") +
-                     std::to_string(live.scene().textures[static_cast<std::size_t>(target)].unit);
+        for (const scene::TextureIndex target : each.pass->targets)
+            units += (units.empty() ? "" : ", ") + std::to_string(live.scene().textures[target].unit);
         if (!units.empty()) pass.target = (each.pass->targets.size() > 1 ? "units " : "unit ") + units;
         passes.push_back(std::move(pass));
     }

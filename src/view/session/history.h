@@ -22,7 +22,7 @@ class History {
 
   private:
     struct Value {
-        int program = 0;
+        scene::ProgramIndex program{};
         std::string tag;
         std::vector<double> values;
         friend bool operator==(const Value&, const Value&) = default;

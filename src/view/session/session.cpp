@@ -176,9 +176,8 @@ Diagnostics Session::setByText(const std::string& argument) {
     if (!parsed) return parsed.diagnostics;
     bool isKnown = false;
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        const std::string line =
-            std::to_string(live_->scene().programs[static_cast<std::size_t>(knobs_[i].program)].place.line);
-        const std::string& name = live_->scene().programs[static_cast<std::size_t>(knobs_[i].program)].name;
+        const std::string line = std::to_string(live_->scene().programs[knobs_[i].program].place.line);
+        const std::string& name = live_->scene().programs[knobs_[i].program].name;
         if (knobs_[i].tag != parsed->name) continue;
         if (!parsed->program.empty() && parsed->program != name && parsed->program != line) continue;
         isKnown = true;

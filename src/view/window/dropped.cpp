@@ -22,7 +22,7 @@ std::string show(Ui& ui, const FileUse& use, const std::string& name) {
             return {};
         case FileUse::Kind::texture:
             ui.inspector.isOpen = true;
-            ui.inspector.chosen = use.texture;
+            ui.inspector.chosen = static_cast<int>(use.texture.position());
             ui.inspector.slice = 0;
             return {};
         case FileUse::Kind::data:

@@ -108,7 +108,7 @@ TEST(LargeModel, OfTenMillionTrianglesIsReadWhole) {
     ASSERT_EQ(scene.shapes.size(), 1U);
     const long before = peakMemory();
     const Stopwatch reading;
-    const Result<geometry::Mesh> mesh = scene::makeMesh(scene, 0, false);
+    const Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0), false);
     const double seconds = reading.seconds();
     ASSERT_TRUE(mesh) << text(mesh.diagnostics);
     const std::size_t triangles = mesh->indices.size() / 3;

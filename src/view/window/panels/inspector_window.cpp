@@ -18,17 +18,21 @@ namespace {
 constexpr int kColor = -1;
 constexpr int kDepth = -2;
 
+scene::TextureIndex textureOf(int chosen) {
+    return chosen < 0 ? scene::TextureIndex() : scene::TextureIndex(static_cast<std::size_t>(chosen));
+}
+
 std::string titleOf(const Ui& ui, int chosen) {
     if (chosen == kColor) return "picture: colour";
     if (chosen == kDepth) return "picture: depth";
-    return textureTitle(ui.session.live().scene(), chosen);
+    return textureTitle(ui.session.live().scene(), textureOf(chosen));
 }
 
 void choose(Ui& ui) {
     Inspector& inspector = ui.inspector;
     const auto count = static_cast<int>(ui.session.live().scene().textures.size());
     const auto isThere = [&](int each) {
-        return each < 0 || (each < count && ui.session.live().texture(each));
+        return each < 0 || (each < count && ui.session.live().texture(textureOf(each)));
     };
     if (!isThere(inspector.chosen)) inspector.chosen = kColor;
     ImGui::SetNextItemWidth(-1);
@@ -62,7 +66,8 @@ void read(Ui& ui) {
         else if (inspector.chosen == kDepth)
             inspector.image = depthTexels(*picture);
         else
-            inspector.image = texelsOf(*ui.session.live().texture(inspector.chosen), inspector.slice);
+            inspector.image =
+                texelsOf(*ui.session.live().texture(textureOf(inspector.chosen)), inspector.slice);
         inspector.frame = ui.session.framesDrawn();
         inspector.readChosen = inspector.chosen;
         inspector.readSlice = inspector.slice;
@@ -94,8 +99,7 @@ void settings(Ui& ui) {
     ImGui::SliderFloat("zoom", &inspector.zoom, .1F, 32, "%.2f", ImGuiSliderFlags_Logarithmic);
     markField(ui, "inspector/zoom", "zoom");
     ImGui::PopItemWidth();
-    const gpu::Texture* texture =
-        inspector.chosen < 0 ? nullptr : ui.session.live().texture(inspector.chosen);
+    const gpu::Texture* texture = ui.session.live().texture(textureOf(inspector.chosen));
     const int slices = texture ? sliceCount(*texture) : 1;
     if (slices > 1) {
         const char* label = texture->shape() == gpu::TextureShape::cube ? "face" : "slice";

@@ -197,7 +197,7 @@ void row(Ui& ui, std::size_t index) {
     ImGui::PopID();
 }
 
-void section(Ui& ui, int program) {
+void section(Ui& ui, scene::ProgramIndex program) {
     const std::vector<Knob>& knobs = ui.session.knobs();
     if (!ImGui::BeginTable("values", 3, ImGuiTableFlags_None)) return;
     float widest = 0;
@@ -212,7 +212,7 @@ void section(Ui& ui, int program) {
     ImGui::EndTable();
     if (ImGui::SmallButton("Copy Program line"))
         ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
-    mark(ui, "copy/{}", program);
+    mark(ui, "copy/{}", program.position());
 }
 
 }  // namespace
@@ -244,11 +244,11 @@ void uniformsPanel(Ui& ui) {
     ImGui::Checkbox("Labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
-    int last = -1;
+    scene::ProgramIndex last;
     for (const Knob& first : knobs) {
         if (first.program == last) continue;
         last = first.program;
-        ImGui::PushID(last);
+        ImGui::PushID(static_cast<int>(last.position()));
         const char* state = ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
         ImGui::SetNextItemOpen(true, ImGuiCond_Once);
         if (ImGui::TreeNodeEx("program", ImGuiTreeNodeFlags_SpanAvailWidth, "%s%s", first.title.c_str(),
