@@ -55,26 +55,15 @@ class ScriptFinder {
     std::vector<fs::path> fitting(const PlacedText& pattern) {
         const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
         if (files) return *files;
-<<<<<<< HEAD
-        reader_.error(
-            "suite-E11",
-            fmt::format("{}: the search would look at more than 1,000,000 files", glib::quoted(pattern.text)),
-            pattern.place);
-=======
         reader_.error("suite-E11",
-                      fmt::format("{}: more than 1,000,000 files would have to be looked at",
+                      fmt::format("{}: the search would look at more than 1,000,000 files",
                                   glib::inQuotes(pattern.text)),
                       pattern.place);
->>>>>>> main
         return {};
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
-<<<<<<< HEAD
-        std::string text = fmt::format("{}: no file matches {}", key, glib::quoted(pattern.text));
-=======
-        std::string text = fmt::format("{}: {} fits no file", key, glib::inQuotes(pattern.text));
->>>>>>> main
+        std::string text = fmt::format("{}: no file matches {}", key, glib::inQuotes(pattern.text));
         if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
             text += "; " + why;
         else if (const std::string near = nearEnding(pattern.text); !near.empty())

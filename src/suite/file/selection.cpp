@@ -89,11 +89,7 @@ Diagnostics unmatchedPatterns(std::span<const Suite> suites, std::span<const std
         if (meansAny) continue;
         const std::string near = nearest(suites, pattern);
         problems.push_back(
-<<<<<<< HEAD
-            error("suite-E15", fmt::format("no shot matches --only {}{}", glib::quoted(pattern),
-=======
-            error("suite-E15", fmt::format("--only {} means no shot{}", glib::inQuotes(pattern),
->>>>>>> main
+            error("suite-E15", fmt::format("no shot matches --only {}{}", glib::inQuotes(pattern),
                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))));
     }
     return problems;

@@ -155,10 +155,10 @@ void OptionReader::operator()(const ObjectsValue& objects) const {
         const char* const end = entry.key.data() + entry.key.size();
         const auto [stop, failure] = std::from_chars(entry.key.data(), end, line);
         if (failure != std::errc() || stop != end || line < 1) {
-            reader.error(
-                "suite-E04",
-                fmt::format("{}: {} is not the number of a line of the scene", key, glib::quoted(entry.key)),
-                reader.placeOf(entry.position));
+            reader.error("suite-E04",
+                         fmt::format("{}: {} is not the number of a line of the scene", key,
+                                     glib::inQuotes(entry.key)),
+                         reader.placeOf(entry.position));
             continue;
         }
         const auto same = std::find_if(all.begin(), all.end(),
@@ -178,7 +178,8 @@ void OptionReader::operator()(const FoldersValue& folders) const {
         const std::filesystem::path path = (folder / each).lexically_normal();
         std::error_code failure;
         if (std::filesystem::is_regular_file(path, failure))
-            reader.error("suite-E10", fmt::format("{}: {} is not a folder", key, glib::quoted(path.string())),
+            reader.error("suite-E10",
+                         fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())),
                          reader.placeOf(value));
         else if (const std::string why = whyNoFolder(path); !why.empty())
             reader.error("suite-E10", fmt::format("{}: {}", key, why), reader.placeOf(value));

@@ -75,13 +75,8 @@ void readTags(const Context& in, const TomlValue& value) {
         std::string why = whyNotAName(each);
         if (why.empty() && each.find('/') != std::string::npos) why = "has '/' in it";
         if (!why.empty())
-<<<<<<< HEAD
-            in.reader.error("suite-E05", fmt::format("tag {} {}", glib::quoted(each), why),
-                            in.reader.placeOf(value));
-=======
             in.reader.error("suite-E05", fmt::format("tag {} {}", glib::inQuotes(each), why),
-                            in.reader.placeOf(node));
->>>>>>> main
+                            in.reader.placeOf(value));
         else if (std::find(in.to.shot.tags.begin(), in.to.shot.tags.end(), each) == in.to.shot.tags.end())
             in.to.shot.tags.push_back(each);
     }
@@ -129,31 +124,9 @@ void readExpectedError(const Context& in, const TomlValue& value) {
     in.to.shot.expectedError = std::move(expected);
 }
 
-<<<<<<< HEAD
 void readScript(const Context& in, const TomlValue& value) {
     const auto* list = value.as<TomlList>();
     if (const auto scripts = in.reader.texts(value, "script"))
-=======
-void readLibrary(const Context& in, const toml::node& node) {
-    const auto folders = in.reader.texts(node, "library");
-    if (!folders) return;
-    in.to.shot.options.libraryRoots.clear();
-    for (const std::string& each : *folders) {
-        const std::filesystem::path path = (in.folder / each).lexically_normal();
-        std::error_code failure;
-        if (std::filesystem::is_regular_file(path, failure))
-            in.reader.error("suite-E10",
-                            fmt::format("library: {} is not a folder", glib::inQuotes(path.string())),
-                            in.reader.placeOf(node));
-        else if (const std::string why = whyNoFolder(path); !why.empty())
-            in.reader.error("suite-E10", "library: " + why, in.reader.placeOf(node));
-        in.to.shot.options.libraryRoots.push_back(path);
-    }
-}
-
-void readScript(const Context& in, const toml::node& node) {
-    if (const auto scripts = in.reader.texts(node, "script"))
->>>>>>> main
         for (std::size_t i = 0; i < scripts->size(); ++i)
             in.to.scripts.push_back({(*scripts)[i], in.reader.placeOf(list ? (*list)[i] : value)});
     in.to.isList = list != nullptr;
@@ -173,34 +146,9 @@ void readName(const Context& in, const TomlValue& value) {
     const auto text = in.reader.text(value, kWord);
     if (!text) return;
     if (const std::string why = whyNotAName(*text); !why.empty())
-<<<<<<< HEAD
-        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::quoted(*text), why),
+        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::inQuotes(*text), why),
                                in.reader.placeOf(value));
     in.to.*field = PlacedText{*text, in.reader.placeOf(value)};
-=======
-        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::inQuotes(*text), why),
-                               in.reader.placeOf(node));
-    in.to.*field = PlacedText{*text, in.reader.placeOf(node)};
-}
-
-template <bool RenderOptions::*field>
-void readFlag(const Context& in, const toml::node& node) {
-    constexpr std::string_view kWord = field == &RenderOptions::axes             ? "axes"
-                                       : field == &RenderOptions::alpha          ? "alpha"
-                                       : field == &RenderOptions::floatPixels    ? "float"
-                                       : field == &RenderOptions::strict         ? "strict"
-                                       : field == &RenderOptions::overrideCounts ? "override-counts"
-                                                                                 : "shim";
-    if (const auto value = in.reader.truth(node, kWord)) in.to.shot.options.*field = *value;
-}
-
-template <Matrix ViewState::*field>
-void readTransform(const Context& in, const toml::node& node) {
-    constexpr std::string_view kWord = field == &ViewState::scene ? "scene-transform"
-                                       : field == &ViewState::eye ? "eye-transform"
-                                                                  : "texture-transform";
-    readMatrix(in.reader, node, kWord, in.to.shot.options.viewState.*field);
->>>>>>> main
 }
 
 /// A key that is not an option of the picture.

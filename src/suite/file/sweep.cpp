@@ -67,16 +67,10 @@ class UniformReader {
             if (const auto* part = entry.value.as<TomlTable>()) {
                 read(*part, name + '.');
             } else if (!isUniformName(name)) {
-<<<<<<< HEAD
-                reader_.error("suite-E05",
-                              fmt::format("{}: {} is not the name of a uniform", word(), glib::quoted(name)),
-                              reader_.placeOf(entry.position));
-=======
                 reader_.error(
                     "suite-E05",
                     fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
-                    entry.keyPlace);
->>>>>>> main
+                    reader_.placeOf(entry.position));
             } else {
                 readOne(name, entry);
             }

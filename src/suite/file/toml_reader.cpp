@@ -71,37 +71,17 @@ TomlValue valueOf(const toml::node& node) {
 
 }  // namespace
 
-<<<<<<< HEAD
 bool hasKey(const TomlTable& table, std::string_view key) {
     return std::any_of(table.begin(), table.end(), [&](const TomlEntry& each) { return each.key == key; });
 }
 
 std::string described(const TomlValue& value) {
-    if (const auto* text = value.as<std::string>()) return "the text " + glib::quoted(*text);
+    if (const auto* text = value.as<std::string>()) return "the text " + glib::inQuotes(*text);
     if (const auto* whole = value.as<std::int64_t>()) return fmt::format("the number {}", *whole);
     if (const auto* number = value.as<double>()) return "the number " + glib::numberText(*number);
     if (const auto* truth = value.as<bool>()) return *truth ? "true" : "false";
     if (value.as<TomlList>()) return "a list";
     return value.as<TomlTable>() ? "a table" : "a date or time";
-=======
-std::string described(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::string:
-            return "the text " + glib::inQuotes(**node.as_string());
-        case toml::node_type::integer:
-            return fmt::format("the number {}", **node.as_integer());
-        case toml::node_type::floating_point:
-            return "the number " + glib::numberText(**node.as_floating_point());
-        case toml::node_type::boolean:
-            return **node.as_boolean() ? "true" : "false";
-        case toml::node_type::array:
-            return "a list";
-        case toml::node_type::table:
-            return "a table";
-        default:
-            return "a date or time";
-    }
->>>>>>> main
 }
 
 TomlReader::TomlReader(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
@@ -244,13 +224,8 @@ void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
                             std::span<const std::string_view> keys) {
     const std::string near = nearestKey(entry.key, keys);
     error("suite-E02",
-<<<<<<< HEAD
-          fmt::format("unknown key {} {}; {}", glib::quoted(entry.key), where,
-                      near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
-=======
           fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
-                      near.empty() ? fmt::format("it has the keys {}", fmt::join(keys, ", "))
->>>>>>> main
+                      near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
                                    : fmt::format("did you mean '{}'?", near)),
           placeOf(entry.position));
 }

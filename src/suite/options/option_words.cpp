@@ -182,7 +182,7 @@ struct TextWriter {
 
 std::string readOptionText(const OptionRow& row, std::string_view text, Shot& shot) {
     const std::string expected = std::visit(TextReader{text, shot, row}, row.value);
-    return expected.empty() ? expected : fmt::format("expected {}, found {}", expected, glib::quoted(text));
+    return expected.empty() ? expected : fmt::format("expected {}, found {}", expected, glib::inQuotes(text));
 }
 
 std::vector<std::string> optionWords(const OptionRow& row, const Shot& shot) {
