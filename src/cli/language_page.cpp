@@ -144,7 +144,7 @@ std::string primitiveSection() {
         if (row.form != glib::ArgumentForm::numbers) continue;
         const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name()) + "\n", "table"));
         if (scene.shapes.size() != 1) continue;
-        const Result<geometry::Mesh> mesh = scene::makeMesh(scene, 0);
+        const Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0));
         if (!mesh) continue;
         std::vector<std::string> attributes;
         for (const geometry::Attribute& each : mesh->attributes)
