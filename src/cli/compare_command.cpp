@@ -64,7 +64,7 @@ void show(const image::Judgement& judged, const image::Image& expected, const im
 /// status.
 int writeHeatMap(const CompareArguments& arguments, const image::Image& expected, const image::Image& got) {
     if (expected.width != got.width || expected.height != got.height) {
-        print({warning("", "no heat map is written, since the sizes differ")});
+        print({withoutId(Severity::warning, "no heat map is written, since the sizes differ")});
         return kDone;
     }
     const image::Image map = arguments.tolerance.flip ? image::flipHeatMap(image::flip(expected, got))

@@ -53,7 +53,7 @@ Diagnostics refresh(const std::string& file) {
     if (!bytes) return bytes.diagnostics;
     const std::string_view old(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const RefreshedPage page = refreshed(old);
-    if (!page.problem.empty()) return {error("", file + ": " + page.problem)};
+    if (!page.problem.empty()) return {withoutId(Severity::error, file + ": " + page.problem)};
     if (page.text == old) return {};
     return image::writeFileAtomically(file, std::as_bytes(std::span(page.text)));
 }

@@ -113,10 +113,10 @@ class JobRunner {
                 *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
         } catch (const std::bad_alloc&) {
             result.failed = true;
-            result.diagnostics.push_back(error("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
+            result.diagnostics.push_back(diagnose("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
         } catch (const std::exception& failure) {
             result.failed = true;
-            result.diagnostics.push_back(error("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
+            result.diagnostics.push_back(diagnose("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
         }
         answer.status = result.failed ? kSceneIsWrong : kDone;
         answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
@@ -221,11 +221,11 @@ class SceneBatch {
         const Place place{scene, 1, 1};
         Answer answer{.status = kSceneIsWrong};
         if (outcome.end == render::Outcome::End::timedOut)
-            answer.remarks.general = {error(
+            answer.remarks.general = {diagnose(
                 "draw-E07",
                 fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};
         else
-            answer.remarks.general = {error(
+            answer.remarks.general = {diagnose(
                 "draw-E06",
                 fmt::format("the process that drew the scene ended with signal {}", outcome.signal), place)};
         return answer;

@@ -44,11 +44,11 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
         const auto [known, isNew] = files.emplace(read->name, each);
         if (!isNew)
             problems.push_back(
-                error("suite-E18",
-                      fmt::format("'{}' and '{}' are both named '{}'; results and goldens need "
-                                  "names of their own",
-                                  known->second, each, read->name),
-                      {each, 1, 1}));
+                diagnose("suite-E18",
+                         fmt::format("'{}' and '{}' are both named '{}'; results and goldens need "
+                                     "names of their own",
+                                     known->second, each, read->name),
+                         {each, 1, 1}));
         selection.suites.push_back(std::move(*read));
     }
     if (hasError(problems)) return refuse(problems, kSceneIsWrong);

@@ -172,7 +172,7 @@ int test(const TestArguments& arguments) {
     record->finish(run, selection->suites, selection->shots);
     if (record->failed()) status = kSceneIsWrong;
     if (const std::string missing = suite::shortfall(run); !missing.empty()) {
-        print({error("result-E03", missing + "; continue the run with --resume")});
+        print({diagnose("result-E03", missing + "; continue the run with --resume")});
         status = kSceneIsWrong;
     }
     if (hasError(end.diagnostics)) status = kSceneIsWrong;

@@ -184,8 +184,8 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
-        say(warning("draw-W01", fmt::format("Program '{}' has {}; flat colour used", program.name, missing),
-                    draw.place));
+        say(diagnose("draw-W01", fmt::format("Program '{}' has {}; flat colour used", program.name, missing),
+                     draw.place));
     }
 
     /// Returns draw-E01 if a sampler reads a target of its own pass.
@@ -199,11 +199,11 @@ class FramePlanner {
                 std::find(pass.targets.begin(), pass.targets.end(), uses[i].texture) != pass.targets.end();
             const int unit = state(program).units.at(i).binding.unit;
             if (isTarget && units.insert(unit).second)
-                errors.push_back(error("draw-E01",
-                                       fmt::format("{} samples unit {} while rendering into it "
-                                                   "(RenderToTexture on line {})",
-                                                   draw.word, unit, pass.place.line),
-                                       draw.place));
+                errors.push_back(diagnose("draw-E01",
+                                          fmt::format("{} samples unit {} while rendering into it "
+                                                      "(RenderToTexture on line {})",
+                                                      draw.word, unit, pass.place.line),
+                                          draw.place));
         }
         return errors;
     }
@@ -214,7 +214,7 @@ class FramePlanner {
         const ProgramInterface& interface = *planned(index).interface;
         const scene::ProgramIndex sceneIndex = planned(index).variant.program;
         const auto once = [&](const char* id, const std::string& text) {
-            if (remarks_.emplace(sceneIndex, id, text).second) say(warning(id, text, draw.place));
+            if (remarks_.emplace(sceneIndex, id, text).second) say(diagnose(id, text, draw.place));
         };
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (uses[i].texture) continue;
@@ -313,9 +313,9 @@ class FramePlanner {
         for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
             if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
             usedOverrides_[i] = true;
-            say(warning("glib-W24",
-                        fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                    options_.overrides[i].name)));
+            say(diagnose("glib-W24",
+                         fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                     options_.overrides[i].name)));
         }
     }
 

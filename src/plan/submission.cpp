@@ -88,10 +88,10 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
     std::string_view delivered = wordOf(topology);
     if (!isTessellated) {
         if (topology == Topology::patches)
-            return error("draw-E04",
-                         fmt::format("{} needs a TessEvaluation stage",
-                                     shape.command == CommandId::glBegin ? "gl_patches" : word),
-                         draw.place);
+            return diagnose("draw-E04",
+                            fmt::format("{} needs a TessEvaluation stage",
+                                        shape.command == CommandId::glBegin ? "gl_patches" : word),
+                            draw.place);
     } else {
         if (topology == Topology::patches) {
             submission.patchVertices = patchVerticesOf(shape, draw);
@@ -100,11 +100,11 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
             const bool controlFits =
                 topology == Topology::triangles && interface.facts.patchVertices == wanted;
             if (draw.patchVertices != wanted && !controlFits)
-                return error("draw-E03",
-                             fmt::format("{} delivers {}, but the patch size is {}; write "
-                                         "'NumPatchVertices {}'",
-                                         word, delivered, draw.patchVertices, wanted),
-                             draw.place);
+                return diagnose("draw-E03",
+                                fmt::format("{} delivers {}, but the patch size is {}; write "
+                                            "'NumPatchVertices {}'",
+                                            word, delivered, draw.patchVertices, wanted),
+                                draw.place);
             submission = {Topology::patches, wanted};
         }
         delivered = interface.facts.tessellationOutput;
@@ -113,12 +113,12 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
     const std::string& wanted = interface.facts.geometryInput;
     if (program != nullptr && !wanted.empty() && !delivered.empty() && wanted != delivered) {
         const std::string file = stageFileName(scene, *program, glsl::Stage::geometry);
-        return error("draw-E02",
-                     fmt::format("{} delivers {}{}, but {} wants {}{}", word, delivered,
-                                 isTessellated ? " after tessellation" : "",
-                                 file.empty() ? "the geometry stage" : file, wanted,
-                                 isTessellated ? "" : recommendation(shape.command, wanted)),
-                     draw.place);
+        return diagnose("draw-E02",
+                        fmt::format("{} delivers {}{}, but {} wants {}{}", word, delivered,
+                                    isTessellated ? " after tessellation" : "",
+                                    file.empty() ? "the geometry stage" : file, wanted,
+                                    isTessellated ? "" : recommendation(shape.command, wanted)),
+                        draw.place);
     }
     return submission;
 }

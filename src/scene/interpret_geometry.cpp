@@ -93,10 +93,10 @@ ShapeIndex shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh 
 
 bool countVertices(Interpreter& in, const glib::Command& command, std::uint64_t vertices) {
     const auto refuse = [&](std::string_view what, std::uint64_t needed, std::uint64_t limit) {
-        in.reportError(command, "glib-E15",
-                       fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
-                                   glib::groupedText(static_cast<long long>(needed)),
-                                   glib::groupedText(static_cast<long long>(limit))));
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
+                                glib::groupedText(static_cast<long long>(needed)),
+                                glib::groupedText(static_cast<long long>(limit))));
         return false;
     };
     if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);
@@ -147,7 +147,7 @@ namespace {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
-        in.reportError(
+        in.reportAt(
             command, "glib-E09",
             fmt::format("{} without a file name is only possible in the interactive program", command.word));
         return;

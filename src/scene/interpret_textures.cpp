@@ -52,8 +52,8 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
         return;
     }
     if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
-        in.reportWarning(command, "glib-W36",
-                         fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
+        in.reportAt(command, "glib-W36",
+                    fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
     at->texture = slot.texture;
 }
 
@@ -68,10 +68,10 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
     }
     const std::uint64_t all = in.textureBytes + bytes;
     if (all > kAllTextures) {
-        in.reportError(command, "glib-E15",
-                       fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
-                                   glib::groupedText(static_cast<long long>(all)),
-                                   glib::groupedText(static_cast<long long>(kAllTextures))));
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
+                                glib::groupedText(static_cast<long long>(all)),
+                                glib::groupedText(static_cast<long long>(kAllTextures))));
         return std::nullopt;
     }
     in.textureBytes = all;
@@ -107,8 +107,8 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
             .dimensions = noise->dimensions,
             .size = noise->size,
             .isSizeGiven = true,
-            .remarks = {warning("file-W09", fmt::format("'{}' not found, built-in noise used", command.text),
-                                place)}};
+            .remarks = {diagnose("file-W09", fmt::format("'{}' not found, built-in noise used", command.text),
+                                 place)}};
         return texture;
     }
     texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);

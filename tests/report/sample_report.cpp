@@ -155,9 +155,9 @@ suite::RunResult sampleRun(const fs::path& results, int passes) {
     run.shots.push_back(shot("scene", Verdict::failed));
     run.shots.back().reason = "the scene has errors: </script><b>bold</b>";
     run.shots.back().diagnostics = {
-        error("file-E01", "cannot find '<img src=x onerror=window.hacked=2>.vert'", {"scene.glib", 3, 8}),
-        warning("glib-W02", "text after the continuation backslash ignored", {"scene.glib", 4, 1}),
-        error("glsl-E01", "a place <outside>", {"other.frag", 1, 1})};
+        diagnose("file-E01", "cannot find '<img src=x onerror=window.hacked=2>.vert'", {"scene.glib", 3, 8}),
+        diagnose("glib-W02", "text after the continuation backslash ignored", {"scene.glib", 4, 1}),
+        diagnose("glsl-E01", "a place <outside>", {"other.frag", 1, 1})};
     run.shots.push_back(shot("crashed", Verdict::crashed));
     run.shots.push_back(shot("timed-out", Verdict::timedOut));
     return run;

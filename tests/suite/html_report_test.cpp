@@ -117,7 +117,7 @@ class HtmlReport : public testing::Test {
 TEST_F(HtmlReport, HasTheWarningsOfPasses) {
     ShotResult shot = failed();
     shot.verdict = Verdict::passed;
-    shot.diagnostics = {note("draw-N01", "no LookAt"), warning("glib-W23", "no uniform 'uKe'")};
+    shot.diagnostics = {diagnose("draw-N01", "no LookAt"), diagnose("glib-W23", "no uniform 'uKe'")};
     EXPECT_TRUE(write({shot}).empty());
     const nlohmann::json told = data().at("shots").at(0).at("diagnostics");
     ASSERT_EQ(told.size(), 1U);
@@ -206,7 +206,7 @@ TEST_F(HtmlReport, HoldsEachSceneOnce) {
     writeText(folder / "results/scene.glib", "Sphere 1\n\xff\n");
     ShotResult shot = failed();
     shot.script = "scene.glib";
-    shot.diagnostics.push_back(warning("glib-W01", "x", {"scene.glib", 1, 1}));
+    shot.diagnostics.push_back(diagnose("glib-W01", "x", {"scene.glib", 1, 1}));
     ASSERT_TRUE(write({shot, shot, shot}).empty());
     ASSERT_EQ(data().at("sources").size(), 1U);
     EXPECT_EQ(data().at("sources").at(0).at("text"), "Sphere 1\n\xef\xbf\xbd\n");

@@ -176,10 +176,10 @@ TEST(Terminal, ShowsNoPlainPassAndNothingTwice) {
 
 TEST(Terminal, ShowsAWarningOfPassesOnceWithTheNumberOfShots) {
     std::vector<ShotResult> shots(4, withVerdict(Verdict::passed));
-    const Diagnostic unknown = warning("glib-W23", "no program of the scene has a uniform 'uKe'");
+    const Diagnostic unknown = diagnose("glib-W23", "no program of the scene has a uniform 'uKe'");
     for (std::size_t i = 1; i < shots.size(); ++i) {
         shots[i].shot = "oval" + std::to_string(i);
-        shots[i].diagnostics = {unknown, unknown, note("draw-N01", "no LookAt")};
+        shots[i].diagnostics = {unknown, unknown, diagnose("draw-N01", "no LookAt")};
     }
     const std::string text = toText(runOf(shots), false);
     EXPECT_TRUE(
@@ -187,7 +187,7 @@ TEST(Terminal, ShowsAWarningOfPassesOnceWithTheNumberOfShots) {
                          "start/oval1\n4 passed"))
         << text;
     for (int i = 0; i < 30; ++i)
-        shots[0].diagnostics.push_back(warning("glib-W23", "number " + std::to_string(i)));
+        shots[0].diagnostics.push_back(diagnose("glib-W23", "number " + std::to_string(i)));
     const std::string many = toText(runOf(shots), false);
     EXPECT_EQ(occurrences(many, "warning: "), 10) << many;
     EXPECT_NE(many.find("21 more warnings are not shown"), std::string::npos) << many;
@@ -198,7 +198,7 @@ TEST(Terminal, NoByteOfASceneControlsTheTerminal) {
     shot.reason =
         "before\033[2J\r\x07 \xc2\x9b"
         "after";
-    shot.diagnostics.push_back(error("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
+    shot.diagnostics.push_back(diagnose("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
     const std::string text = toText(runOf({shot}), false);
     EXPECT_EQ(text.find('\033'), std::string::npos);
     EXPECT_EQ(text.find('\r'), std::string::npos);

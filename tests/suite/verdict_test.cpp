@@ -204,11 +204,11 @@ class Failures : public Verdicts {
         attempt.own.diagnostics = diagnostics;
         return judge().first(attempt)->result;
     }
-    const Diagnostic compile = error("glsl-E01", "'uColour' is not declared", {"a.frag", 7, 3});
+    const Diagnostic compile = diagnose("glsl-E01", "'uColour' is not declared", {"a.frag", 7, 3});
 };
 
 TEST_F(Failures, ASceneWithErrorsIsReportedByItsFirstError) {
-    const ShotResult result = fails({warning("glib-W04", "remark"), compile});
+    const ShotResult result = fails({diagnose("glib-W04", "remark"), compile});
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_EQ(result.reason, toString(compile));
     EXPECT_EQ(result.diagnostics.size(), 2U);
@@ -230,7 +230,7 @@ TEST_F(Failures, AnotherErrorThanTheExpectedOneFails) {
         EXPECT_EQ(fails({compile}).verdict, Verdict::failed) << toPhrase(expected);
     }
     shot.expectedError = ExpectedError{"glib-W04", "", 0};
-    EXPECT_EQ(fails({warning("glib-W04", "only a warning"), compile}).verdict, Verdict::failed);
+    EXPECT_EQ(fails({diagnose("glib-W04", "only a warning"), compile}).verdict, Verdict::failed);
 }
 
 TEST_F(Failures, AnExpectedErrorThatDoesNotComeFails) {
@@ -271,7 +271,7 @@ TEST_F(Pairs, APartnerThatFailsFailsThePair) {
     shot.golden = false;
     shot.match = "b";
     Attempt attempt = attemptAt(shot, gradient());
-    attempt.match.emplace().diagnostics.push_back(error("glib-E01", "unknown command"));
+    attempt.match.emplace().diagnostics.push_back(diagnose("glib-E01", "unknown command"));
     const ShotJudge judge = this->judge();
     ASSERT_FALSE(judge.first(attempt));
     const ShotResult result = judge.second(attempt, attempt).result;

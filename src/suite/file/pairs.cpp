@@ -72,11 +72,11 @@ void reportCycles(TomlReader& reader, const Suite& suite, const Edges& edges) {
                 path.push_back(edge.to);
             } else if (states[edge.to] == State::onPath) {
                 const auto begin = std::find(path.begin(), path.end(), edge.to) - path.begin();
-                reader.error("suite-E08",
-                             fmt::format("{}: the shots name each other in a cycle: {}",
-                                         edge.request->isMatch ? "match" : "differ",
-                                         cycleText(suite, path, static_cast<std::size_t>(begin))),
-                             edge.request->name.place);
+                reader.report("suite-E08",
+                              fmt::format("{}: the shots name each other in a cycle: {}",
+                                          edge.request->isMatch ? "match" : "differ",
+                                          cycleText(suite, path, static_cast<std::size_t>(begin))),
+                              edge.request->name.place);
             }
         }
     }
@@ -92,22 +92,22 @@ void resolvePairs(TomlReader& reader, std::span<const PairRequest> requests, Sui
         const char* word = request.isMatch ? "match" : "differ";
         const auto other = find(names, request);
         if (!other) {
-            reader.error("suite-E07",
-                         fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),
-                                     hint(suite, request.name.text)),
-                         request.name.place);
+            reader.report("suite-E07",
+                          fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),
+                                      hint(suite, request.name.text)),
+                          request.name.place);
             continue;
         }
         Shot& shot = suite.shots[request.shot];
         if (suite.shots[*other].expectedError)
-            reader.error("suite-E12",
-                         fmt::format("{}: '{}' expects an error, so it makes no picture", word,
-                                     suite.shots[*other].name),
-                         request.name.place);
+            reader.report("suite-E12",
+                          fmt::format("{}: '{}' expects an error, so it makes no picture", word,
+                                      suite.shots[*other].name),
+                          request.name.place);
         (request.isMatch ? shot.match : shot.differ) = suite.shots[*other].name;
         if (shot.match == shot.differ)
-            reader.error("suite-E12", fmt::format("match and differ both name '{}'", shot.match),
-                         request.name.place);
+            reader.report("suite-E12", fmt::format("match and differ both name '{}'", shot.match),
+                          request.name.place);
         edges[request.shot].push_back({*other, &request});
     }
     reportCycles(reader, suite, edges);

@@ -88,9 +88,9 @@ Diagnostics unmatchedPatterns(std::span<const Suite> suites, std::span<const std
         });
         if (meansAny) continue;
         const std::string near = nearest(suites, pattern);
-        problems.push_back(
-            error("suite-E15", fmt::format("no shot matches --only {}{}", glib::inQuotes(pattern),
-                                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near))));
+        problems.push_back(diagnose(
+            "suite-E15", fmt::format("no shot matches --only {}{}", glib::inQuotes(pattern),
+                                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near))));
     }
     return problems;
 }

@@ -62,10 +62,10 @@ Result<Shard> parseShard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos || !readWhole(text.substr(0, slash), shard.index) ||
         !readWhole(text.substr(slash + 1), shard.count))
-        return error("suite-E16", "--shard: expected I/N, as 2/8, found " + glib::inQuotes(text));
+        return diagnose("suite-E16", "--shard: expected I/N, as 2/8, found " + glib::inQuotes(text));
     if (shard.index < 1 || shard.count > kMostShards || shard.index > shard.count)
-        return error("suite-E16",
-                     "--shard: expected I/N with 1 <= I <= N <= 1,000,000, found " + glib::inQuotes(text));
+        return diagnose("suite-E16",
+                        "--shard: expected I/N with 1 <= I <= N <= 1,000,000, found " + glib::inQuotes(text));
     return shard;
 }
 

@@ -96,7 +96,7 @@ void OptionReader::operator()(const TimeValue& time) const {
     const auto* list = value.as<TomlList>();
     std::vector<double> times;
     if (list && list->empty())
-        reader.error("suite-E04", fmt::format("{}: the list is empty", key), reader.placeOf(value));
+        reader.report("suite-E04", fmt::format("{}: the list is empty", key), reader.placeOf(value));
     for (const TomlValue& each : list ? std::span(*list) : std::span(&value, 1))
         if (const auto one = reader.number(each, key, time.least, time.most)) times.push_back(*one);
     if (times.empty()) return;
@@ -116,9 +116,9 @@ void OptionReader::operator()(const SizeValue& size) const {
         const auto second = std::from_chars(first.ptr + 1, end, height);
         if (second.ec != std::errc() || second.ptr != end) return reader.wrongType(value, key, kExpected);
         if (std::min(width, height) < 1 || std::max(width, height) > size.most)
-            return reader.error("suite-E04",
-                                fmt::format("{}: {} is not 1 to {} pixels a side", key, *text, size.most),
-                                reader.placeOf(value));
+            return reader.report("suite-E04",
+                                 fmt::format("{}: {} is not 1 to {} pixels a side", key, *text, size.most),
+                                 reader.placeOf(value));
     } else {
         const auto* list = value.as<TomlList>();
         if (!list || list->size() != 2) return reader.wrongType(value, key, kExpected);
@@ -155,10 +155,10 @@ void OptionReader::operator()(const ObjectsValue& objects) const {
         const char* const end = entry.key.data() + entry.key.size();
         const auto [stop, failure] = std::from_chars(entry.key.data(), end, line);
         if (failure != std::errc() || stop != end || line < 1) {
-            reader.error("suite-E04",
-                         fmt::format("{}: {} is not the number of a line of the scene", key,
-                                     glib::inQuotes(entry.key)),
-                         reader.placeOf(entry.position));
+            reader.report("suite-E04",
+                          fmt::format("{}: {} is not the number of a line of the scene", key,
+                                      glib::inQuotes(entry.key)),
+                          reader.placeOf(entry.position));
             continue;
         }
         const auto same = std::find_if(all.begin(), all.end(),
@@ -178,11 +178,11 @@ void OptionReader::operator()(const FoldersValue& folders) const {
         const std::filesystem::path path = (folder / each).lexically_normal();
         std::error_code failure;
         if (std::filesystem::is_regular_file(path, failure))
-            reader.error("suite-E10",
-                         fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())),
-                         reader.placeOf(value));
+            reader.report("suite-E10",
+                          fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())),
+                          reader.placeOf(value));
         else if (const std::string why = whyNoFolder(path); !why.empty())
-            reader.error("suite-E10", fmt::format("{}: {}", key, why), reader.placeOf(value));
+            reader.report("suite-E10", fmt::format("{}: {}", key, why), reader.placeOf(value));
         all.push_back(path);
     }
 }

@@ -75,8 +75,8 @@ void readTags(const Context& in, const TomlValue& value) {
         std::string why = whyNotAName(each);
         if (why.empty() && each.find('/') != std::string::npos) why = "has '/' in it";
         if (!why.empty())
-            in.reader.error("suite-E05", fmt::format("tag {} {}", glib::inQuotes(each), why),
-                            in.reader.placeOf(value));
+            in.reader.report("suite-E05", fmt::format("tag {} {}", glib::inQuotes(each), why),
+                             in.reader.placeOf(value));
         else if (std::find(in.to.shot.tags.begin(), in.to.shot.tags.end(), each) == in.to.shot.tags.end())
             in.to.shot.tags.push_back(each);
     }
@@ -91,10 +91,10 @@ void readErrorId(const Context& in, const TomlValue& value, std::string_view nam
     std::vector<std::string_view> ids;
     for (const glib::CatalogueRow& row : glib::diagnosticCatalogue()) ids.push_back(row.id);
     const std::string meant = glib::suggestion(*id, ids);
-    in.reader.error("suite-E17",
-                    fmt::format("{}: there is no message {}{}", name, glib::inQuotes(*id),
-                                meant.empty() ? "; 'glibra language --diagnostics' lists them" : meant),
-                    in.reader.placeOf(value));
+    in.reader.report("suite-E17",
+                     fmt::format("{}: there is no message {}{}", name, glib::inQuotes(*id),
+                                 meant.empty() ? "; 'glibra language --diagnostics' lists them" : meant),
+                     in.reader.placeOf(value));
 }
 
 void readExpectedError(const Context& in, const TomlValue& value) {
@@ -146,8 +146,8 @@ void readName(const Context& in, const TomlValue& value) {
     const auto text = in.reader.text(value, kWord);
     if (!text) return;
     if (const std::string why = whyNotAName(*text); !why.empty())
-        return in.reader.error("suite-E05", fmt::format("{}: {} {}", kWord, glib::inQuotes(*text), why),
-                               in.reader.placeOf(value));
+        return in.reader.report("suite-E05", fmt::format("{}: {} {}", kWord, glib::inQuotes(*text), why),
+                                in.reader.placeOf(value));
     in.to.*field = PlacedText{*text, in.reader.placeOf(value)};
 }
 
@@ -201,9 +201,9 @@ void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesys
         } else if (key && (key->inDefaults || !isDefaults)) {
             key->read(in, entry.value);
         } else if (key) {
-            reader.error("suite-E02",
-                         fmt::format("'{}' belongs to one shot and cannot stand in [defaults]", entry.key),
-                         reader.placeOf(entry.position));
+            reader.report("suite-E02",
+                          fmt::format("'{}' belongs to one shot and cannot stand in [defaults]", entry.key),
+                          reader.placeOf(entry.position));
         } else {
             reader.unknownKey(entry, isDefaults ? "in [defaults]" : "in [[shot]]", keys(isDefaults));
         }

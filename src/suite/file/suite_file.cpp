@@ -44,7 +44,7 @@ class SuiteBuilder {
         ShotTemplate shot = defaults;
         shot.shot.place = reader_.placeOf(value);
         readTemplate(reader_, table, folder, false, shot);
-        if (!hasKey(table, "script")) reader_.error("suite-E12", "the shot has no script", shot.shot.place);
+        if (!hasKey(table, "script")) reader_.report("suite-E12", "the shot has no script", shot.shot.place);
         checkAgreement(shot);
         dropSwept(shot, defaults);
         if (shot.scripts.empty()) return;
@@ -70,7 +70,7 @@ class SuiteBuilder {
         const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
         if (row && row->severity() != Severity::error &&
             !(row->severity() == Severity::warning && shot.shot.options.strict))
-            reader_.error(
+            reader_.report(
                 "suite-E12",
                 fmt::format(
                     "expect-error: {} is a {}, which fails {}", row->id, name(row->severity()),
@@ -78,9 +78,9 @@ class SuiteBuilder {
                 shot.shot.place);
         for (const auto* each : {&shot.match, &shot.differ})
             if (*each)
-                reader_.error("suite-E12",
-                              "a shot with expect-error makes no picture that could match or differ",
-                              (*each)->place);
+                reader_.report("suite-E12",
+                               "a shot with expect-error makes no picture that could match or differ",
+                               (*each)->place);
     }
 
     /// A uniform in a sweep is not in `set`: it is an error if the shot states both, and the sweep replaces a
@@ -92,8 +92,8 @@ class SuiteBuilder {
             if (set == shot.set.end()) continue;
             const auto old = std::find_if(defaults.set.begin(), defaults.set.end(), isIt);
             if (old == defaults.set.end() || old->place != set->place)
-                reader_.error("suite-E12", fmt::format("'{}' is in both set and sweep", sweep.name),
-                              sweep.place);
+                reader_.report("suite-E12", fmt::format("'{}' is in both set and sweep", sweep.name),
+                               sweep.place);
             shot.set.erase(set);
         }
     }
@@ -114,7 +114,7 @@ class SuiteBuilder {
         const std::uint64_t each = combinationCount(shot.sweeps);
         if (each <= left && each * shot.times.size() <= left && each * shot.times.size() * scripts <= left)
             return true;
-        reader_.error(
+        reader_.report(
             "suite-E11",
             fmt::format("{} scripts, {} sweep values and {} times are too many shots; a suite has at most {}",
                         scripts, each, shot.times.size(), glib::groupedText(kMostShots)),
@@ -137,12 +137,12 @@ class SuiteBuilder {
         const Place place = from.name ? from.name->place : script.place;
         if (const auto [old, isNew] = byName_.emplace(shot.name, place); !isNew) {
             const std::string name = glib::inQuotes(shot.name);
-            reader_.error("suite-E06",
-                          old->second == place
-                              ? fmt::format("this makes two shots {}", name)
-                              : fmt::format("there are two shots {}; the other one is on line {}", name,
-                                            old->second.line),
-                          place);
+            reader_.report("suite-E06",
+                           old->second == place
+                               ? fmt::format("this makes two shots {}", name)
+                               : fmt::format("there are two shots {}; the other one is on line {}", name,
+                                             old->second.line),
+                           place);
             return;
         }
         const std::size_t index = suite_.shots.size();
@@ -157,10 +157,10 @@ class SuiteBuilder {
         for (const Shot& shot : suite_.shots) {
             const auto other = byName_.find(std::string(shotOfVariant(shot.name)));
             if (other != byName_.end())
-                reader_.error("suite-E06",
-                              fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
-                                          glib::inQuotes(shot.name), other->first, other->second.line),
-                              byName_.at(shot.name));
+                reader_.report("suite-E06",
+                               fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
+                                           glib::inQuotes(shot.name), other->first, other->second.line),
+                               byName_.at(shot.name));
         }
     }
 
@@ -186,10 +186,10 @@ const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs
             shots = entry.value.as<TomlList>();
             if (!shots) reader.wrongType(entry.value, "shot", "[[shot]]");
         } else if (isShotKey(entry.key)) {
-            reader.error("suite-E02",
-                         fmt::format("'{}' belongs under {}[[shot]]", entry.key,
-                                     isDefaultsKey(entry.key) ? "[defaults] or " : ""),
-                         reader.placeOf(entry.position));
+            reader.report("suite-E02",
+                          fmt::format("'{}' belongs under {}[[shot]]", entry.key,
+                                      isDefaultsKey(entry.key) ? "[defaults] or " : ""),
+                          reader.placeOf(entry.position));
         } else {
             reader.unknownKey(entry, "at the top of the file", kKeys);
         }
@@ -208,11 +208,11 @@ Result<Suite> readFolder(const fs::path& folder) {
     const Place place{folder.string(), 1, 1};
     const Result<std::vector<fs::path>> scenes = filesThatFit(folder, "**/*.[gG][lL][iI][bB]");
     if (!scenes || scenes->size() > kMostShots)
-        return error("suite-E11",
-                     fmt::format("the folder is too large for a suite; that has at most {} scenes",
-                                 glib::groupedText(kMostShots)),
-                     place);
-    if (scenes->empty()) return error("suite-E14", "there is no .glib file in the folder", place);
+        return diagnose("suite-E11",
+                        fmt::format("the folder is too large for a suite; that has at most {} scenes",
+                                    glib::groupedText(kMostShots)),
+                        place);
+    if (scenes->empty()) return diagnose("suite-E14", "there is no .glib file in the folder", place);
     Diagnostics problems;
     std::unordered_map<std::string, std::string> byName;
     for (const fs::path& script : *scenes) {
@@ -224,25 +224,25 @@ Result<Suite> readFolder(const fs::path& folder) {
         const std::string why = whyNotAName(shot.name);
         if (!isNew)
             problems.push_back(
-                error("suite-E06",
-                      fmt::format("{} and {} would both be the shot '{}'; rename one",
-                                  glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
-                      place));
+                diagnose("suite-E06",
+                         fmt::format("{} and {} would both be the shot '{}'; rename one",
+                                     glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
+                         place));
         else if (!why.empty())
-            problems.push_back(error("suite-E05",
-                                     fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
-                                                 glib::inQuotes(script.string()), why),
-                                     place));
+            problems.push_back(diagnose("suite-E05",
+                                        fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
+                                                    glib::inQuotes(script.string()), why),
+                                        place));
         else
             suite.shots.push_back(std::move(shot));
     }
     for (const Shot& shot : suite.shots)
         if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
             problems.push_back(
-                error("suite-E06",
-                      fmt::format("the golden of {} would be a variant of that of {}; rename one",
-                                  glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
-                      place));
+                diagnose("suite-E06",
+                         fmt::format("the golden of {} would be a variant of that of {}; rename one",
+                                     glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
+                         place));
     if (hasError(problems)) return problems;
     return suite;
 }
@@ -279,7 +279,7 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
         }
     if (!shots || shots->empty()) {
         if (!reader.hasErrors())
-            reader.error("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
+            reader.report("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
     }
     if (!reader.hasErrors()) builder.finish();
     if (reader.hasErrors()) return reader.take();
@@ -291,7 +291,7 @@ Result<Suite> readSuite(const fs::path& fileOrFolder) {
     std::error_code failure;
     if (fs::is_directory(fileOrFolder, failure)) return readFolder(fileOrFolder);
     if (glib::sameWord(fileOrFolder.extension().string(), ".glib"))
-        return error("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
+        return diagnose("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
     auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestFile);
     if (!bytes) {
         if (const std::string near = nearestFile(fileOrFolder);

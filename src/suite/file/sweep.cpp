@@ -67,7 +67,7 @@ class UniformReader {
             if (const auto* part = entry.value.as<TomlTable>()) {
                 read(*part, name + '.');
             } else if (!isUniformName(name)) {
-                reader_.error(
+                reader_.report(
                     "suite-E05",
                     fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
                     reader_.placeOf(entry.position));
@@ -95,7 +95,7 @@ class UniformReader {
         const auto* list = entry.value.as<TomlList>();
         if (!list) return reader_.wrongType(entry.value, called, "a list of values, as [0, 0.1, 0.2]");
         if (list->empty())
-            return reader_.error("suite-E04", called + ": the list is empty", reader_.placeOf(entry.value));
+            return reader_.report("suite-E04", called + ": the list is empty", reader_.placeOf(entry.value));
         for (std::size_t i = 0; i < list->size(); ++i)
             if (auto one = value((*list)[i], name, called, i)) uniform.values.push_back(std::move(*one));
         if (uniform.values.size() == list->size()) all_.push_back(std::move(uniform));
@@ -119,8 +119,8 @@ class UniformReader {
             std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
             const std::string given = fmt::format("--set {}={}: ", name, *text);
             if (why.starts_with(given)) why.erase(0, given.size());
-            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
-                          reader_.placeOf(node));
+            reader_.report("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
+                           reader_.placeOf(node));
             return std::nullopt;
         }
         return UniformValue{std::move(*text), labelOf(*parsed, index)};
@@ -129,21 +129,21 @@ class UniformReader {
     std::optional<std::string> listText(const TomlValue& node, const TomlList& list,
                                         const std::string& called) {
         if (list.empty() || list.size() > kMostNumbers) {
-            reader_.error("suite-E04",
-                          list.empty() ? called + ": the list is empty"
-                                       : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
-                                                     kMostNumbers),
-                          reader_.placeOf(node));
+            reader_.report("suite-E04",
+                           list.empty() ? called + ": the list is empty"
+                                        : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
+                                                      kMostNumbers),
+                           reader_.placeOf(node));
             return std::nullopt;
         }
         std::string text;
         for (const TomlValue& each : list) {
             if (each.as<TomlList>() && kind_ == UniformTable::set) {
-                reader_.error("suite-E03",
-                              called +
-                                  ": expected one value, found a list of lists; a list of values belongs "
-                                  "in sweep",
-                              reader_.placeOf(each));
+                reader_.report("suite-E03",
+                               called +
+                                   ": expected one value, found a list of lists; a list of values belongs "
+                                   "in sweep",
+                               reader_.placeOf(each));
                 return std::nullopt;
             }
             const auto one = scalarText(each, called, "a number in the list");
@@ -164,7 +164,7 @@ class UniformReader {
         }
         const double number = *node.as<double>();
         if (!std::isfinite(static_cast<float>(number))) {
-            reader_.error(
+            reader_.report(
                 "suite-E04",
                 fmt::format("{}: {} is not a finite 32-bit number", called, glib::numberText(number)),
                 reader_.placeOf(node));

@@ -123,8 +123,8 @@ const TomlValue* TomlReader::root() {
     if (const auto offset = endlessKey(text_)) {
         const auto line = std::upper_bound(lines_.begin(), lines_.end(), *offset) - lines_.begin();
         const std::size_t column = *offset - lines_[static_cast<std::size_t>(line) - 1] + 1;
-        error("suite-E01", "a key has too many parts",
-              {path_, static_cast<int>(line), static_cast<int>(column)});
+        report("suite-E01", "a key has too many parts",
+               {path_, static_cast<int>(line), static_cast<int>(column)});
         return nullptr;
     }
     try {
@@ -133,7 +133,7 @@ const TomlValue* TomlReader::root() {
         const Place where = placeOf(positionOf(wrong.source()));
         const std::size_t at =
             lines_.at(static_cast<std::size_t>(where.line) - 1) + static_cast<std::size_t>(where.column) - 1;
-        error("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
+        report("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
     }
     return root_ ? &*root_ : nullptr;
 }
@@ -158,8 +158,8 @@ std::optional<double> TomlReader::number(const TomlValue& value, std::string_vie
         high < std::numeric_limits<double>::max()
             ? fmt::format("between {} and {}", glib::numberText(low), glib::numberText(high))
             : fmt::format("a finite number from {} upwards", glib::numberText(low));
-    error("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*number), range),
-          placeOf(value));
+    report("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*number), range),
+           placeOf(value));
     return std::nullopt;
 }
 
@@ -170,8 +170,8 @@ std::optional<int> TomlReader::whole(const TomlValue& value, std::string_view na
         return std::nullopt;
     }
     if (*number >= low && *number <= high) return static_cast<int>(*number);
-    error("suite-E04", fmt::format("{}: {} is not between {} and {}", name, *number, low, high),
-          placeOf(value));
+    report("suite-E04", fmt::format("{}: {} is not between {} and {}", name, *number, low, high),
+           placeOf(value));
     return std::nullopt;
 }
 
@@ -183,10 +183,10 @@ std::optional<std::string> TomlReader::text(const TomlValue& value, std::string_
     }
     const std::string& characters = *found;
     if (characters.empty() || characters.find('\0') != std::string::npos) {
-        error("suite-E04",
-              fmt::format("{}: {}", name,
-                          characters.empty() ? "the text is empty" : "the text has a zero byte"),
-              placeOf(value));
+        report("suite-E04",
+               fmt::format("{}: {}", name,
+                           characters.empty() ? "the text is empty" : "the text has a zero byte"),
+               placeOf(value));
         return std::nullopt;
     }
     return characters;
@@ -204,7 +204,7 @@ std::optional<std::vector<std::string>> TomlReader::texts(const TomlValue& value
         return std::vector<std::string>{std::move(*one)};
     }
     if (list->empty()) {
-        error("suite-E04", fmt::format("{}: the list is empty", name), placeOf(value));
+        report("suite-E04", fmt::format("{}: the list is empty", name), placeOf(value));
         return std::nullopt;
     }
     std::vector<std::string> all;
@@ -223,22 +223,22 @@ const TomlTable* TomlReader::table(const TomlValue& value, std::string_view name
 void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
                             std::span<const std::string_view> keys) {
     const std::string near = nearestKey(entry.key, keys);
-    error("suite-E02",
-          fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
-                      near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
-                                   : fmt::format("did you mean '{}'?", near)),
-          placeOf(entry.position));
+    report("suite-E02",
+           fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
+                       near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
+                                    : fmt::format("did you mean '{}'?", near)),
+           placeOf(entry.position));
 }
 
 void TomlReader::wrongType(const TomlValue& value, std::string_view name, std::string_view expected) {
-    error("suite-E03", fmt::format("{}: expected {}, found {}", name, expected, described(value)),
-          placeOf(value));
+    report("suite-E03", fmt::format("{}: expected {}, found {}", name, expected, described(value)),
+           placeOf(value));
 }
 
-void TomlReader::error(const char* id, std::string text, Place place) {
+void TomlReader::report(const char* id, std::string text, Place place) {
     ++count_;
     if (problems_.size() < kMostMessages)
-        problems_.push_back(glibra::error(id, std::move(text), std::move(place)));
+        problems_.push_back(diagnose(id, std::move(text), std::move(place)));
 }
 
 Diagnostics TomlReader::take() {
@@ -246,8 +246,9 @@ Diagnostics TomlReader::take() {
         return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
     });
     if (count_ > problems_.size())
-        problems_.push_back(
-            note("", fmt::format("{} more errors are not shown", count_ - problems_.size()), {path_, 1, 1}));
+        problems_.push_back(withoutId(Severity::note,
+                                      fmt::format("{} more errors are not shown", count_ - problems_.size()),
+                                      {path_, 1, 1}));
     return std::exchange(problems_, {});
 }
 

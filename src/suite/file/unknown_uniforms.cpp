@@ -26,7 +26,7 @@ void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
                    std::string::npos;
         };
         const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);
-        if (found != shot.ownUniforms.end()) each = error("suite-E19", each.text, found->place);
+        if (found != shot.ownUniforms.end()) each = diagnose("suite-E19", each.text, found->place);
     }
 }
 

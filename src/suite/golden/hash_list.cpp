@@ -58,7 +58,7 @@ Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
     const std::optional<Hash> golden = parseHash(words[2]);
     const std::optional<Hash> pixels = parseHash(words[3]);
     if (!golden || !pixels || rest.empty())
-        return warning("suite-W01", "this is not a line of accepted pixels; it is ignored", place);
+        return diagnose("suite-W01", "this is not a line of accepted pixels; it is ignored", place);
     return AcceptedHash{std::string(words[0]), words[1] == "-" ? "" : std::string(words[1]), *golden, *pixels,
                         std::string(rest)};
 }

@@ -82,7 +82,7 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
     shown.remarks.push_back(text);
     if (problems_.size() < kMostWarnings)
         problems_.push_back(
-            warning("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
+            diagnose("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
 ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,

@@ -57,7 +57,7 @@ Diagnostics checkShards(const std::vector<Run>& runs) {
         std::string list;
         for (const auto& [count, ignored] : parts)
             list += fmt::format("{}{}", list.empty() ? "" : ", ", count);
-        problems.push_back(error(
+        problems.push_back(diagnose(
             "result-E04",
             fmt::format("these runs do not belong together: shards of {}{}; give the folders of one run",
                         list, undivided ? " and a whole run" : "")));
@@ -72,7 +72,7 @@ Diagnostics checkShards(const std::vector<Run>& runs) {
             absent += fmt::format("{}{}/{}", absent.empty() ? "" : ", ", part, count);
     if (absentCount > kMostNames) absent += ", ...";
     if (absentCount > 0)
-        problems.push_back(error(
+        problems.push_back(diagnose(
             "result-E03", fmt::format("{} of {} shards are missing: {}; their shots are not in this result",
                                       static_cast<std::size_t>(count) - present.size(), count, absent)));
     return problems;
@@ -88,7 +88,8 @@ Diagnostics checkPlans(const std::vector<Run>& runs) {
                 judged.emplace(shot.suite, shot.shot);
     Diagnostics problems;
     const auto report = [&](const Run& run, const std::string& why) {
-        problems.push_back(error("result-E03", fmt::format("results in '{}': {}", run.folder.string(), why)));
+        problems.push_back(
+            diagnose("result-E03", fmt::format("results in '{}': {}", run.folder.string(), why)));
     };
     for (const Run& run : runs) {
         if (!run.results.planned) {
@@ -135,11 +136,11 @@ Diagnostics choose(std::vector<Run>& runs, std::map<ShotKey, Source>& chosen) {
             const Verdict before = old.shot->verdict;
             const bool takes = weight(shot.verdict) > weight(before);
             if (before != shot.verdict && before != Verdict::skipped && shot.verdict != Verdict::skipped)
-                remarks.push_back(
-                    warning("result-W01",
-                            fmt::format("'{}/{}' is {} in '{}' and {} in '{}'; it counts as {}", shot.suite,
-                                        shot.shot, name(before), old.run->folder.string(), name(shot.verdict),
-                                        run.folder.string(), name(takes ? shot.verdict : before))));
+                remarks.push_back(diagnose(
+                    "result-W01",
+                    fmt::format("'{}/{}' is {} in '{}' and {} in '{}'; it counts as {}", shot.suite,
+                                shot.shot, name(before), old.run->folder.string(), name(shot.verdict),
+                                run.folder.string(), name(takes ? shot.verdict : before))));
             if (takes) old = {&shot, &run};
         }
     return remarks;
@@ -216,7 +217,7 @@ RunResult header(std::span<const Run> runs) {
 }  // namespace
 
 Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path& into) {
-    if (folders.empty()) return error("result-E05", "no folder of results is given");
+    if (folders.empty()) return diagnose("result-E05", "no folder of results is given");
     Diagnostics remarks;
     std::vector<Run> runs;
     for (const fs::path& folder : folders) {

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostMistakes = 20;
 
 Diagnostic cannotWrite(const fs::path& path, int problem) {
-    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(),
-                                         std::generic_category().message(problem)));
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(),
+                                            std::generic_category().message(problem)));
 }
 
 Diagnostics makeFolder(const fs::path& folder) {
@@ -118,23 +118,24 @@ Result<RunResult> readResults(const fs::path& folder) {
             continue;
         }
         if (result->complete) {
-            result.diagnostics.push_back(error("result-E01", "this line stands after the end line", place));
+            result.diagnostics.push_back(
+                diagnose("result-E01", "this line stands after the end line", place));
             break;
         }
         if (const std::optional<std::size_t> count = parseEndLine(lines.line())) {
             result->complete = true;
             if (*count != result->shots.size())
                 result.diagnostics.push_back(
-                    error("result-E01",
-                          fmt::format("the end line counts {} shots, but the file has {}", *count,
-                                      result->shots.size()),
-                          place));
+                    diagnose("result-E01",
+                             fmt::format("the end line counts {} shots, but the file has {}", *count,
+                                         result->shots.size()),
+                             place));
             continue;
         }
         Result<ShotResult> shot = parseJsonLine(lines.line(), place);
         if (!shot && lines.torn()) {
             result.diagnostics.push_back(
-                note("result-N01", "the last line is torn, so its shot is not counted", place));
+                diagnose("result-N01", "the last line is torn, so its shot is not counted", place));
         } else if (!shot) {
             append(result.diagnostics, std::move(shot.diagnostics));
         } else {
@@ -156,7 +157,7 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
     ResultsWriter writer(path, ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), -1);
     // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
     if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return error(
+        return diagnose(
             "result-E02",
             fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
                         folder.string()));

@@ -313,11 +313,11 @@ Result<Value> parseObject(std::string_view line, const Place& place, const char*
         Reader::read(inside ? json.at(inside) : json, value);
         return value;
     } catch (const Json::parse_error&) {
-        return error("result-E01", line.empty() ? "this line is empty" : "this line is not JSON", place);
+        return diagnose("result-E01", line.empty() ? "this line is empty" : "this line is not JSON", place);
     } catch (const Json::exception&) {  // a number that is too large for any type
-        return error("result-E01", "this line holds a number that is too large", place);
+        return diagnose("result-E01", "this line holds a number that is too large", place);
     } catch (const Mistake& mistake) {
-        return error("result-E01", "this is not a line of results: " + mistake.text, place);
+        return diagnose("result-E01", "this is not a line of results: " + mistake.text, place);
     }
 }
 

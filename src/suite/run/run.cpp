@@ -108,7 +108,7 @@ class Run {
         if (outcome.end == End::finished) {
             if (outcome.answer.empty() || end_.noDriver) return;
             end_.noDriver = true;
-            end_.diagnostics.push_back(error("gpu-E01", outcome.answer));
+            end_.diagnostics.push_back(diagnose("gpu-E01", outcome.answer));
             return;
         }
         const auto& shots = plan_.pieces[piece];
@@ -156,7 +156,7 @@ class Run {
                                               late ? Verdict::timedOut : Verdict::crashed, reason);
         result.accept.clear();
         result.diagnostics.push_back(
-            error(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
+            diagnose(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
         return result;
     }
 
