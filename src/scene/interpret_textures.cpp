@@ -112,7 +112,7 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
         return texture;
     }
     texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
-    texture.source = PictureSource{{file}, wanted == 0};
+    texture.source = PictureSource{{file}};
     return texture;
 }
 

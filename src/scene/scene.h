@@ -68,8 +68,6 @@ enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 /// Where a texture's texels come from.
 struct PictureSource {
     std::vector<FileIndex> files;  ///< one, or six for a cube map
-    bool anyDimension =
-        false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
 };
 struct EmptySource {
     int width = 1, height = 1, depth = 1;

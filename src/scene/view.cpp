@@ -168,10 +168,6 @@ double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
     return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
 }
 
-glm::dmat4 ViewMove::modelViewOf(const Draw& draw) const {
-    return appliesTo(draw) ? translation({0, 0, -distance}) * draw.modelView : draw.modelView;
-}
-
 ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect) {
     ViewMove move;
     if (scene.usesLookAt) return move;

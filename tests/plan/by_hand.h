@@ -127,8 +127,7 @@ class SceneByHand {
         return currentProgram = scene.programs.add(std::move(result));
     }
     scene::TextureIndex texture(int unit, scene::TextureTarget target = scene::TextureTarget::texture2D) {
-        return addTexture({target,
-                           scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}, false},
+        return addTexture({target, scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}},
                            at(nextLine()), unit});
     }
     scene::TextureIndex noise(int dimensions) {

@@ -129,8 +129,7 @@ TEST(Textures, TextureTakesItsDimensionFromTheContentOfTheFile) {
     EXPECT_EQ(targetOfFile(folder.path()), TextureTarget::texture2D);
     const Scene scene = run("Texture 6 three.tex\nTexture2D 7 two.tex\n", folder.path() / "a.glib");
     EXPECT_EQ(textureOf(scene, TextureIndex(2)).target, TextureTarget::texture3D);
-    EXPECT_TRUE(std::get<PictureSource>(textureOf(scene, TextureIndex(2)).source).anyDimension);
-    EXPECT_FALSE(std::get<PictureSource>(textureOf(scene, TextureIndex(3)).source).anyDimension);
+    EXPECT_EQ(textureOf(scene, TextureIndex(3)).target, TextureTarget::texture2D);
 }
 
 TEST(Textures, SizesWhoseProductOverflowsFitNothing) {
