@@ -184,7 +184,8 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
-        say(warning("draw-W01", fmt::format("Program '{}' has {}; flat colour used", program.name, missing),
+        say(warning("draw-W01",
+                    fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
                     draw.place));
     }
 
@@ -228,7 +229,7 @@ class FramePlanner {
         for (const ActiveInput& input : interface.inputs) {
             const std::string name = userName(interface, input.name);
             if (glsl::findBuiltinInput(input.name) == nullptr && !isInternalName(name))
-                once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1", name));
+                once("draw-W03", fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1", name));
         }
         if (ignoresPointSize(draw, program, interface, submission)) {
             using glsl::Stage;

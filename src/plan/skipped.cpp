@@ -59,7 +59,7 @@ class SkipList {
             add("pass",
                 pass.targets.empty()
                     ? fmt::format("the window is cleared again on line {}", needs_.clear.line)
-                    : std::string("nothing that is seen samples its targets"),
+                    : std::string("nothing visible samples its targets"),
                 pass.place);
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]);
@@ -95,8 +95,8 @@ class SkipList {
             const bool isWhole =
                 program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment);
             const char* why = !hasDraw_[i] ? "nothing is drawn with it"
-                              : !isWhole   ? "it lacks a vertex or fragment stage"
-                                           : "nothing that is seen is drawn with it";
+                              : !isWhole   ? "it has no vertex or no fragment stage"
+                                           : "nothing visible is drawn with it";
             add("program", fmt::format("'{}': {}", program.name, why), program.place);
         }
     }
@@ -110,11 +110,12 @@ class SkipList {
             const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
             const Place place = firstDraws_[i] != nullptr ? firstDraws_[i]->place : Place{};
             if (planned[i] == nullptr) {
-                add("mesh", word + ": nothing that is seen draws it", place);
+                add("mesh", word + ": nothing visible draws it", place);
                 continue;
             }
             useFile(scene_.shapes[i].file);
-            if (draws[i] > 1) add("mesh", fmt::format("{}: one for all its {} draws", word, draws[i]), place);
+            if (draws[i] > 1)
+                add("mesh", fmt::format("{}: one mesh serves all its {} draws", word, draws[i]), place);
             for (const std::string& attribute : attributesOf(scene_.shapes[i]))
                 if (!contains(planned[i]->attributes, attribute))
                     attributes.push_back(
@@ -153,7 +154,7 @@ class SkipList {
     void addFiles() {
         for (const scene::FileIndex i : scene_.files.indices())
             if (!files_[i])
-                add("file", fmt::format("'{}': nothing that is seen needs it", scene_.files[i].name),
+                add("file", fmt::format("'{}': nothing visible needs it", scene_.files[i].name),
                     scene_.files[i].place);
     }
 

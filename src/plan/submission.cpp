@@ -114,7 +114,7 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
     if (program != nullptr && !wanted.empty() && !delivered.empty() && wanted != delivered) {
         const std::string file = stageFileName(scene, *program, glsl::Stage::geometry);
         return error("draw-E02",
-                     fmt::format("{} delivers {}{}, but {} wants {}{}", word, delivered,
+                     fmt::format("{} delivers {}{}, but {} expects {}{}", word, delivered,
                                  isTessellated ? " after tessellation" : "",
                                  file.empty() ? "the geometry stage" : file, wanted,
                                  isTessellated ? "" : recommendation(shape.command, wanted)),

@@ -136,7 +136,7 @@ class FolderSearch {
             all += fmt::format("{} '{}'", i + 1 == found.size() ? " and" : ",", shown(found[i]));
         reference_.remarks.push_back(
             warning("file-W12",
-                    fmt::format("'{}' matches {}, '{}' taken", reference_.name, all, shown(found.front())),
+                    fmt::format("'{}' matches {}; '{}' is used", reference_.name, all, shown(found.front())),
                     reference_.place));
         return true;
     }

@@ -23,13 +23,13 @@ void execute(Interpreter& in, const glib::Command& command) {
     const CommandAction& action = *known;
     if (in.list && action.inList == InList::isWrong) {
         in.reportError(command, "glib-E07",
-                       fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
+                       fmt::format("{} is not allowed inside glBegin ... glEnd", command.word));
         return;
     }
     if (in.list && action.inList == InList::goesFirst)
         in.reportWarning(command, "glib-W32",
-                         fmt::format("{} inside glBegin {} before the list", command.word,
-                                     action.draws ? "is drawn" : "is carried out"));
+                         fmt::format("{} is inside glBegin ... glEnd; it {} before the list", command.word,
+                                     action.draws ? "is drawn" : "takes effect"));
     if (action.inList != InList::isPart) in.isOrphan = false;
     if (in.scene.verbose && !action.draws) in.report(note("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);

@@ -37,13 +37,13 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
             return refuse(fmt::format(
                 "unit {0} holds no empty 2D texture; write 'Texture2D {0} 1024 1024' first", unit));
         if (std::find(list.units.begin(), list.units.end(), unit) != list.units.end())
-            return refuse(fmt::format("unit {} stands there twice", unit));
+            return refuse(fmt::format("unit {} is named twice", unit));
         const EmptySource& source = sourceOf(in, texture);
         if (list.units.empty()) {
             list.width = source.width;
             list.height = source.height;
         } else if (source.width != list.width || source.height != list.height) {
-            return refuse(fmt::format("unit {} is {} x {}, unit {} is {} x {}; all must be equal in size",
+            return refuse(fmt::format("unit {} is {} x {}, unit {} is {} x {}; all must have the same size",
                                       list.units.front(), list.width, list.height, unit, source.width,
                                       source.height));
         }

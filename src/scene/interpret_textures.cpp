@@ -53,7 +53,7 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
     }
     if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
         in.reportWarning(command, "glib-W36",
-                         fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
+                         fmt::format("the noise texture on unit {} is replaced", slot.unit));
     at->texture = slot.texture;
 }
 
@@ -107,8 +107,8 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
             .dimensions = noise->dimensions,
             .size = noise->size,
             .isSizeGiven = true,
-            .remarks = {warning("file-W09", fmt::format("'{}' not found, built-in noise used", command.text),
-                                place)}};
+            .remarks = {warning(
+                "file-W09", fmt::format("'{}' not found; the built-in noise is used", command.text), place)}};
         return texture;
     }
     texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);

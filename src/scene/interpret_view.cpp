@@ -26,7 +26,7 @@ void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& t
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {
         in.reportError(command, "glib-E05",
-                       fmt::format("{}: the transformation is beyond the range of numbers", command.word));
+                       fmt::format("{}: the matrix does not fit into 32-bit floats", command.word));
         return;
     }
     in.state.modelView = product;
@@ -36,8 +36,8 @@ void doWindowSize(Interpreter& in, const glib::Command& command) {
     const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
     if (in.windowSize && *in.windowSize != size)
         in.reportWarning(command, "glib-W34",
-                         fmt::format("WindowSize given again, {} {} replaces {} {}", size.first, size.second,
-                                     in.windowSize->first, in.windowSize->second));
+                         fmt::format("WindowSize is given twice; {} {} replaces {} {}", size.first,
+                                     size.second, in.windowSize->first, in.windowSize->second));
     in.windowSize = size;
     in.scene.width = size.first;
     in.scene.height = size.second;
@@ -67,13 +67,14 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
         if (matrix) break;
         matrix = viewingMatrix(eye, centre, up);
         if (matrix)
-            in.reportWarning(command, "glib-W30",
-                             fmt::format("LookAt: up is parallel to the view direction, {} used", name));
+            in.reportWarning(
+                command, "glib-W30",
+                fmt::format("LookAt: up is parallel to the view direction; {} is used instead", name));
     }
     if (matrix && isFinite(*matrix))
         in.state.modelView = in.scene.view = *matrix;
     else
-        in.reportError(command, "glib-E05", "LookAt: the transformation is beyond the range of numbers");
+        in.reportError(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
 }
 
 void doColor(Interpreter& in, const glib::Command& command) {

@@ -77,7 +77,7 @@ void doGlVertex(Interpreter& in, const glib::Command& command) {
     if (list.vertices.size() >= kMostListVertices) {
         if (!list.isFull)
             in.reportError(command, "glib-E15",
-                           fmt::format("glBegin: more than {} vertices",
+                           fmt::format("glBegin: a list holds at most {} vertices",
                                        glib::groupedText(static_cast<long long>(kMostListVertices))));
         list.isFull = true;
         return;
@@ -112,12 +112,12 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
     if (made.mesh.indices.empty()) {
         in.reportError(
             command, "glib-E07",
-            fmt::format("glEnd: {} vertices make no complete {}", list.vertices.size(), primitive));
+            fmt::format("glEnd: {} vertices are not enough for one {}", list.vertices.size(), primitive));
         return;
     }
     if (made.dropped > 0)
         in.reportWarning(command, "glib-W33",
-                         fmt::format("glEnd: {} {} of an incomplete {} dropped", made.dropped,
+                         fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
                                      made.dropped == 1 ? "vertex" : "vertices", primitive));
     Drawing drawing;
     drawing.word = list.word;

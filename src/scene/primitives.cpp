@@ -135,8 +135,7 @@ Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
         if (wanted.file) return readModel(wanted, scene.files[wanted.file], withTangents);
-        return diagnose("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)),
-                        place);
+        return diagnose("glib-E09", fmt::format("{} needs a file name", glib::nameOf(wanted.command)), place);
     } catch (const std::exception& problem) {
         return diagnose("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);
     }

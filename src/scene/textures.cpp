@@ -127,12 +127,13 @@ FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dime
     if (holdsNoise(path, dimensions, size)) {
         file.path = path;
         file.remarks.push_back(
-            note("file-N01", fmt::format("noise taken from '{}' beside the scene", file.name), place));
+            note("file-N01", fmt::format("noise is read from '{}' beside the scene", file.name), place));
     } else {
         const std::string texels =
             dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
         file.remarks.push_back(warning(
-            "file-W10", fmt::format("'{}' does not hold {} bytes, ignored", file.name, texels), place));
+            "file-W10", fmt::format("'{}' does not hold {} byte texels; it is ignored", file.name, texels),
+            place));
     }
     return file;
 }

@@ -187,7 +187,8 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     move.distance = moved;
     move.diagnostics.push_back(note(
         "draw-N01",
-        fmt::format("no LookAt: eye moved back by {} along z (use --view glman to switch this off)", moved),
+        fmt::format("no LookAt, so the eye is moved back by {} along z (use --view glman to switch this off)",
+                    moved),
         draws.front().draw->place));
     return move;
 }

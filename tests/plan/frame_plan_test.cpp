@@ -44,7 +44,7 @@ TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_EQ(ids(plan.diagnostics), "draw-W01");
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; flat colour used");
+    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; a flat colour is used");
     EXPECT_EQ(plan.diagnostics[0].place.line, first.line - 1);
 }
 TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
@@ -56,8 +56,9 @@ TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.diagnostics.size(), 2U);
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'A' has no vertex stage; flat colour used");
-    EXPECT_EQ(plan.diagnostics[1].text, "Program 'B' has no vertex and no fragment stage; flat colour used");
+    EXPECT_EQ(plan.diagnostics[0].text, "Program 'A' has no vertex stage; a flat colour is used");
+    EXPECT_EQ(plan.diagnostics[1].text,
+              "Program 'B' has no vertex and no fragment stage; a flat colour is used");
 }
 
 TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
@@ -138,8 +139,8 @@ TEST(VertexInput, ThatNobodyKnowsIsReported) {
     const FramePlan plan = programs.plan(hand.scene);
     const Diagnostics found = test::withId(plan.diagnostics, "draw-W03");
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(found[0].text, "vertex input 'aPos' is not supplied, it reads 0 0 0 1");
-    EXPECT_EQ(found[1].text, "vertex input 'sample' is not supplied, it reads 0 0 0 1");
+    EXPECT_EQ(found[0].text, "vertex input 'aPos' is not supplied; it reads 0 0 0 1");
+    EXPECT_EQ(found[1].text, "vertex input 'sample' is not supplied; it reads 0 0 0 1");
 }
 
 TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
@@ -178,7 +179,7 @@ TEST(TooManyUnits, AreAnErrorOfTheDraw) {
     options.maxTextureUnits = 1;
     const FramePlan plan = programs.plan(hand.scene, options);
     EXPECT_EQ(textOf(plan.diagnostics, "draw-E05"),
-              "Sphere: the program needs 2 texture units at once, the graphics device has 1");
+              "Sphere: the program needs 2 texture units at once; the graphics device has 1");
     EXPECT_EQ(drawn(plan), "");
 }
 
@@ -243,7 +244,7 @@ TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
     EXPECT_EQ(ids(plan.diagnostics), "glib-W24 glib-W23");
     EXPECT_EQ(plan.diagnostics[0].text,
               "uniform 'uUnused' is declared but unused, so setting it has no effect");
-    EXPECT_EQ(plan.diagnostics[1].text, "no Program 'B' has a uniform 'uUnused'");
+    EXPECT_EQ(plan.diagnostics[1].text, "no program 'B' has a uniform 'uUnused'");
 }
 TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreLetPass) {
     SceneByHand hand;

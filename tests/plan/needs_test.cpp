@@ -38,8 +38,8 @@ TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(programs.askedPrograms(), std::vector{used});
     EXPECT_EQ(skipped(plan, "program"), Words{"'Unused': nothing is drawn with it"});
-    EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing that is seen needs it",
-                                            "'shaders/Unused.frag': nothing that is seen needs it"}));
+    EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing visible needs it",
+                                            "'shaders/Unused.frag': nothing visible needs it"}));
 }
 
 TEST(Needs, AProgramIsAskedForOnceAVariant) {
@@ -72,8 +72,8 @@ TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
     const std::string why = "the window is cleared again on line " + std::to_string(clearLine);
     EXPECT_EQ(skipped(plan, "draw"), (Words{"Teapot: " + why, "Teapot: " + why}));
     EXPECT_EQ(skipped(plan, "statement"), Words{"Clear: " + why});
-    EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing that is seen draws it"});
-    EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing that is seen is drawn with it"});
+    EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing visible draws it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing visible is drawn with it"});
     EXPECT_EQ(programs.askedForImages, std::vector{hidden});
 }
 
@@ -138,9 +138,9 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
     EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
     EXPECT_EQ(programs.askedPrograms(), (std::vector{last, second, first}));
     EXPECT_EQ(plan.textures, (std::vector{a, b}));
-    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing visible samples its targets"});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 12 / 2D: no active sampler reads it"});
-    EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing that is seen is drawn with it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing visible is drawn with it"});
     EXPECT_TRUE(plan.diagnostics.empty());
 }
 
@@ -277,7 +277,7 @@ TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(plan.textures, std::vector{used});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 6 / 2D: no active sampler reads it"});
-    EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing that is seen needs it"});
+    EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing visible needs it"});
 }
 
 TEST(Needs, NoiseIsMadeOnlyIfAnActiveSamplerReadsIt) {
@@ -363,7 +363,7 @@ TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindI
     EXPECT_TRUE(plan.textures.empty());
     EXPECT_EQ(plan.meshes.size(), 1U);
     EXPECT_EQ(skipped(plan, "draw"), Words{"Teapot: it is behind a wall"});
-    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing visible samples its targets"});
     EXPECT_EQ(blinkers.asked, 2) << "nobody asks of a draw that is not needed anyway";
 }
 

@@ -144,7 +144,7 @@ TEST(UnusedOverride, OfOneProgramNamesThatProgram) {
     const std::vector<Override> overrides{{"uKd", UniformForm::number, {1}, "Dost"}};
     const std::vector<std::string> names{"uKd"};
     EXPECT_EQ(textOf(unusedOverrides(overrides, {false}, names), "glib-W23"),
-              "no Program 'Dost' has a uniform 'uKd'");
+              "no program 'Dost' has a uniform 'uKd'");
 }
 
 }  // namespace

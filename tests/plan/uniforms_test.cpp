@@ -119,7 +119,7 @@ TEST(SuppliedTag, TimerPointsToTheCommand) {
     for (const auto& interface : {interfaceWith({{"Timer", "float"}}), interfaceWith({})}) {
         const UniformResolution result = resolve(interface, {number("Timer", 10)});
         EXPECT_EQ(textOf(result.diagnostics, "glib-W25"),
-                  "'Timer' is supplied by the program; set its period with the command 'Timer 10'");
+                  "glibra supplies 'Timer'; set its period with the command 'Timer 10'");
         for (const UniformBinding& each : result.values)
             EXPECT_TRUE(std::holds_alternative<Supplied>(each.value));
     }
@@ -160,7 +160,7 @@ TEST(SuppliedName, OfTextureMatricesIsAnArray) {
 
 TEST(UnsetUniform, IsReported) {
     const UniformResolution result = resolve(interfaceWith({{"uTime", "float"}}), {});
-    EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set, it is 0");
+    EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set; it is 0");
     EXPECT_EQ(result.diagnostics.front().place, test::at(5));
 }
 TEST(UnsetUniform, IsNotReportedIfItIsSupplied) {

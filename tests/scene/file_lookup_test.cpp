@@ -85,7 +85,7 @@ TEST_F(FileLookup, OfSeveralCasesTheFirstInByteOrderIsTaken) {
     const fs::path path = folder.write("COW.obj");
     const FileReference file = find("Cow.obj");
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj', 'COW.obj' taken");
+    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used");
 }
 
 TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {

@@ -139,11 +139,11 @@ TEST(State, LookAtFromTheCentreItselfIsAnError) {
 TEST(State, LookAtWithParallelUpTakesTheFirstAxisThatIsNot) {
     const Scene down = run("LookAt 0 5 0 0 0 0 0 1 0\nSphere\n");
     EXPECT_EQ(textsOf(down.diagnostics),
-              "1:1 glib-W30 LookAt: up is parallel to the view direction, +z used");
+              "1:1 glib-W30 LookAt: up is parallel to the view direction; +z is used instead");
     expectNear(moved(drawsOf(down).at(0).modelView, {0, 0, 1}), {0, 1, -5});
     const Scene ahead = run("LookAt 0 0 5 0 0 0 0 0 -2\nSphere\n");
     EXPECT_EQ(textsOf(ahead.diagnostics),
-              "1:1 glib-W30 LookAt: up is parallel to the view direction, +y used");
+              "1:1 glib-W30 LookAt: up is parallel to the view direction; +y is used instead");
     EXPECT_EQ(idsOf(run("LookAt 0 0 5 0 0 0 0 0 0\nSphere\n").diagnostics), "glib-W30");
 }
 
@@ -199,7 +199,7 @@ TEST(State, TheLastWindowSizeWins) {
     const Scene scene = run("WindowSize 600 600\nSphere\nWindowSize 800 700\n");
     EXPECT_EQ(scene.width, 800);
     EXPECT_EQ(scene.height, 700);
-    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-W34 WindowSize given again, 800 700 replaces 600 600");
+    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-W34 WindowSize is given twice; 800 700 replaces 600 600");
     EXPECT_EQ(idsOf(run("WindowSize 600 600\nWindowSize 600 600\n").diagnostics), "");
 }
 

@@ -159,8 +159,8 @@ TEST(Textures, StatementsThatNameTheSameFileShareItsReference) {
 
 TEST(Textures, ReplacingTheNoiseIsTold) {
     EXPECT_EQ(textsOf(run("Texture2D 2 a.bmp\nTexture3D 3 8 8 8\n").diagnostics),
-              "1:1 glib-W36 unit 2 held the noise texture, which is now replaced\n"
-              "2:1 glib-W36 unit 3 held the noise texture, which is now replaced");
+              "1:1 glib-W36 the noise texture on unit 2 is replaced\n"
+              "2:1 glib-W36 the noise texture on unit 3 is replaced");
     EXPECT_EQ(idsOf(run("Texture2D 2 a.bmp\nTexture2D 2 b.bmp\n").diagnostics), "glib-W36")
         << "it is gone already";
     EXPECT_EQ(idsOf(run("Texture3D 2 8 8 8\nTexture2D 3 a.bmp\nCubeMap 2 a b c d e f\n").diagnostics), "");
@@ -175,7 +175,8 @@ TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
     EXPECT_EQ(sourceOf(2).dimensions, 3);
     EXPECT_EQ(sourceOf(2).size, 64);
     EXPECT_FALSE(sourceOf(2).file);
-    EXPECT_EQ(textsOf(sourceOf(2).remarks), "1:13 file-W09 'noise3d.064.tex' not found, built-in noise used");
+    EXPECT_EQ(textsOf(sourceOf(2).remarks),
+              "1:13 file-W09 'noise3d.064.tex' not found; the built-in noise is used");
     EXPECT_EQ(sourceOf(3).dimensions, 2);
     EXPECT_EQ(sourceOf(3).size, 128);
     EXPECT_EQ(textureOf(scene, TextureIndex(4)).target, TextureTarget::texture3D);
@@ -219,7 +220,7 @@ TEST(Textures, NoiseBesideTheSceneIsUsedIfItFits) {
     const auto& noise = std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source);
     ASSERT_TRUE(noise.file);
     EXPECT_EQ(scene.files[noise.file].path, folder.path() / "noise3d.016.tex");
-    EXPECT_EQ(textsOf(noise.remarks), "1:1 file-N01 noise taken from 'noise3d.016.tex' beside the scene");
+    EXPECT_EQ(textsOf(noise.remarks), "1:1 file-N01 noise is read from 'noise3d.016.tex' beside the scene");
     EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).file);
 }
 
@@ -230,9 +231,9 @@ TEST(Textures, NoiseBesideTheSceneOfAnotherSizeIsIgnored) {
     const Scene scene = run("Sphere\n", folder.path() / "a.glib");
     EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).file);
     EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).remarks),
-              "1:1 file-W10 'noise3d.064.tex' does not hold 64 x 64 x 64 bytes, ignored");
+              "1:1 file-W10 'noise3d.064.tex' does not hold 64 x 64 x 64 byte texels; it is ignored");
     EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).remarks),
-              "1:1 file-W10 'noise2d.064.tex' does not hold 64 x 64 bytes, ignored");
+              "1:1 file-W10 'noise2d.064.tex' does not hold 64 x 64 byte texels; it is ignored");
     EXPECT_TRUE(scene.files.empty());
 }
 
