@@ -35,7 +35,7 @@ void execute(Interpreter& in, const glib::Command& command) {
     action.handler(in, command);
 }
 
-/// The actions by CommandId; one without a handler is missing.
+/// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
     for (const auto& some :

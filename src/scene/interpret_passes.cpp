@@ -9,7 +9,7 @@
 namespace glibra::scene {
 namespace {
 
-/// The texture that an empty 2D texture command has put on the unit, or none.
+/// The empty 2D texture on the unit, or none.
 TextureIndex emptyTextureOn(const Interpreter& in, int unit) {
     for (const Slot& slot : in.state.slots)
         if (slot.unit == unit && slot.target == TextureTarget::texture2D &&
@@ -53,7 +53,8 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
     return list;
 }
 
-/// The depth buffer of the current target: 0 is the window's, then one for each list of units and size.
+/// The number of the current target's depth buffer. 0 is the window's; each combination of units and size
+/// has its own.
 int depthBufferOf(Interpreter& in, const TargetList& target) {
     if (target.units.empty()) return 0;
     const int next = static_cast<int>(in.depthBuffers.size()) + 1;

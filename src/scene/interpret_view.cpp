@@ -21,7 +21,7 @@ glm::dvec3 vectorAt(const glib::Command& command, std::size_t first) {
     return {at(command, first, 0), at(command, first + 1, 0), at(command, first + 2, 0)};
 }
 
-/// M := M * T, unless the product is beyond the range of the numbers that shaders get.
+/// Sets M := M * T. Reports glib-E05 instead if 32-bit floats cannot hold the product.
 void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& transform) {
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {

@@ -12,7 +12,7 @@
 namespace glibra::scene {
 namespace {
 
-/// True if a list is open. Otherwise reports glib-E07, once for consecutive statements of this kind.
+/// True if a list is open. Otherwise reports glib-E07, but only once for consecutive statements.
 bool isInside(Interpreter& in, const glib::Command& command) {
     if (in.list) return true;
     if (!in.isOrphan)
@@ -26,7 +26,7 @@ void copy(const glib::Command& command, std::array<double, N>& values) {
     for (std::size_t i = 0; i < N && i < command.numbers.size(); ++i) values[i] = command.numbers[i];
 }
 
-/// The kind of primitive to which the vertices of an incomplete rest belong.
+/// The name of the topology's primitives, for messages.
 std::string_view primitiveOf(geometry::ListTopology topology) {
     using geometry::ListTopology;
     switch (topology) {

@@ -76,7 +76,7 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withT
 
 Mesh primitiveMesh(const PrimitiveSpec& spec, const Shape& shape) {
     const std::vector<double> numbers = geo::completeNumbers(spec, shape.numbers);
-    // The interpreter refuses larger ones; a scene made by hand gets an empty mesh for them.
+    // The interpreter rejects larger shapes. Scenes made by hand get an empty mesh for them.
     if (!drawsNothing(shape) && spec.counts(numbers).vertices <= kMostCommandVertices)
         return spec.make(numbers);
     Mesh nothing;
