@@ -49,7 +49,7 @@ TEST(GraphNoise, WithCatmullRomHasHalfTheDifferenceOfTheNeighboursAsSlope) {
     EXPECT_NEAR(graphNoise(options, 1.37), .137, 1e-12);
 }
 
-TEST(GraphNoise, OfQuinticsHasNoCurvatureAtThePointsAndOfCubicsHas) {
+TEST(GraphNoise, HasCurvatureAtThePointsWithCubicsButNotWithQuintics) {
     const auto curvature = [](Smoothness smoothness) {
         GraphOptions options;
         options.smoothness = smoothness;
@@ -62,7 +62,7 @@ TEST(GraphNoise, OfQuinticsHasNoCurvatureAtThePointsAndOfCubicsHas) {
     EXPECT_GT(std::abs(curvature(Smoothness::cubic)), .5);
 }
 
-TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) {
+TEST(GraphNoise, WithQuinticsHasTheGivenCurvatureAndKeepsHeightsAndGradients) {
     GraphOptions options;
     options.lattice = Lattice::both;
     options.heights = {{3, .25}};
@@ -89,7 +89,7 @@ TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) 
     EXPECT_EQ(graphPoint(options, 3).curvature, 0);
 }
 
-TEST(GraphNoise, ReachesItsRangeAndNoMore) {
+TEST(GraphNoise, ReachesItsRangeButNeverExceedsIt) {
     // Heights and gradients at their limits, one period of them.
     GraphOptions options;
     options.cells = 4;
@@ -168,7 +168,7 @@ TEST(GraphNoise, OfOneDimensionIsTheLowerEdgeOfTwo) {
     EXPECT_LE(highest, graphRange(plane));
 }
 
-TEST(ColorScale, EndsWhereItSaysAndTheUniformOneGrowsLighter) {
+TEST(ColorScale, HasTheDocumentedEndsAndTheUniformOneGrowsLighter) {
     EXPECT_EQ(colorOf(ColorScale::grey, .5), (std::array<double, 3>{.5, .5, .5}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, 0), (std::array<double, 3>{0, 0, 1}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, .5), (std::array<double, 3>{0, 1, 0}));

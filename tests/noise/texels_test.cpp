@@ -128,7 +128,7 @@ TEST(NoiseTexels, Are127AtLatticePoints) {
     }
 }
 
-TEST(NoiseTexels, OfDoubleSizeKeepEverySecondOne) {
+TEST(NoiseTexels, OfASizeAreEverySecondTexelOfTheDoubleSize) {
     for (const int n : {20, 48}) {
         const auto small = noise3Texels(n), large = noise3Texels(2 * n);
         const auto size = static_cast<std::size_t>(n);
@@ -173,7 +173,7 @@ TEST(NoiseTexels, ThatFloatsCannotDecideAreMarked) {
     }
 }
 
-TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
+TEST(NoiseTexels, OfASizeOutOfRangeAreEmpty) {
     EXPECT_TRUE(noise3Texels(0).empty());
     EXPECT_TRUE(noise3Texels(-5).empty());
     EXPECT_TRUE(noise3Texels(kLargestSize3 + 1).empty());
@@ -186,7 +186,7 @@ TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
     EXPECT_EQ(texels, std::vector<std::uint8_t>(texels.size(), 9));
 }
 
-TEST(NoiseTexels, SixteenBitsAreTheFunctionLessTheHalfStepOfBytes) {
+TEST(NoiseTexels, InSixteenBitsAreTheFunctionMinusHalfAByteStep) {
     for (const int n : {7, 64, 100}) {
         const TexelShorts solid = noise3Shorts(n), flat = noise2Shorts(n);
         ASSERT_EQ(solid.size(), 4U * static_cast<std::size_t>(n * n * n));
@@ -212,7 +212,7 @@ TEST(NoiseTexels, SixteenBitsAreTheFunctionLessTheHalfStepOfBytes) {
     EXPECT_TRUE(noise2Shorts(kLargestSize2 + 1).empty());
 }
 
-TEST(NoiseTexels, SixteenBitsDoNotDependOnTheThreads) {
+TEST(NoiseTexels, InSixteenBitsDoNotDependOnTheThreads) {
     EXPECT_EQ(noise3Shorts(33, 1), noise3Shorts(33, 5));
     EXPECT_EQ(noise2Shorts(257, 1), noise2Shorts(257, 3));
 }

@@ -55,7 +55,7 @@ TEST(RangeCount, OfOneReachesToZeroAndOne) {
     EXPECT_EQ(textOf(slider({.5}).diagnostics, "glib-W15"),
               "uA: 1 value in < >, read as min 0, cur .5, max 1");
 }
-TEST(RangeCount, OfOneOnABoolIsWhetherItIsNotZero) {
+TEST(RangeCount, OfOneOnABoolTellsWhetherItIsNotZero) {
     const Reading reading = read("bool", UniformForm::range, {2});
     EXPECT_EQ(reading.values, Values{1});
     EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >, read as true");

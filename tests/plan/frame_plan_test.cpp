@@ -33,7 +33,7 @@ TEST(BuiltinProgram, DrawsSilentlyWithoutAProgram) {
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_TRUE(plan.diagnostics.empty());
 }
-TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
+TEST(BuiltinProgram, ReplacesAnIncompleteProgramAndIsReportedOnce) {
     SceneByHand hand;
     Programs programs;
     hand.program("Dots", {Stage::vertex});
@@ -47,7 +47,7 @@ TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
     EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; a flat colour is used");
     EXPECT_EQ(plan.diagnostics[0].place.line, first.line - 1);
 }
-TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
+TEST(BuiltinProgram, IsReportedWithTheMissingStages) {
     SceneByHand hand;
     Programs programs;
     hand.program("A", {Stage::fragment});
@@ -77,7 +77,7 @@ TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
     EXPECT_EQ(plan.textures, (std::vector{first, second}));
     EXPECT_EQ(plan.programs.size(), 1U);
 }
-TEST(PlannedTexture, InAnEmptySlotIsReportedOnceAProgram) {
+TEST(PlannedTexture, InAnEmptySlotIsReportedOncePerProgram) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -108,25 +108,25 @@ struct Feedback : testing::Test {
         return programs.plan(hand.scene);
     }
 };
-TEST_F(Feedback, OfASamplerIsRefused) {
+TEST_F(Feedback, OfASamplerIsAnError) {
     const FramePlan result = plan("sampler2D");
     EXPECT_EQ(textOf(result.diagnostics, "draw-E01"),
               "QuadXY samples unit 6 while rendering into it (RenderToTexture on line " +
                   std::to_string(passLine) + ")");
     EXPECT_EQ(drawn(result), " | | Sphere");
 }
-TEST_F(Feedback, OfAnotherTargetOfTheUnitIsNone) {
+TEST_F(Feedback, DoesNotConcernAnotherTargetOfTheUnit) {
     hand.texture(6, scene::TextureTarget::cube);
     programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("samplerCube").diagnostics), "");
 }
 
-TEST_F(Feedback, OfAnImageIsNoSampling) {
+TEST_F(Feedback, DoesNotConcernImages) {
     programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("image2D").diagnostics), "");
 }
 
-TEST(VertexInput, ThatNobodyKnowsIsReported) {
+TEST(VertexInput, ThatIsUnknownIsReported) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -183,7 +183,7 @@ TEST(TooManyUnits, AreAnErrorOfTheDraw) {
     EXPECT_EQ(drawn(plan), "");
 }
 
-TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
+TEST(UnusableProgram, ReportsItsErrorsOnceAndKeepsItsDraws) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -200,7 +200,7 @@ TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
     EXPECT_EQ(plan.meshes.at(0).attributes, std::vector<std::string>{"position"});
 }
 
-TEST(UniformsOfAPlan, AreResolvedAndTheirMessagesSaidOnceForAllVariants) {
+TEST(UniformsOfAPlan, AreResolvedAndReportedOnceForAllVariants) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -230,7 +230,7 @@ TEST(OverridesOfAPlan, ThatNameNothingAreReportedOnceWithoutAPlace) {
               "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
     EXPECT_TRUE(plan.diagnostics[0].place.file.empty());
 }
-TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
+TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveHaveTheirOwnMessage) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("A");
@@ -246,7 +246,7 @@ TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
               "uniform 'uUnused' is declared but unused, so setting it has no effect");
     EXPECT_EQ(plan.diagnostics[1].text, "no program 'B' has a uniform 'uUnused'");
 }
-TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreLetPass) {
+TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreAccepted) {
     SceneByHand hand;
     Programs programs;
     hand.program("Unused");

@@ -29,7 +29,7 @@ scene::ProgramIndex plain(SceneByHand& hand, Programs& programs, const std::stri
     return program;
 }
 
-TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
+TEST(Needs, AProgramWithoutDrawsIsNotRequested) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Unused");
@@ -42,7 +42,7 @@ TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
                                             "'shaders/Unused.frag': nothing visible needs it"}));
 }
 
-TEST(Needs, AProgramIsAskedForOnceAVariant) {
+TEST(Needs, AProgramIsRequestedOncePerVariant) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -56,7 +56,7 @@ TEST(Needs, AProgramIsAskedForOnceAVariant) {
     EXPECT_EQ(plan.meshes.size(), 2U);
 }
 
-TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
+TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreSkipped) {
     SceneByHand hand;
     Programs programs;
     const auto hidden = plain(hand, programs, "Hidden");
@@ -91,7 +91,7 @@ TEST(Needs, DrawsBeforeAClearAreKeptForImageWrites) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), "Teapot Sphere Clear Sphere");
 }
 
-TEST(Needs, APassOfTheWindowBeforeTheLastClearIsNotSeen) {
+TEST(Needs, APassOfTheWindowBeforeTheLastClearIsSkipped) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -145,7 +145,7 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
 }
 
 // The target is sampled before this frame draws into it: its content is that of the frame before.
-TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
+TEST(Needs, APassIsNeededEvenIfItsTargetIsReadEarlierInTheFrame) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -157,7 +157,7 @@ TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), "Sphere | Teapot");
 }
 
-TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
+TEST(Needs, TheSearchEndsAtTwoPassesThatFeedEachOther) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -173,7 +173,7 @@ TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
+TEST(Needs, AllTargetsOfANeededPassExistButOnlyTargetsThatAreReadNeedOtherPasses) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -193,7 +193,7 @@ TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
     EXPECT_EQ(plan.programs.at(1).variant.colorTargets, 2);
 }
 
-TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
+TEST(Needs, APassThatSharesDepthNeedsThePassBeforeIt) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -211,7 +211,7 @@ TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, APassThatClearsItsSharedDepthNeedsNoneBeforeIt) {
+TEST(Needs, APassThatClearsItsSharedDepthNeedsNoPassBeforeIt) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -247,7 +247,7 @@ TEST(Needs, APassThatMayWriteImagesIsNeededAndSoIsWhatItSamples) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, NobodyAsksForImageWritesWhereEverythingIsSeen) {
+TEST(Needs, ImageWritesDoNotMatterIfEverythingIsVisible) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -267,7 +267,7 @@ TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
     EXPECT_EQ(skipped(plan, "draw"), Words{"Sphere: it has no size and draws nothing"});
 }
 
-TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
+TEST(Needs, ATextureThatIsNeverSampledIsSkippedWithItsFile) {
     SceneByHand hand;
     Programs programs;
     const auto used = hand.texture(5);
@@ -344,7 +344,7 @@ struct Blinkers {
     }
 };
 
-TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindIt) {
+TEST(Needs, ADrawOutOfSightNeedsNoProgramMeshTextureOrPass) {
     SceneByHand hand;
     Programs programs;
     const auto target = hand.emptyTexture(6);
@@ -367,7 +367,7 @@ TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindI
     EXPECT_EQ(blinkers.asked, 2) << "nobody asks of a draw that is not needed anyway";
 }
 
-TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
+TEST(Needs, OutOfSightIsNotAskedIfEverythingIsWanted) {
     SceneByHand hand;
     Programs programs;
     hand.teapot();
@@ -378,7 +378,7 @@ TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
     EXPECT_EQ(blinkers.asked, 0);
 }
 
-TEST(Needs, AMeshForEachDrawIsPlannedOnRequestOnly) {
+TEST(Needs, OneMeshPerDrawIsPlannedOnlyOnRequest) {
     SceneByHand hand;
     Programs programs;
     for (int i = 0; i < 3; ++i) hand.sphere();

@@ -96,7 +96,7 @@ TEST(Tag, NamesAPlainUniformBeforeABlockMember) {
     EXPECT_TRUE(literal(result, 0).empty());
     EXPECT_EQ(literal(result, 1), Values{.5});
 }
-TEST(Tag, GivenTwiceCountsTheLastTime) {
+TEST(Tag, GivenTwiceUsesTheLastValue) {
     const auto interface = interfaceWith({{"uKa", "int"}});
     const UniformResolution result = resolve(interface, {number("uKa", 1.5), number("uKa", 2)});
     EXPECT_EQ(literal(result, 0), Values{2});
@@ -178,7 +178,7 @@ TEST(UnsetUniform, IsNotReportedIfItHasAnInitialiser) {
     interface.facts.uniforms["uLight"].hasInitializer = true;
     EXPECT_EQ(ids(resolve(interface, {}).diagnostics), "");
 }
-TEST(UnsetUniform, IsNeverOneOfTheTranslators) {
+TEST(UnsetUniform, IsNeverReportedForNamesOfTheTranslator) {
     EXPECT_EQ(
         ids(resolve(interfaceWith({{"glibra_somethingOfItsOwn", "float"}, {"gl_DepthRange.near", "float"}}),
                     {})

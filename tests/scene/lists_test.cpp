@@ -81,7 +81,7 @@ TEST(Lists, NormalsAndTexCoordsBelongToTheFollowingVertices) {
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kPosition), (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
 }
 
-TEST(Lists, OtherCommandsInsideAreCarriedOutBeforeTheList) {
+TEST(Lists, OtherCommandsInsideAreExecutedBeforeTheList) {
     const Scene scene =
         run("glBegin points\nglVertex 0 0 0\nObj cow.obj\nTranslate 1 0 0\nglVertex 1 1 1\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
@@ -107,20 +107,20 @@ TEST(Lists, ProgramTargetAndSecondBeginAreRefusedInside) {
     EXPECT_EQ(listOf(scene).vertexCount(), 2U) << "the first list goes on";
 }
 
-TEST(Lists, VerticesOutsideAreReportedOnceARun) {
+TEST(Lists, ConsecutiveVerticesOutsideAListAreReportedOnce) {
     const Scene scene = run("glVertex 0 0 0\nglVertex 0 0 0\nglEnd\nSphere\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
               "1:1 glib-E07 glVertex outside glBegin ... glEnd\n"
               "5:1 glib-E07 glEnd outside glBegin ... glEnd");
 }
 
-TEST(Lists, AMissingEndIsToldAtTheBegin) {
+TEST(Lists, AMissingEndIsReportedAtTheBegin) {
     const Scene scene = run("Sphere\nglBegin points\nglVertex 0 0 0\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "2:1 glib-E07 glBegin without glEnd");
     EXPECT_EQ(drawsOf(scene).size(), 1U);
 }
 
-TEST(Lists, AnIncompleteRestIsDropped) {
+TEST(Lists, AnIncompleteLastPrimitiveIsIgnored) {
     const Scene scene =
         run("NumPatchVertices 4\nglBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 "
             "0 0\n"

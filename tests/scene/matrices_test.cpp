@@ -150,7 +150,7 @@ TEST(Matrices, TheNormalMatrixIsTheInverseTranspose) {
     EXPECT_EQ(normalMatrix(scaling({2, 4, 8})), glm::dmat3(scaling({.5, .25, .125})));
 }
 
-TEST(Matrices, TheNormalMatrixOfASingularOneIsItsCofactors) {
+TEST(Matrices, TheNormalMatrixOfASingularMatrixIsItsCofactorMatrix) {
     // Squeezed flat along y, a surface faces y, whatever its normal was.
     const glm::dmat3 normal = normalMatrix(scaling({2, 0, 3}));
     EXPECT_EQ(normal * glm::dvec3(0, 1, 0), glm::dvec3(0, 6, 0));

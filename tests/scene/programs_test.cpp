@@ -68,7 +68,7 @@ TEST(Programs, GeometryTypesStayInForce) {
     }
 }
 
-TEST(Programs, AMissingStageFileIsNobodysErrorYet) {
+TEST(Programs, AMissingStageFileIsNotReportedBeforeItIsNeeded) {
     const Scene scene = run("Vertex no-such.vert\nProgram A\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "");
     EXPECT_EQ(textsOf(scene.files.at(0).remarks), "1:8 file-E01 cannot find 'no-such.vert'");

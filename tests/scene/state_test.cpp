@@ -94,7 +94,7 @@ TEST(State, RotationIsRightHandedAboutAnyAxis) {
     expectNear(moved(draw.modelView, {0, 1, 0}), {0, 0, 1});
 }
 
-TEST(State, RotationAboutNothingIsNone) {
+TEST(State, RotationAboutTheZeroVectorDoesNothing) {
     EXPECT_EQ(drawOf("Rotate 30 0 0 0\nSphere\n").modelView, glm::dmat4(1.0));
 }
 
@@ -136,7 +136,7 @@ TEST(State, LookAtFromTheCentreItselfIsAnError) {
     EXPECT_FALSE(scene.usesLookAt);
 }
 
-TEST(State, LookAtWithParallelUpTakesTheFirstAxisThatIsNot) {
+TEST(State, LookAtWithParallelUpUsesTheFirstAxisThatIsNotParallel) {
     const Scene down = run("LookAt 0 5 0 0 0 0 0 1 0\nSphere\n");
     EXPECT_EQ(textsOf(down.diagnostics),
               "1:1 glib-W30 LookAt: up is parallel to the view direction; +z is used instead");
@@ -209,7 +209,7 @@ TEST(State, MessagesAreNotes) {
     EXPECT_EQ(scene.diagnostics.at(0).severity, Severity::note);
 }
 
-TEST(State, VerboseTellsEveryOperationOfTheWholeFile) {
+TEST(State, VerboseReportsEveryOperationOfTheWholeFile) {
     const Scene scene = run("Translate 1 0 -2.5\nSphere 1 60 60\nProgram Dots uA 1\nSphere\nVerbose\n");
     EXPECT_TRUE(scene.verbose);
     EXPECT_EQ(textsOf(scene.diagnostics),

@@ -89,7 +89,7 @@ TEST(Textures, OneUnitHoldsATextureForEachTarget) {
     EXPECT_EQ(idsOf(scene.diagnostics), "");
 }
 
-TEST(Textures, EmptyOnesHaveSizesAndAFormat) {
+TEST(Textures, EmptyTexturesHaveSizesAndAFormat) {
     const Scene scene =
         run("Texture2D 6 640 480\nTexture3D 7 2 3 4 rgba16f\nTexture1D 8 5 R32F\nTexture2D 9 1 1 RGBA32F\n");
     const auto sourceOf = [&](std::size_t index) {
@@ -157,7 +157,7 @@ TEST(Textures, StatementsThatNameTheSameFileShareItsReference) {
     EXPECT_EQ(scene.shapes.at(0).file, scene.shapes.at(1).file);
 }
 
-TEST(Textures, ReplacingTheNoiseIsTold) {
+TEST(Textures, ReplacingTheNoiseIsReported) {
     EXPECT_EQ(textsOf(run("Texture2D 2 a.bmp\nTexture3D 3 8 8 8\n").diagnostics),
               "1:1 glib-W36 the noise texture on unit 2 is replaced\n"
               "2:1 glib-W36 the noise texture on unit 3 is replaced");
@@ -166,7 +166,7 @@ TEST(Textures, ReplacingTheNoiseIsTold) {
     EXPECT_EQ(idsOf(run("Texture3D 2 8 8 8\nTexture2D 3 a.bmp\nCubeMap 2 a b c d e f\n").diagnostics), "");
 }
 
-TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
+TEST(Textures, TheBuiltInNoiseReplacesAMissingNoiseFile) {
     const Scene scene =
         run("Texture3D 6 noise3d.064.tex\nTexture2D 7 C:\\tex\\Noise2D.128.tex\nTexture 8 noise3d.016.tex\n");
     const auto sourceOf = [&](std::size_t index) {
@@ -184,7 +184,7 @@ TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
     EXPECT_EQ(idsOf(scene.diagnostics), "") << "who does not need the texture does not hear of it";
 }
 
-TEST(Textures, ANoiseFileThatIsThereIsAFile) {
+TEST(Textures, AnExistingNoiseFileIsUsed) {
     const TemporaryFolder folder;
     folder.write("noise3d.016.tex", raw({16, 16, 16}, 4));
     const Scene scene = run("Texture3D 6 noise3d.016.tex\n", folder.path() / "a.glib");

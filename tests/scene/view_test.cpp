@@ -119,7 +119,7 @@ TEST(ViewPolicy, ASceneWithLookAtIsLeftAlone) {
     EXPECT_EQ(asked, 0) << "no mesh is needed to know that";
 }
 
-TEST(ViewPolicy, OrthographicDrawsAreNeverMovedNorLookedAt) {
+TEST(ViewPolicy, OrthographicDrawsAreIgnored) {
     int asked = 0;
     EXPECT_EQ(viewOf(run("Ortho\nSphere\n"), 1, &asked).distance, 0);
     EXPECT_EQ(viewOf(run("Sphere 0\n")).distance, 0);
@@ -183,7 +183,7 @@ TEST(ViewPolicy, AFourthCoordinateAddsToTheDistance) {
     EXPECT_EQ(distanceOf(text("0")), 0);
 }
 
-TEST(ViewPolicy, ShapesThatCannotBeMadeCountForNothing) {
+TEST(ViewPolicy, ShapesThatCannotBeMadeAreIgnored) {
     EXPECT_EQ(distanceOf("Obj absent.obj\n"), 0);
     EXPECT_EQ(distanceOf("Obj absent.obj\nSphere\n"), 2.375);
     const Scene scene = run("Sphere\n");

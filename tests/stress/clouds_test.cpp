@@ -45,7 +45,7 @@ double share(const std::vector<double>& sums, double period) {
     return std::abs(wave) / all;
 }
 
-TEST(PointClouds, StandInRowsAndJitteredOnesDoNot) {
+TEST(PointClouds, FormRowsUnlessTheyAreJittered) {
     const std::string along = "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 5 0 0 0 0 1 0";
     const std::vector<double> regular = columns(along, "PointCloud");
     const std::vector<double> jittered = columns(along, "JitterCloud");

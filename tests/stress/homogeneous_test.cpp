@@ -112,7 +112,7 @@ const Files kByMatrix{
     {"f.frag", addingFragment("1., 0., 0.")}};
 const std::string kWindow = "WindowSize 64 64\nBackground 0\n";
 
-TEST(HomogeneousVertices, OfWeightZeroAreDirections) {
+TEST(HomogeneousVertices, WithWeightZeroAreDirections) {
     const ClipTriangle quadrant{glm::dvec4(0, 0, 0, 1), glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0)};
     const FloatPicture picture = draw(kWindow + kProgram + listOf({quadrant}), kAsTheyAre);
     ASSERT_EQ(picture.width, 64);
@@ -123,7 +123,7 @@ TEST(HomogeneousVertices, OfWeightZeroAreDirections) {
     EXPECT_EQ(wrong, 0U);
 }
 
-TEST(HomogeneousVertices, OfNegativeWeightAreBehindTheEye) {
+TEST(HomogeneousVertices, WithNegativeWeightAreBehindTheEye) {
     // All three: the same point of projective space, but nothing is visible. One or two: the part in front.
     const ClipTriangle behind{glm::dvec4(-.5, -.5, 0, -1), glm::dvec4(.5, -.5, 0, -1),
                               glm::dvec4(0, .5, 0, -1)};
@@ -141,7 +141,7 @@ TEST(HomogeneousVertices, OfNegativeWeightAreBehindTheEye) {
     }
 }
 
-TEST(HomogeneousVertices, OfAnyWeightCoverWhatProjectiveGeometrySays) {
+TEST(HomogeneousVertices, WithAnyWeightCoverThePixelsOfProjectiveGeometry) {
     // Several triangles a picture; weights of either sign and 0, depths that the near and far planes cut.
     for (std::uint32_t i = 0; i < 60; ++i) {
         std::vector<ClipTriangle> triangles(6);

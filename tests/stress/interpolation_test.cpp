@@ -29,7 +29,7 @@ FloatPicture recedingSheet(const std::string& qualifier) {
     return draw("WindowSize 64 4\n" + kView + kProgram + "QuadXY 0 1 1 1\n", files);
 }
 
-TEST(InterpolatedVaryings, FollowThePerspectiveUnlessToldNotTo) {
+TEST(InterpolatedVaryings, FollowThePerspectiveUnlessDeclaredNoperspective) {
     const FloatPicture smooth = recedingSheet("smooth"), plain = recedingSheet("noperspective");
     ASSERT_EQ(smooth.width, 64);
     ASSERT_EQ(plain.width, 64);

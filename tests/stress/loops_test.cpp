@@ -34,7 +34,7 @@ FloatPicture counted(const Counting& of, bool inVertexStage) {
         files);
 }
 
-TEST(LongLoops, AreToldExactlyWhereTheDriverEndsThem) {
+TEST(LongLoops, AreReportedExactlyWhereTheDriverEndsThem) {
     const Counting cases[] = {
         {"for (int i = 0; i < uN; ++i) n += uOne;", "uN 60000", 60'000},
         {"for (int i = 0; i < uN; ++i) n += uOne;", "uN 65535", 65'535},
@@ -68,7 +68,7 @@ TEST(LongLoops, AreToldExactlyWhereTheDriverEndsThem) {
         }
 }
 
-TEST(LongLoops, AreToldWithTheirLine) {
+TEST(LongLoops, AreReportedWithTheirLine) {
     const FloatPicture picture =
         counted({"\n  for (int i = 0; i < uN; ++i) n += uOne;", "uN 1000000", 0}, false);
     for (const Diagnostic& each : picture.diagnostics) {

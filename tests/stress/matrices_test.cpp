@@ -48,7 +48,7 @@ TEST(LookAt, WithoutADirectionIsRefused) {
     }
 }
 
-TEST(LookAt, WithUpAlongTheViewTakesAnother) {
+TEST(LookAt, WithUpAlongTheViewUsesAnotherUp) {
     // Up along, against, nearly along the view, and no up at all; far away and near by.
     for (const char* each :
          {"LookAt 0 5 0 0 0 0 0 1 0", "LookAt 0 5 0 0 0 0 0 -1 0", "LookAt 0 0 5 0 0 0 0 0 1",

@@ -47,7 +47,7 @@ TEST(TransferFunctions, OfTheInterpolatedValueAreNotTheInterpolatedColours) {
     }
 }
 
-TEST(NormalsInBytes, TiltByHalfAStepAndFloatOnesDoNot) {
+TEST(NormalsInBytes, TiltByHalfAStepUnlessTheyAreFloats) {
     for (const auto& [format, step] :
          {std::pair("RGBA8", 1 / 255.), std::pair("RGBA16F", 0.), std::pair("RGBA32F", 0.)}) {
         Files files = shaded("2. * texture(uTex, vST.st).rgb - 1.", "uniform sampler2D uTex;\n");

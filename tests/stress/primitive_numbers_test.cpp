@@ -93,7 +93,7 @@ std::string geometry(const std::string& input) {
            "; EmitVertex(); }\n";
 }
 
-TEST(TriangleNumbers, BehindTessellationAreThoseOfTheWholeDraw) {
+TEST(TriangleNumbers, AfterTessellationAreThoseOfTheWholeDraw) {
     // 120 patches of 512 triangles.
     const FloatPicture picture =
         draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(120, 1),

@@ -65,7 +65,7 @@ TEST(TexelCentres, GiveTheTexelItselfWhateverTheSize) {
     }
 }
 
-TEST(TextureBorders, RepeatOrEndAsTheSceneSays) {
+TEST(TextureBorders, RepeatOrClampAsTheSceneSays) {
     // Coordinates from -2 to 3 at eighths of texels; linear filtering by the definition, in double.
     constexpr int kTexels = 8, kSteps = 5 * kTexels * 8;
     const std::vector<float> red = scattered(kTexels);

@@ -102,7 +102,7 @@ TEST(LightAttenuation, IsTheQuotientOfItsPolynomial) {
     }
 }
 
-TEST(LightAttenuation, OfTheLightsThatScenesCannotDefineIsNone) {
+TEST(LightAttenuation, DoesNotApplyToLightsThatScenesCannotDefine) {
     const FloatPicture picture = draw(
         "WindowSize 8 1\n" + kFlat + "Program P\nQuadXY 0 999\n",
         {{"v.vert",

@@ -82,7 +82,7 @@ TEST(GeometryStage, DropsWhatItEmitsBeyondItsLimit) {
     EXPECT_EQ(many.nonFinite(), 0U);
 }
 
-TEST(GeometryStage, EmitsFromEveryOneOfManyPrimitives) {
+TEST(GeometryStage, EmitsFromEachOfManyPrimitives) {
     const int most = std::min(context().capabilities().maxGeometryOutputVertices,
                               context().capabilities().maxGeometryTotalOutputComponents / 4);
     EXPECT_EQ(emitted(most, most, 0, "PointCloud 10 10 10").sum(0), 1000. * most);

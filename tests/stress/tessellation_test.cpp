@@ -69,7 +69,7 @@ double pointsOf(const std::string& domain, Spacing spacing, float outer, float i
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-TEST(TessellationLevels, OfOutsideNaNOrNotPositiveDiscardThePatch) {
+TEST(TessellationLevels, ThatAreNaNOrNotPositiveOutsideDiscardThePatch) {
     for (const Spacing spacing : {Spacing::equal, Spacing::even, Spacing::odd})
         for (const char* domain : {"quads", "triangles", "isolines"})
             for (const float level : {kNaN, -kNaN, 0.F, -0.F, -1.F, -kInfinite})

@@ -173,7 +173,7 @@ TEST(LargeModel, OfTenMillionTrianglesIsDrawn) {
     EXPECT_LT(differing, 200U);  // pixels of the silhouette
 }
 
-TEST(ManyDraws, AMillionCoverEachPixelOnceAFrame) {
+TEST(ManyDraws, AMillionCoverEachPixelOncePerFrame) {
     // As many draws as the 200,000 statements of a scene allow, in eleven frames.
     constexpr int kSide = 307;
     std::string scene = fmt::format(
@@ -212,7 +212,7 @@ TEST(ManyDraws, AMillionCoverEachPixelOnceAFrame) {
                 watch.seconds(), watch.seconds() / static_cast<double>(draws) * 1e6, peakMemory());
 }
 
-TEST(ManyDraws, BeyondTheStatementsOfASceneAreRefused) {
+TEST(ManyDraws, BeyondTheStatementsOfASceneAreRejected) {
     std::string scene;
     for (int i = 0; i < 200'001; ++i) scene += "Box\n";
     const Result<FloatPicture> picture = tryDraw(scene);
@@ -254,7 +254,7 @@ TEST(ManyPrograms, AThousandDifferentOnesDrawTheirOwnColours) {
     std::printf("1000 programs in %.2f s, peak memory %ld MiB\n", watch.seconds(), peakMemory());
 }
 
-TEST(ManyPrograms, MoreThanASceneMayHaveAreRefused) {
+TEST(ManyPrograms, MoreThanASceneMayHaveAreRejected) {
     std::string scene;
     for (int i = 0; i < 257; ++i) scene += fmt::format("Program P{}\n", i);
     const Result<FloatPicture> picture = tryDraw(scene);
@@ -262,7 +262,7 @@ TEST(ManyPrograms, MoreThanASceneMayHaveAreRefused) {
     EXPECT_TRUE(has(picture.diagnostics, "glib-E15")) << text(picture.diagnostics);
 }
 
-TEST(LargePicture, Of16384PixelsASideHasTheStripsOfSmallOnes) {
+TEST(LargePicture, Of16384PixelsPerSideEqualsSmallPicturesOfItsStrips) {
     constexpr int kSide = 16384;
     const Folder folder;
     for (const auto& [name, content] : shaded("fract(vMC.xyz * .75) * (gl_FrontFacing ? 1. : .5)"))
