@@ -75,7 +75,7 @@ TEST(GraphNoise, WithQuinticsHasTheGivenCurvatureAndKeepsHeightsAndGradients) {
     EXPECT_NEAR(
         (graphNoise(options, 3 + kWide) - 2 * here + graphNoise(options, 3 - kWide)) / (kWide * kWide), 6,
         .01);
-    // The quintic between two points that are 0 but for the curvature c of the first: c/2 t^2 (1 - t)^3.
+    // The quintic between two points is c/2 t^2 (1 - t)^3 if only the curvature c of the first is not 0.
     GraphOptions one;
     one.heights = {{0, 0}, {1, 0}};
     one.curvatures = {{0, 10}};
@@ -90,7 +90,7 @@ TEST(GraphNoise, WithQuinticsHasTheGivenCurvatureAndKeepsHeightsAndGradients) {
 }
 
 TEST(GraphNoise, ReachesItsRangeButNeverExceedsIt) {
-    // Heights and gradients at their limits, one period of them.
+    // One period of heights and gradients at their limits.
     GraphOptions options;
     options.cells = 4;
     options.heights = {{0, 1}, {1, 1}, {2, -1}, {3, -1}};
@@ -175,7 +175,7 @@ TEST(ColorScale, HasTheDocumentedEndsAndTheUniformOneGrowsLighter) {
     EXPECT_EQ(colorOf(ColorScale::rainbow, 1), (std::array<double, 3>{1, 0, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 0), (std::array<double, 3>{0, 0, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 1), (std::array<double, 3>{1, 1, 1}));
-    // CIE lightness, another measure than the one it is made with, from luminance.
+    // CIE lightness, from luminance, is independent of OKLab, with which the scale is made.
     const auto lightness = [](const std::array<double, 3>& color) {
         const auto linear = [](double c) {
             return c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4);

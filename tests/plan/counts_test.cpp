@@ -1,4 +1,4 @@
-// The rows "Counts and ranges" of the language's section 5.3.
+// The second table of language, 5.3: counts and ranges.
 #include <gtest/gtest.h>
 
 #include "by_hand.h"

@@ -1,4 +1,4 @@
-// What a plan says and holds: diagnostics of drawing, programs, textures of draws.
+// The content of a plan: its diagnostics, programs, and the textures of draws.
 #include "plan/frame_plan.h"
 
 #include <gtest/gtest.h>

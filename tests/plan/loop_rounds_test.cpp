@@ -1,4 +1,4 @@
-// Loops that the driver would end: what is said, and when it is asked.
+// Loops that the driver would end: the warning, and when the driver's limit is requested.
 
 #include "plan/loop_rounds.h"
 
@@ -12,7 +12,7 @@ namespace {
 using glsl::CountedLoop;
 using test::textOf;
 
-/// for (i = 0; i < bound; ++i).
+/// The loop for (i = 0; i < bound; ++i).
 CountedLoop loopTo(std::variant<double, std::string, glsl::Operation> bound,
                    std::vector<CountedLoop> inside = {}) {
     CountedLoop loop;

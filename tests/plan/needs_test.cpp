@@ -1,4 +1,5 @@
-// The skip rules: what a picture does not need is not asked for, made or drawn, and the plan says why.
+// The skip rules: a plan requests, makes and draws only what the picture needs, and says why it skips the
+// rest.
 #include "plan/needs.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using test::SceneByHand;
 using test::skipped;
 using Words = std::vector<std::string>;
 
-/// A program of two stages that samples one unit; it becomes current.
+/// Adds a program of two stages that samples one unit, and makes it current.
 scene::ProgramIndex sampling(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
     const auto program = hand.program(name);
     hand.scene.programs.back().uniforms.push_back(number("uTexUnit", unit));
@@ -115,7 +116,7 @@ TEST(Needs, AWindowWithoutDrawsIsStillCleared) {
     EXPECT_TRUE(plan.passes[0].steps.empty());
 }
 
-// A feeds B, B feeds the window, C feeds nobody.
+// A is sampled by B, B by the window, and C by nothing.
 TEST(Needs, PassesFollowAChainOfSampledTargets) {
     SceneByHand hand;
     Programs programs;
@@ -144,7 +145,7 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
     EXPECT_TRUE(plan.diagnostics.empty());
 }
 
-// The target is sampled before this frame draws into it: its content is that of the frame before.
+// The target is sampled before this frame draws into it, so its content comes from the previous frame.
 TEST(Needs, APassIsNeededEvenIfItsTargetIsReadEarlierInTheFrame) {
     SceneByHand hand;
     Programs programs;
@@ -329,7 +330,7 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     EXPECT_EQ(plan.meshes.at(0).attributes, (Words{"position", "tangent"}));
 }
 
-/// Says that shapes of that command are out of sight; counts the questions.
+/// Reports shapes of that command as out of sight, and counts the calls.
 struct Blinkers {
     glib::CommandId unseen{};
     int asked = 0;

@@ -1,4 +1,4 @@
-// Primitives and shader stages: the table of the language's section 4.8.
+// Primitives and shader stages: the table of language, 4.8.
 #include "plan/submission.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which uniform a tag names, and what is said about those that no tag names (language, 5.3 and 6).
+// Which uniform a tag names, and the messages about uniforms without a tag (language, 5.3 and 6).
 #include "plan/uniforms.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ UniformResolution resolve(const ProgramInterface& interface, std::vector<glib::U
     std::vector<bool> used;
     return resolveUniforms(program(std::move(pairs)), test::kScenePath, interface, overrides, used);
 }
-/// The literal of a uniform; the last one counts.
+/// The literal of a uniform; the last one if there are several.
 Values literal(const UniformResolution& resolution, std::size_t uniform) {
     Values values;
     for (const UniformBinding& each : resolution.values)

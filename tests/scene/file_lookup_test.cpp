@@ -1,4 +1,4 @@
-// Where files are found (language, 8.6).
+// Looking up the files that a scene names (language, 8.6).
 
 #include "scene/file_lookup.h"
 

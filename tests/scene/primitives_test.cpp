@@ -24,7 +24,7 @@ struct Expected {
 };
 using enum geometry::Topology;
 
-// The formulas of the tables in language, 4, computed by hand for other sizes than the defaults.
+// The formulas of the tables in language, 4, evaluated by hand for sizes other than the defaults.
 const Expected kShapes[] = {
     {"Box 1 2 3", 24, 36, triangles},
     {"Cube 3", 24, 36, triangles},

@@ -1,4 +1,4 @@
-// The state machine: what holds at a draw is what was said before it (language, 2.1, 3.1 and 3.2).
+// The state machine: a draw uses the state that earlier statements set (language, 2.1, 3.1 and 3.2).
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using tests::idsOf;
 using tests::run;
 using tests::textsOf;
 
-/// M * (x, y, z, 1), written out.
+/// M * (x, y, z, 1), component by component.
 glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     glm::dvec3 result;
     for (int row = 0; row < 3; ++row)
@@ -82,7 +82,7 @@ TEST(State, SwitchesCanBeTurnedBack) {
 
 TEST(State, TransformsAreMultipliedFromTheRight) {
     const Draw draw = drawOf("Translate 1 2 3\nRotate 90 0 0 1\nScale 2\nSphere\n");
-    // Scale first, then the turn x -> y, then the shift.
+    // The point is scaled, then turned from x to y, then translated.
     expectNear(moved(draw.modelView, {1, 0, 0}), {1, 4, 3});
     expectNear(moved(draw.modelView, {0, 1, 0}), {-1, 2, 3});
     expectNear(moved(draw.modelView, {0, 0, 1}), {1, 2, 5});

@@ -15,7 +15,7 @@ using tests::run;
 using tests::TemporaryFolder;
 using tests::textsOf;
 
-/// What the slot holds at the draw; none if it is empty.
+/// The texture in the slot at the draw; none if the slot is empty.
 TextureIndex heldBy(const Scene& scene, const Draw& draw, int unit, TextureTarget target) {
     for (const Slot& slot : scene.slotTables[draw.slots])
         if (slot.unit == unit && slot.target == target) return slot.texture;

@@ -1,4 +1,4 @@
-// Projections and the policy that moves the eye back, against numbers worked out by hand (language, 2.5
+// Projections, and the policy that moves the eye back, compared with numbers computed by hand (language, 2.5
 // and 3.1).
 
 #include "scene/view.h"
@@ -21,7 +21,7 @@ using tests::run;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// The policy with the real meshes; `asked` counts the meshes that it wanted.
+/// The result of the policy for the real meshes. `asked` counts the meshes that it requests.
 ViewMove viewOf(const Scene& scene, double aspect = 1, int* asked = nullptr) {
     std::map<ShapeIndex, geometry::Mesh> meshes;
     return autoView(
@@ -42,7 +42,7 @@ double sixteenths(double distance) {
     return std::ceil(16 * distance) / 16;
 }
 
-/// Where a point of eye space lands: x / w, y / w, z / w.
+/// The point (x / w, y / w, z / w) after projection of a point in eye space.
 glm::dvec3 projected(const Projection& projection, double aspect, const glm::dvec3& p) {
     const glm::dvec4 clip = projectionMatrix(projection, aspect) * glm::dvec4(p, 1);
     return glm::dvec3(clip) / clip.w;
@@ -136,7 +136,7 @@ TEST(ViewPolicy, ASceneWhollyInFrontOfTheNearPlaneStays) {
 }
 
 TEST(ViewPolicy, OneDrawWhollyInFrontKeepsTheEyeAtTheOrigin) {
-    // A room of quads about the eye: the one at z = -1 was placed for an eye at the origin.
+    // Quads form a room around the eye. The quad at z = -1 shows that the scene expects an eye at the origin.
     EXPECT_EQ(distanceOf("QuadXY -1\nQuadXY 1\nQuadXZ -1\nQuadXZ 1\nQuadYZ -1\nQuadYZ 1\n"), 0);
     EXPECT_GT(distanceOf("QuadXY 1\nQuadXZ -1\nQuadXZ 1\nQuadYZ -1\nQuadYZ 1\n"), 0);
 }
@@ -159,7 +159,7 @@ TEST(ViewPolicy, TheRadiusIsTheFarthestVertexNotTheBox) {
 }
 
 TEST(ViewPolicy, TheSmallerFieldOfViewCounts) {
-    // In a tall window the horizontal half angle is the smaller: tan h = .5 tan 25.
+    // In a tall window the horizontal half angle h is smaller: tan h = .5 tan 25.
     const double half = std::atan(.5 * std::tan(25 * kDegree));
     EXPECT_EQ(distanceOf("Sphere\n", .5), sixteenths(1 / std::sin(half)));
     EXPECT_EQ(distanceOf("Sphere\n", 2), 2.375);
