@@ -45,7 +45,7 @@ struct OctaveRows {
 
     const Table& table;
     std::vector<AxisPlace> places;
-    std::vector<Rows> gradients;  ///< of x, y and perhaps z
+    std::vector<Rows> gradients;  ///< along x, y and, in 3D, z
 
     OctaveRows(const Table& from, int n) : table(from), places(axisPlaces(n, from.cells)) {
         const std::size_t rows = cells();

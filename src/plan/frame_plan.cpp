@@ -212,34 +212,52 @@ class FramePlanner {
     /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
     void remarkOnce(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                     const Submission& submission, const std::vector<TextureUse>& uses) {
-        const ProgramInterface& interface = *planned(index).interface;
-        const scene::ProgramIndex sceneIndex = planned(index).variant.program;
-        const auto once = [&](const char* id, const std::string& text) {
-            if (remarks_.emplace(sceneIndex, id, text).second) say(warning(id, text, draw.place));
-        };
+        reportEmptySlots(draw, index, uses);
+        reportUnknownInputs(draw, index);
+        if (ignoresPointSize(draw, program, *planned(index).interface, submission))
+            reportIgnoredPointSize(draw, index, *program);
+    }
+
+    void warnOnce(const scene::Draw& draw, PlannedProgramIndex index, const char* id,
+                  const std::string& text) {
+        if (remarks_.emplace(planned(index).variant.program, id, text).second)
+            say(warning(id, text, draw.place));
+    }
+
+    void reportEmptySlots(const scene::Draw& draw, PlannedProgramIndex index,
+                          const std::vector<TextureUse>& uses) {
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (uses[i].texture) continue;
-            const ActiveUniform& sampler = at(interface.uniforms, uses[i].uniform);
+            const ActiveUniform& sampler = at(planned(index).interface->uniforms, uses[i].uniform);
             const int unit = state(index).units.at(i).binding.unit;
             const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
                                                          : fmt::format("{} / {}", unit, sampler.type.word);
-            once("draw-W02", fmt::format("{} '{}' reads unit {}, which is empty",
-                                         uses[i].isImage ? "image" : "sampler", sampler.name, slot));
+            warnOnce(draw, index, "draw-W02",
+                     fmt::format("{} '{}' reads unit {}, which is empty",
+                                 uses[i].isImage ? "image" : "sampler", sampler.name, slot));
         }
+    }
+
+    void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
+        const ProgramInterface& interface = *planned(index).interface;
         for (const ActiveInput& input : interface.inputs) {
             const std::string name = userName(interface, input.name);
             if (glsl::findBuiltinInput(input.name) == nullptr && !isInternalName(name))
-                once("draw-W03", fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1", name));
+                warnOnce(draw, index, "draw-W03",
+                         fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1", name));
         }
-        if (ignoresPointSize(draw, program, interface, submission)) {
-            using glsl::Stage;
-            const Stage last = program->hasStage(Stage::geometry)         ? Stage::geometry
-                               : program->hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
-                                                                          : Stage::vertex;
-            const std::string file = stageFileName(scene_, *program, last);
-            once("draw-W05", fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
-                                         file.empty() ? "Program '" + program->name + "'" : file));
-        }
+    }
+
+    void reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,
+                                const scene::Program& program) {
+        using glsl::Stage;
+        const Stage last = program.hasStage(Stage::geometry)         ? Stage::geometry
+                           : program.hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
+                                                                     : Stage::vertex;
+        const std::string file = stageFileName(scene_, program, last);
+        warnOnce(draw, index, "draw-W05",
+                 fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
+                             file.empty() ? "Program '" + program.name + "'" : file));
     }
 
     static std::string userName(const ProgramInterface& interface, const std::string& name) {

@@ -57,30 +57,30 @@ class SkipList {
         const scene::Pass& pass = scene_.passes[index];
         if (!needs_.passes[index])
             add("pass",
-                pass.targets.empty()
-                    ? fmt::format("the window is cleared again on line {}", needs_.clear.line)
-                    : std::string("nothing visible samples its targets"),
+                pass.targets.empty() ? clearedAgain() : std::string("nothing visible samples its targets"),
                 pass.place);
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
-            const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]);
-            if (draw != nullptr) {
-                const scene::Draw*& first = firstDraws_[draw->shape];
-                if (first == nullptr) first = draw;
-                if (draw->program) hasDraw_[draw->program] = true;
-            }
-            if (needs_.steps[index][step] == StepNeed::coveredByClear) {
-                const std::string why =
-                    fmt::format("the window is cleared again on line {}", needs_.clear.line);
-                if (draw != nullptr)
-                    add("draw", draw->word + ": " + why, draw->place);
-                else
-                    add("statement", "Clear: " + why, std::get<scene::Clear>(pass.steps[step]).place);
-            }
-            if (needs_.steps[index][step] == StepNeed::outOfSight)
-                add("draw", draw->word + ": " + needs_.outOfSight.at(draw), draw->place);
-            if (needs_.steps[index][step] == StepNeed::drawsNothing && draw != nullptr)
-                add("draw", draw->word + ": it has no size and draws nothing", draw->place);
+            const StepNeed need = needs_.steps[index][step];
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
+                addDraw(*draw, need);
+            else if (need == StepNeed::coveredByClear)
+                add("statement", "Clear: " + clearedAgain(), std::get<scene::Clear>(pass.steps[step]).place);
         }
+    }
+
+    void addDraw(const scene::Draw& draw, StepNeed need) {
+        const scene::Draw*& first = firstDraws_[draw.shape];
+        if (first == nullptr) first = &draw;
+        if (draw.program) hasDraw_[draw.program] = true;
+        if (need == StepNeed::coveredByClear) add("draw", draw.word + ": " + clearedAgain(), draw.place);
+        if (need == StepNeed::outOfSight)
+            add("draw", draw.word + ": " + needs_.outOfSight.at(&draw), draw.place);
+        if (need == StepNeed::drawsNothing)
+            add("draw", draw.word + ": it has no size and draws nothing", draw.place);
+    }
+
+    [[nodiscard]] std::string clearedAgain() const {
+        return fmt::format("the window is cleared again on line {}", needs_.clear.line);
     }
 
     void addPrograms() {

@@ -1,6 +1,6 @@
 // The largest scenes that the language allows: a model of ten million triangles, a million draws, a thousand
-// programs, and pictures of 16,384 pixels per side (exercises' accuracy table 30). Each test prints its time
-// and memory.
+// programs, and pictures of 16,384 pixels per side (exercises' accuracy table 30). The tests print
+// their times and memory.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -210,7 +210,7 @@ TEST(ManyDraws, AMillionCoverEachPixelOncePerFrame) {
         }
         EXPECT_EQ(wrong, 0U) << frame;
     }
-    std::printf("%zu draws in %.2f s: %.2f microseconds a draw, peak memory %ld MiB\n", draws,
+    std::printf("%zu draws in %.2f s: %.2f microseconds per draw, peak memory %ld MiB\n", draws,
                 watch.seconds(), watch.seconds() / static_cast<double>(draws) * 1e6, peakMemory());
 }
 
