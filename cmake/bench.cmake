@@ -13,8 +13,8 @@ glibra_embed(glibra_bench bench_page ${bench_page_files})
 
 # The files of src/cli are those that it shares with glibra.
 file(GLOB bench_program_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/bench/program/*.cpp)
-add_executable(glibra_bench_program ${bench_program_sources} ${PROJECT_SOURCE_DIR}/src/cli/print.cpp
-                                    ${PROJECT_SOURCE_DIR}/src/cli/info_output.cpp)
+add_executable(glibra_bench_program ${bench_program_sources} ${PROJECT_SOURCE_DIR}/src/cli/command_line.cpp
+                                    ${PROJECT_SOURCE_DIR}/src/cli/info_output.cpp ${PROJECT_SOURCE_DIR}/src/cli/print.cpp)
 set_target_properties(glibra_bench_program PROPERTIES OUTPUT_NAME glibra-bench RUNTIME_OUTPUT_DIRECTORY
                                                                                ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_bench_program)

@@ -42,14 +42,9 @@ inline Diagnostic diagnose(std::string id, std::string text, Place place = {}) {
     return {severity, std::move(id), std::move(text), std::move(place)};
 }
 
-inline Diagnostic error(std::string id, std::string text, Place place = {}) {
-    return {Severity::error, std::move(id), std::move(text), std::move(place)};
-}
-inline Diagnostic warning(std::string id, std::string text, Place place = {}) {
-    return {Severity::warning, std::move(id), std::move(text), std::move(place)};
-}
-inline Diagnostic note(std::string id, std::string text, Place place = {}) {
-    return {Severity::note, std::move(id), std::move(text), std::move(place)};
+/// Makes a message that has no id, such as "7 more messages not shown".
+inline Diagnostic withoutId(Severity severity, std::string text, Place place = {}) {
+    return {severity, {}, std::move(text), std::move(place)};
 }
 
 /// True if any message is an error.

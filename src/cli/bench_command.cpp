@@ -7,7 +7,8 @@
 namespace glibra::cli {
 
 void addBench(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("bench", "run time against error: curves and their Pareto fronts");
+    CLI::App* command =
+        app.add_subcommand("bench", "measures run time against error, as curves with their Pareto fronts");
     // glibra-bench reads its own arguments, --help among them.
     command->prefix_command();
     command->set_help_flag();

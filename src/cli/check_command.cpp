@@ -2,10 +2,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/json_output.h"
+#include "cli/picture_options.h"
 #include "gpu/context.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
@@ -15,30 +20,17 @@ namespace {
 
 struct CheckArguments {
     std::vector<std::string> scenes;
-    RenderOptions options;
+    suite::Shot picture;
     Driver driver = Driver::automatic;
     bool json = false;
-    bool noShim = false;
     std::string translated;
 };
 
-nlohmann::ordered_json toJson(const Diagnostics& diagnostics) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Diagnostic& each : diagnostics)
-        list.push_back({{"file", each.place.file},
-                        {"line", each.place.line},
-                        {"column", each.place.column},
-                        {"severity", name(each.severity)},
-                        {"id", each.id},
-                        {"text", each.text}});
-    return list;
-}
-
-/// Writes each shader to the folder, which is made if need be.
+/// Writes each shader to the folder, which is made if it does not exist.
 Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
                          const std::filesystem::path& folder) {
     Diagnostics problems;
-    std::error_code ignored;  // told with the first file that cannot be written
+    std::error_code ignored;  // reported with the first file that cannot be written
     std::filesystem::create_directories(folder, ignored);
     for (const render::TranslatedShader& each : shaders)
         append(problems,
@@ -52,24 +44,21 @@ int run(CheckArguments& arguments) {
         print(context.diagnostics);
         return kNoDriver;
     }
-    arguments.options.shim = !arguments.noShim;
-    arguments.options.libraryRoots = libraryRoots();
+    arguments.picture.options.libraryRoots = libraryRoots();
     int status = kDone;
-    nlohmann::ordered_json report = nlohmann::ordered_json::array();
+    std::vector<CheckedScene> report;
     for (const std::string& scene : arguments.scenes) {
-        const render::CheckResult checked = render::checkScene(*context, scene, arguments.options);
+        const render::CheckResult checked = render::checkScene(*context, scene, arguments.picture.options);
         Diagnostics diagnostics = checked.diagnostics;
         if (!arguments.translated.empty())
             append(diagnostics, writeShaders(checked.shaders, arguments.translated));
         if (hasError(diagnostics)) status = kSceneIsWrong;
         if (arguments.json)
-            report.push_back(
-                {{"scene", scene}, {"good", !hasError(diagnostics)}, {"diagnostics", toJson(diagnostics)}});
+            report.push_back({scene, std::move(diagnostics)});
         else
             print(diagnostics);
     }
-    if (arguments.json)
-        std::printf("%s\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    if (arguments.json) std::fputs(toJson(report).c_str(), stdout);
     return status;
 }
 
@@ -77,15 +66,16 @@ int run(CheckArguments& arguments) {
 
 void addCheck(CLI::App& app, int& status) {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "parse, resolve files, compile and link; draw nothing");
+    CLI::App* command = addCommand(
+        app, "check", "parses scenes, finds their files, compiles and links their shaders; draws nothing",
+        "glibra check a.glib");
     command->add_option("SCENE", arguments->scenes, "scene files (.glib)")->required();
-    command->add_option("--driver", arguments->driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriversByWord));
-    command->add_flag("--strict", arguments->options.strict, "warnings are errors");
-    command->add_flag("--no-shim", arguments->noShim, "compile the shaders as they are");
+    addDriverOption(*command, arguments->driver);
+    addPictureOption(*command, "strict", arguments->picture);
+    addPictureOption(*command, "no-shim", arguments->picture);
     command->add_option("--translated", arguments->translated,
-                        "folder for the shaders as the driver gets them");
-    command->add_flag("--json", arguments->json, "the diagnostics as JSON on standard output");
+                        "folder for the shaders after translation, as the driver compiles them");
+    command->add_flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
     command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -1,12 +1,11 @@
 #pragma once
-// The subcommands, one file each. Each adds itself to the command line and leaves its exit status in
-// `status`.
+// The subcommands, one per file. Each adds itself to the command line and stores its exit status in `status`.
 
 #include <glibra/diagnostic.h>
-#include <glibra/render.h>
 
-#include <map>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own name
 class App;
@@ -14,7 +13,7 @@ class App;
 
 namespace glibra::cli {
 
-// Exit statuses; of several the largest counts.
+// Exit statuses. If several apply, the largest is used.
 inline constexpr int kDone = 0;
 inline constexpr int kDiffers = 1;
 inline constexpr int kWrongUsage = 2;
@@ -31,20 +30,11 @@ void addBench(CLI::App& app, int& status);
 void addInfo(CLI::App& app, int& status);
 void addLanguage(CLI::App& app, int& status);
 
-/// --scene-transform, --eye-transform and the other options of a window's view.
-void addViewOptions(CLI::App& command, ViewState& view);
-
-/// --max-error and --override-counts.
-void addBudgetOptions(CLI::App& command, RenderOptions& options);
-
-/// Words of --driver.
-inline const std::map<std::string, Driver> kDriversByWord(kDriverWords.begin(), kDriverWords.end());
-
-/// The lines to print, in colour if `color`.
+/// The lines to print for diagnostics, with colours if `color`.
 std::string printable(const Diagnostics& diagnostics, bool color);
-/// Prints to standard error, in colour if that is a terminal.
+/// Prints diagnostics to standard error, with colours if it is a terminal.
 void print(const Diagnostics& diagnostics);
-/// Folders of the environment variable GLIBRA_PATH.
+/// The folders of the environment variable GLIBRA_PATH.
 std::vector<std::filesystem::path> libraryRoots();
 
 }  // namespace glibra::cli

@@ -4,9 +4,10 @@
 #include <cstdio>
 #include <future>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/json_output.h"
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
 #include "image/file.h"
@@ -35,40 +36,6 @@ Result<image::Image> decode(const std::vector<std::byte>& file, const std::strin
     return image::decodeImage(file, path, {path, 1, 1});
 }
 
-double fractionOf(const image::Comparison& found, const image::Image& picture) {
-    return static_cast<double>(found.differingPixels) / (static_cast<double>(picture.width) * picture.height);
-}
-
-nlohmann::ordered_json toJson(const image::Judgement& judged, const image::Image& expected,
-                              const image::Image& got) {
-    const image::Comparison& found = judged.comparison;
-    nlohmann::ordered_json json{{"same", judged.same},
-                                {"decidedBy", name(judged.decidedBy)},
-                                {"reason", judged.reason},
-                                {"identical", found.identical},
-                                {"sameSize", found.sameSize}};
-    if (!found.sameSize) {
-        json["sizes"] = {{expected.width, expected.height}, {got.width, got.height}};
-        return json;
-    }
-    json["largest"] = found.largest * 255;  // null where it is infinite, as is the RMSE
-    json["at"] = {found.x, found.y};
-    json["component"] = found.component;
-    json["differingPixels"] = found.differingPixels;
-    json["fraction"] = found.identical ? 0 : fractionOf(found, expected);
-    json["rmse"] = found.rootMeanSquare * 255;
-    json["beyond"] = judged.beyond;
-    json["cluster"] = judged.cluster;
-    json["clusterAt"] = {judged.clusterX, judged.clusterY};
-    json["line"] = judged.line;
-    json["bias"] = judged.bias;
-    json["biasAt"] = {judged.biasX, judged.biasY};
-    json["nonFinite"] = found.nonFinite;
-    if (judged.structure) json["structure"] = *judged.structure;
-    if (judged.flip) json["flip"] = *judged.flip;
-    return json;
-}
-
 std::string toText(const image::Judgement& judged, const image::Image& expected) {
     const image::Comparison& found = judged.comparison;
     if (judged.same && found.identical)
@@ -78,7 +45,7 @@ std::string toText(const image::Judgement& judged, const image::Image& expected)
     text += fmt::format("  largest difference  {:.4g} of 255 at {}, {}, component {}\n", found.largest * 255,
                         found.x, found.y, found.component);
     text += fmt::format("  pixels that differ  {} ({:.3g} %), {} beyond the limit\n", found.differingPixels,
-                        fractionOf(found, expected) * 100, judged.beyond);
+                        differingFraction(found, expected) * 100, judged.beyond);
     text += fmt::format("  RMSE                {:.4g} of 255\n", found.rootMeanSquare * 255);
     text += fmt::format("  mean of a block     {:.3g} of 255 at {}, {}\n", judged.bias, judged.biasX,
                         judged.biasY);
@@ -89,14 +56,15 @@ std::string toText(const image::Judgement& judged, const image::Image& expected)
 }
 
 void show(const image::Judgement& judged, const image::Image& expected, const image::Image& got, bool json) {
-    const std::string text = json ? toJson(judged, expected, got).dump(2) + "\n" : toText(judged, expected);
+    const std::string text = json ? toJson(judged, expected, got) : toText(judged, expected);
     std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-/// Exit status of writing the heat map: of FLIP's errors if FLIP was asked for, else of the differences.
+/// Writes the heat map: of the FLIP errors with --flip, otherwise of the differences. Returns the exit
+/// status.
 int writeHeatMap(const CompareArguments& arguments, const image::Image& expected, const image::Image& got) {
     if (expected.width != got.width || expected.height != got.height) {
-        print({warning("", "no heat map is written, since the sizes differ")});
+        print({withoutId(Severity::warning, "no heat map is written, since the sizes differ")});
         return kDone;
     }
     const image::Image map = arguments.tolerance.flip ? image::flipHeatMap(image::flip(expected, got))
@@ -138,51 +106,57 @@ int run(CompareArguments& arguments) {
 void addCompare(CLI::App& app, int& status) {
     auto arguments = std::make_shared<CompareArguments>();
     image::Tolerance& tolerance = arguments->tolerance;
-    CLI::App* command = app.add_subcommand("compare", "two images; exit status 1 if they differ");
-    command->add_option("A", arguments->first, "image file, the expected one")->required();
-    command->add_option("B", arguments->second, "image file")->required();
+    CLI::App* command =
+        addCommand(app, "compare", "compares two pictures; the exit status is 1 if they differ",
+                   "glibra compare expected.png got.png --heatmap difference.png");
+    command->add_option("A", arguments->first, "picture file, the expected one")->required();
+    command->add_option("B", arguments->second, "picture file")->required();
     command
         ->add_option("--heatmap", arguments->heatMap,
-                     "image file for where and how much they differ; with --flip, of FLIP's errors")
+                     "picture file that shows where and how much they differ; with --flip, the FLIP errors")
         ->type_name("FILE");
     command
         ->add_option("--max", tolerance.largest,
-                     "difference of a component that every pixel may have, in 255ths")
+                     "difference that a component of every pixel may have, in 255ths")
         ->check(CLI::Range(0.0, 255.0))
         ->capture_default_str();
-    command->add_option("--fraction", tolerance.fraction, "fraction of the pixels that may differ by more")
+    command
+        ->add_option("--fraction", tolerance.fraction,
+                     "fraction of the pixels that may differ by more than --max")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    command->add_option("--cluster", tolerance.cluster, "how many of those may touch each other")
+    command->add_option("--cluster", tolerance.cluster, "how many of those pixels may touch each other")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_option("--line", tolerance.line, "how many of those may lie in one row or column")
+    command->add_option("--line", tolerance.line, "how many of those pixels may be in one row or column")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command
         ->add_option("--bias", tolerance.bias,
-                     "mean difference of a block of 16 x 16 pixels that passes, in 255ths")
+                     "mean difference that a block of 16 x 16 pixels may have, in 255ths")
         ->check(CLI::Range(0.0, 255.0))
         ->capture_default_str();
-    command->add_option("--flip", tolerance.flip, "mean FLIP (0 to 1) that passes where the above do not")
+    command
+        ->add_option("--flip", tolerance.flip,
+                     "mean FLIP (0 to 1) up to which pictures pass that exceed the limits above")
         ->check(CLI::Range(0.0, 1.0));
     command
-        ->add_option(
-            "--structure", tolerance.structure,
-            "structural difference (0 to 1) that passes where the above do not; edges may move by a pixel")
+        ->add_option("--structure", tolerance.structure,
+                     "structural difference (0 to 1) up to which pictures pass that exceed the limits above; "
+                     "edges may move by a pixel")
         ->check(CLI::Range(0.0, 1.0));
     command
         ->add_option("--relative", tolerance.relative,
-                     "float images, in place of --max: part of the value that passes as a difference")
+                     "float pictures, instead of --max: allowed difference as a part of the value")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_option("--absolute", tolerance.absolute, "float images: what passes besides")
+    command->add_option("--absolute", tolerance.absolute, "float pictures: allowed difference in addition")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_flag("--exact", arguments->exact, "nothing may differ; overrides all limits");
+    command->add_flag("--exact", arguments->exact, "no pixel may differ; overrides all limits");
     command->add_flag("--all", arguments->everything,
-                      "compute FLIP and the structural difference even where they decide nothing");
-    command->add_flag("--json", arguments->json, "the figures as JSON");
+                      "compute FLIP and the structural difference even if they are not needed");
+    command->add_flag("--json", arguments->json, "print the figures as JSON");
     command->callback([arguments, &status] { status = run(*arguments); });
 }
 

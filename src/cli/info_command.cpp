@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/bench_command.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
 #include "gpu/context.h"
@@ -34,10 +34,7 @@ int run(const InfoArguments& arguments) {
         print(context.diagnostics);
         return kNoDriver;
     }
-    if (arguments.json)
-        std::printf("%s\n", infoJson(*context).dump(2).c_str());
-    else
-        std::printf("%s", infoText(*context).c_str());
+    std::fputs((arguments.json ? infoJsonText(*context) : infoText(*context)).c_str(), stdout);
     return kDone;
 }
 
@@ -45,12 +42,13 @@ int run(const InfoArguments& arguments) {
 
 void addInfo(CLI::App& app, int& status) {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* command = app.add_subcommand("info", "the driver, its limits and capabilities");
-    command->add_option("--driver", arguments->driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriversByWord));
-    command->add_flag("--precision", arguments->precision,
-                      "measure the error of GLSL's functions against what the specification allows");
-    command->add_flag("--json", arguments->json, "as JSON");
+    CLI::App* command =
+        addCommand(app, "info", "prints the driver, its limits and its capabilities", "glibra info --json");
+    addDriverOption(*command, arguments->driver);
+    command->add_flag(
+        "--precision", arguments->precision,
+        "measure the errors of the GLSL functions and compare them with the limits of the specification");
+    command->add_flag("--json", arguments->json, "print as JSON");
     command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -11,6 +11,10 @@ std::string infoText(const gpu::Context& context) {
     return "glibra " GLIBRA_VERSION "\n" + gpu::toText(gpu::describe(context));
 }
 
+std::string infoJsonText(const gpu::Context& context) {
+    return infoJson(context).dump(2) + "\n";
+}
+
 nlohmann::ordered_json infoJson(const gpu::Context& context) {
     nlohmann::ordered_json json;
     json["glibra"] = GLIBRA_VERSION;

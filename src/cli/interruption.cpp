@@ -5,7 +5,7 @@
 namespace glibra::cli {
 namespace {
 
-// A signal handler can reach nothing but this.
+// A signal handler can only reach a global.
 volatile std::sig_atomic_t noted = 0;
 
 }  // namespace

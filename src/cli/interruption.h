@@ -1,5 +1,5 @@
 #pragma once
-// Ctrl-C and its like, noted instead of obeyed, so that a run can end with whole files.
+// Remembers Ctrl-C and similar signals, so that a run can end with whole files.
 
 #include <signal.h>
 
@@ -7,8 +7,8 @@
 
 namespace glibra::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are only noted, except those that the process was started to
-/// ignore (nohup). One at a time.
+/// While an object exists, SIGINT, SIGTERM and SIGHUP are only remembered, except those that the process was
+/// started to ignore (nohup). Only one object may exist at a time.
 class Interruption {
   public:
     Interruption();
@@ -16,9 +16,10 @@ class Interruption {
     Interruption& operator=(const Interruption&) = delete;
     ~Interruption();
 
-    /// The signal that came, or 0.
+    /// The signal that arrived, or 0.
     [[nodiscard]] int signal() const;
-    /// Ends the process by the signal that came, so that a shell sees what it expects; else nothing.
+    /// Ends the process by the signal that arrived, so that a shell sees the usual status. Does nothing
+    /// without a signal.
     void obey() const;
 
   private:

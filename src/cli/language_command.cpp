@@ -3,10 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/language_page.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
+#include "image/file.h"
 
 namespace glibra::cli {
 namespace {
@@ -15,9 +22,11 @@ struct LanguageArguments {
     std::string word;
     bool diagnostics = false;
     bool words = false;
+    bool markdown = false;
+    std::vector<std::string> update;
 };
 
-/// "radius [1]", "angle", "unit": the argument as a reference shows it.
+/// An argument as the reference shows it: "radius [1]", "angle", "unit".
 std::string shown(const glib::Argument& argument) {
     std::string text(argument.name);
     if (argument.byDefault)
@@ -38,7 +47,31 @@ std::string reference(const glib::CommandRow& row) {
     return fmt::format("{:<38} {}\n{:<38} {}\n", head, row.summary, "", arguments);
 }
 
+/// Refreshes the generated sections of a page in place.
+Diagnostics refresh(const std::string& file) {
+    const auto bytes = image::readFile(file, {file, {}});
+    if (!bytes) return bytes.diagnostics;
+    const std::string_view old(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    const RefreshedPage page = refreshed(old);
+    if (!page.problem.empty()) return {withoutId(Severity::error, file + ": " + page.problem)};
+    if (page.text == old) return {};
+    return image::writeFileAtomically(file, std::as_bytes(std::span(page.text)));
+}
+
 int run(const LanguageArguments& arguments) {
+    if (!arguments.update.empty()) {
+        int status = kDone;
+        for (const std::string& each : arguments.update) {
+            const Diagnostics problems = refresh(each);
+            print(problems);
+            if (hasError(problems)) status = kSceneIsWrong;
+        }
+        return status;
+    }
+    if (arguments.markdown) {
+        fmt::print("{}", generatedSections());
+        return kDone;
+    }
     if (arguments.diagnostics) {
         for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
             fmt::print("{:<9} {:<8} {}\n", each.id, name(each.severity()), each.example);
@@ -59,7 +92,7 @@ int run(const LanguageArguments& arguments) {
         return kDone;
     }
     const std::string_view near = glib::nearestCommand(arguments.word);
-    fmt::print(stderr, "glibra: error: no command '{}'{}\n", arguments.word,
+    fmt::print(stderr, "glibra: error: there is no command '{}'{}\n", arguments.word,
                near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
     return kWrongUsage;
 }
@@ -68,10 +101,19 @@ int run(const LanguageArguments& arguments) {
 
 void addLanguage(CLI::App& app, int& status) {
     auto arguments = std::make_shared<LanguageArguments>();
-    CLI::App* command = app.add_subcommand("language", "the commands of the scene language; defaults in [ ]");
-    command->add_option("COMMAND", arguments->word, "only this one");
-    command->add_flag("--diagnostics", arguments->diagnostics, "all messages with their ids and an example");
-    command->add_flag("--words", arguments->words, "all command words, one a line, for editors");
+    CLI::App* command =
+        addCommand(app, "language", "lists the commands of the scene language, with defaults in [ ]",
+                   "glibra language Sphere");
+    command->add_option("COMMAND", arguments->word, "show only this command");
+    command->add_flag("--diagnostics", arguments->diagnostics,
+                      "list all diagnostics with their ids and an example");
+    command->add_flag("--words", arguments->words, "list all command words, one per line, for editors");
+    CLI::Option* markdown = command->add_flag(
+        "--markdown", arguments->markdown, "print the generated sections of the documentation as Markdown");
+    command
+        ->add_option("--update", arguments->update,
+                     "with --markdown: replace the generated sections of these pages")
+        ->needs(markdown);
     command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -3,12 +3,14 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 
 namespace {
 
 int run(int argc, char** argv) {
     CLI::App app{"glibra runs GLIB shader scenes"};
+    glibra::cli::setExample(app, "glibra render glib/start/teapot.glib");
     app.set_version_flag("--version", "glibra " GLIBRA_VERSION);
     app.require_subcommand(1);
     int status = glibra::cli::kDone;

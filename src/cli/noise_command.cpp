@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "noise/noise_file.h"
 
@@ -19,7 +20,7 @@ struct NoiseArguments {
     std::string output = "noise.png";
 };
 
-/// "3=.5": the point and its number.
+/// A point and its number: "3=.5".
 std::pair<int, double> pointOf(const std::string& option, const std::string& text) {
     int point = 0;
     double value = 0;
@@ -64,50 +65,55 @@ int run(NoiseArguments& arguments) {
 
 void addNoise(CLI::App& app, int& status) {
     auto arguments = std::make_shared<NoiseArguments>();
-    CLI::App* command = app.add_subcommand("noise", "noise functions as graphs, pictures and textures");
+    CLI::App* command = addCommand(app, "noise", "draws noise functions as graphs, pictures and textures",
+                                   "glibra noise 2 --octaves 4 --turbulence -o n.png");
     NoiseArguments& to = *arguments;
     noise::GraphOptions& options = to.noise.options;
     const auto words = [&](const char* name, auto& value, auto table, const char* help) {
         command->add_option(name, value, help)->transform(CLI::CheckedTransformer(table));
     };
-    command->add_option("DIMENSIONS", options.dimensions, "1 or 2")->check(CLI::Range(1, 2));
+    command->add_option("DIMENSIONS", options.dimensions, "number of dimensions: 1 or 2")
+        ->check(CLI::Range(1, 2));
     words("--lattice", options.lattice,
           std::map<std::string, noise::Lattice>{{"value", noise::Lattice::value},
                                                 {"gradient", noise::Lattice::gradient},
                                                 {"both", noise::Lattice::both}},
-          "what is random at the points: value, gradient, both");
+          "what is random at the points: value, gradient or both");
     words("--smooth", options.smoothness,
           std::map<std::string, noise::Smoothness>{{"cubic", noise::Smoothness::cubic},
                                                    {"quintic", noise::Smoothness::quintic}},
-          "between the points: cubic, quintic");
+          "interpolation between the points: cubic or quintic");
     words("--gradients", options.slopes,
           std::map<std::string, noise::Slopes>{{"zero", noise::Slopes::zero},
                                                {"catmull-rom", noise::Slopes::catmullRom}},
-          "of value noise: zero, catmull-rom");
+          "gradients of value noise: zero or catmull-rom");
     words("--colors", to.noise.colors,
           std::map<std::string, noise::ColorScale>{{"grey", noise::ColorScale::grey},
                                                    {"rainbow", noise::ColorScale::rainbow},
                                                    {"heated", noise::ColorScale::heated},
                                                    {"uniform", noise::ColorScale::uniform}},
-          "of two dimensions: grey, rainbow, heated, uniform");
-    command->add_option("--octaves", options.octaves, "1 to 8")
+          "colors in two dimensions: grey, rainbow, heated or uniform");
+    command->add_option("--octaves", options.octaves, "number of octaves, 1 to 8")
         ->check(CLI::Range(1, noise::kMostGraphOctaves));
-    command->add_option("--points", options.cells, "points in a period")
+    command->add_option("--points", options.cells, "points per period")
         ->check(CLI::Range(2, noise::kMostGraphCells));
-    command->add_option("--seed", options.seed, "another seed, other noise");
-    command->add_flag("--turbulence", options.turbulence, "sum of absolute values");
+    command->add_option("--seed", options.seed, "seed of the random values");
+    command->add_flag("--turbulence", options.turbulence, "sum up absolute values");
     command->add_option("--height", to.heights, "POINT=NUMBER: the height of a point, -1 to 1")
         ->allow_extra_args(false);
-    command->add_option("--gradient", to.gradients, "POINT=NUMBER: the gradient at a point, height a cell")
+    command
+        ->add_option("--gradient", to.gradients, "POINT=NUMBER: the gradient at a point, in height per cell")
         ->allow_extra_args(false);
     command
-        ->add_option("--curvature", to.curvatures,
-                     "POINT=NUMBER: the second derivative at a point of a quintic, height a cell squared")
+        ->add_option(
+            "--curvature", to.curvatures,
+            "POINT=NUMBER: the second derivative at a point of a quintic, in height per cell squared")
         ->allow_extra_args(false);
     command->add_option("--size", to.size, "WxH in pixels or texels")->capture_default_str();
     command
-        ->add_option("-o,--output", to.output,
-                     ".svg: graph; .tex: raw float texture; every other ending: graph or picture")
+        ->add_option(
+            "-o,--output", to.output,
+            "output file; .svg is a graph, .tex a raw float texture, any other ending a graph or picture")
         ->capture_default_str();
     command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kNoFrame = -1;
 
-/// Numbers as "7 ", texts as "3 abc".
+/// Writes numbers as "7 " and texts as "3 abc".
 class Packer {
   public:
     void add(int number) { text_ += std::to_string(number) + ' '; }

@@ -1,5 +1,5 @@
 #pragma once
-// What a worker process of `glibra render` answers, as text for the pipe to the process that started it.
+// The answer of a worker process of `glibra render`, as text for the pipe to its parent process.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace glibra::cli {
 
-/// How a scene, or a part of its frames, went.
+/// The result of a scene, or of a part of its frames.
 struct Answer {
     int status = kDone;
     render::AnimationRemarks remarks{};
@@ -18,7 +18,7 @@ struct Answer {
 };
 
 std::string pack(const Answer& answer);
-/// The answer of that pack.
+/// Reads what pack() wrote.
 Answer unpack(std::string_view packed);
 
 }  // namespace glibra::cli

@@ -15,10 +15,11 @@ namespace glibra::cli {
 void addSelectionOptions(CLI::App& command, SuiteArguments& to) {
     command
         .add_option("--only", to.only,
-                    "shots of that name, as 'oval*', or with that tag, as tag:slow; may be repeated")
+                    "only shots with this name, as 'oval*', or with this tag, as tag:slow; may be repeated")
         ->allow_extra_args(false);
-    command.add_option("--shard", to.shard, "I/N: the I-th of N parts, the same parts on every machine");
-    command.add_flag("--resume", to.resume, "continue a run that was stopped");
+    command.add_option("--shard", to.shard,
+                       "only the I-th of N parts of the shots; the parts are the same on every machine");
+    command.add_flag("--resume", to.resume, "continue a run that was stopped or killed");
 }
 
 std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status) {
@@ -43,11 +44,11 @@ std::optional<Selection> readSelection(const SuiteArguments& arguments, int& sta
         const auto [known, isNew] = files.emplace(read->name, each);
         if (!isNew)
             problems.push_back(
-                error("suite-E18",
-                      fmt::format("'{}' and '{}' are both named '{}'; results and goldens need "
-                                  "names of their own",
-                                  known->second, each, read->name),
-                      {each, 1, 1}));
+                diagnose("suite-E18",
+                         fmt::format("'{}' and '{}' are both named '{}'; results and goldens need "
+                                     "names of their own",
+                                     known->second, each, read->name),
+                         {each, 1, 1}));
         selection.suites.push_back(std::move(*read));
     }
     if (hasError(problems)) return refuse(problems, kSceneIsWrong);

@@ -1,5 +1,5 @@
 #pragma once
-// What `glibra test` and `glibra render --suite` have in common: the suites, and which of their shots.
+// The options that `glibra test` and `glibra render --suite` share: the suites, and which of their shots.
 
 #include <glibra/render.h>
 #include <glibra/result.h>
@@ -23,15 +23,16 @@ struct SuiteArguments {
     std::vector<std::string> only;
     std::string shard;
     Driver driver = Driver::automatic;
-    int jobs = 0;                   ///< 0: as many as the machine is best with
-    std::optional<double> timeout;  ///< seconds
+    int jobs = 0;                   ///< 0: one per processor
+    std::optional<double> timeout;  ///< seconds; nothing: what each shot states
     bool resume = false;
     bool skip = true;  ///< false: --no-skip
-    /// Runs also the shots that others name by `match` and `differ`; --update replaces only what is meant.
+    /// Also runs the shots that others name by `match` and `differ`. With --update only the shots that --only
+    /// names are replaced.
     bool withNamed = true;
 };
 
-/// --only, --shard, --resume.
+/// Adds --only, --shard and --resume.
 void addSelectionOptions(CLI::App& command, SuiteArguments& to);
 
 struct Selection {
@@ -39,8 +40,8 @@ struct Selection {
     std::vector<suite::ShotReference> shots;  ///< in the order of the suites
 };
 
-/// Reads the suites and finds the shots. What went wrong has been printed; `status` then says with which exit
-/// status to end.
+/// Reads the suites and selects the shots. Without a value, the reason has been printed and `status` is the
+/// exit status.
 std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status);
 
 }  // namespace glibra::cli

@@ -73,7 +73,7 @@ void SuiteProgress::begins(const std::string& name) {
     if (terminal_) show(false);
 }
 
-void SuiteProgress::tell(const std::string& line) {
+void SuiteProgress::print(const std::string& line) {
     clear();
     std::fprintf(stderr, "%s\n", line.c_str());
     if (terminal_) show(true);

@@ -1,5 +1,6 @@
 #pragma once
-// How far a run of many shots is: a bar that is rewritten on a terminal, plain lines now and then in a log.
+// The progress of a run of many shots: a bar that is rewritten on a terminal, or a plain line from time to
+// time in a log.
 
 #include <chrono>
 #include <cstddef>
@@ -9,16 +10,16 @@ namespace glibra::cli {
 
 class SuiteProgress {
   public:
-    /// `terminal`: standard error is one.
+    /// `terminal` says whether standard error is a terminal.
     SuiteProgress(std::size_t total, bool terminal);
 
-    /// A shot is done.
+    /// Counts a shot that is done.
     void add(bool failed);
-    /// What is being drawn.
+    /// Shows the name of the shot that is being drawn.
     void begins(const std::string& name);
-    /// A line for the reader, above the bar.
-    void tell(const std::string& line);
-    /// Takes the bar away.
+    /// Prints a line above the bar.
+    void print(const std::string& line);
+    /// Removes the bar.
     void clear();
 
   private:
@@ -32,7 +33,7 @@ class SuiteProgress {
     Clock::time_point start_, shown_;
 };
 
-/// "0:07", "12:30", "1:02:03"; seconds are rounded up.
+/// Returns "0:07", "12:30" or "1:02:03"; seconds are rounded up.
 std::string readableTime(double seconds);
 
 }  // namespace glibra::cli

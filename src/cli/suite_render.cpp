@@ -50,7 +50,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         std::string lines = printable(shot.diagnostics, terminal);
         if (!lines.empty()) {
             lines.pop_back();
-            progress.tell(lines);
+            progress.print(lines);
         }
         const bool bad = suite::isFailure(shot.verdict);
         if (bad)
@@ -67,11 +67,11 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
 
     std::string summary = fmt::format("{} of {} shots rendered", drawn, open.size());
     if (open.size() < selection->shots.size())
-        summary += fmt::format(", {} were there", selection->shots.size() - open.size());
+        summary += fmt::format(", {} exist already", selection->shots.size() - open.size());
     for (std::size_t i = 0; i < failed.size(); ++i) summary += (i == 0 ? ", failed: " : ", ") + failed[i];
     std::fprintf(stderr, "%s\n", summary.c_str());
     if (end.stopped) {
-        std::fprintf(stderr, "stopped; --resume continues with what is left\n");
+        std::fprintf(stderr, "stopped; continue with --resume\n");
         interruption.obey();
     }
     return failed.empty() ? kDone : kSceneIsWrong;

@@ -11,17 +11,19 @@
 #include <memory>
 #include <thread>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/picture_options.h"
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
 #include "image/file.h"
 #include "suite/golden/hash_key.h"
+#include "suite/options/option_words.h"
 #include "suite/report/html_report.h"
 #include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
-#include "suite/report/verdict_commands.h"
 #include "suite/results/merge.h"
 
 namespace glibra::cli {
@@ -34,7 +36,7 @@ struct TestArguments {
     bool update = false;
     bool force = false;
     bool variant = false;
-    bool noSkip = false;
+    suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     std::string report;
     std::string junit;
@@ -43,8 +45,8 @@ struct TestArguments {
     std::string command;
 };
 
-/// Writes the reports that were asked for and prints the summary; the exit status.
-int tell(const suite::RunResult& run, const TestArguments& arguments) {
+/// Writes the reports and prints the summary. Returns the exit status.
+int report(const suite::RunResult& run, const TestArguments& arguments) {
     const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
@@ -70,10 +72,10 @@ int merge(const TestArguments& arguments) {
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
-    return merged ? std::max(status, tell(*merged, arguments)) : status;
+    return merged ? std::max(status, report(*merged, arguments)) : status;
 }
 
-/// The command as it was given; empty where the system does not tell.
+/// The command line of this process, or empty if the system does not provide it.
 std::string commandLine() {
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::string line;
@@ -87,11 +89,45 @@ std::string utcNow() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
-/// A line for a shot that needs one while the run goes on; empty for a plain pass.
+/// The line to print for a shot while the run goes on; empty for a plain pass.
 std::string lineOf(const suite::ShotResult& shot) {
     if (shot.verdict == suite::Verdict::passed && !shot.changed) return {};
     return fmt::format("{}: {}/{}{}{}", shot.changed ? "changed" : suite::name(shot.verdict), shot.suite,
                        shot.shot, shot.reason.empty() ? "" : ": ", shot.reason);
+}
+
+/// The names of all shots to judge.
+std::vector<suite::PlannedShots> planOf(const Selection& selection) {
+    std::vector<suite::PlannedShots> plan;
+    for (const suite::Suite& each : selection.suites) plan.push_back({each.name, {}});
+    for (const suite::ShotReference& each : selection.shots)
+        plan[each.suite].shots.push_back(selection.suites[each.suite].shots[each.shot].name);
+    return plan;
+}
+
+/// What is known of a run before it begins.
+suite::RunResult beginningOf(const TestArguments& arguments, const Selection& selection) {
+    suite::RunResult run;
+    run.machine = suite::describeMachine();
+    run.shard = arguments.suites.shard;
+    run.command = arguments.command;
+    run.began = utcNow();
+    run.planned = planOf(selection);
+    return run;
+}
+
+suite::RunOptions runOptions(const TestArguments& arguments) {
+    suite::RunOptions options;
+    options.driver = arguments.suites.driver;
+    options.jobs = arguments.suites.jobs;
+    options.timeout = arguments.suites.timeout;
+    options.skip = arguments.picture.options.skip;
+    options.update = arguments.update;
+    options.force = arguments.force;
+    options.variant = arguments.variant;
+    options.goldens = arguments.goldens;
+    options.results = arguments.results;
+    return options;
 }
 
 int test(const TestArguments& arguments) {
@@ -101,11 +137,7 @@ int test(const TestArguments& arguments) {
 
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
-    suite::RunResult run;
-    run.machine = suite::describeMachine();
-    run.shard = arguments.suites.shard;
-    run.command = arguments.command;
-    run.began = utcNow();
+    suite::RunResult run = beginningOf(arguments, *selection);
     std::optional<RunRecord> record =
         RunRecord::open(arguments.results, run, arguments.suites.resume, arguments.update,
                         [&] { return interruption.signal() != 0; });
@@ -119,28 +151,18 @@ int test(const TestArguments& arguments) {
 
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);
-    suite::RunOptions options;
-    options.driver = arguments.suites.driver;
-    options.jobs = arguments.suites.jobs;
-    options.timeout = arguments.suites.timeout;
-    options.skip = !arguments.noSkip;
-    options.update = arguments.update;
-    options.force = arguments.force;
-    options.variant = arguments.variant;
-    options.goldens = arguments.goldens;
-    options.results = arguments.results;
     suite::RunEvents events;
     events.begins = [&](const suite::ShotReference& each) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
     events.done = [&](const suite::ShotResult& shot) {
-        if (const std::string line = lineOf(shot); !line.empty()) progress.tell(line);
+        if (const std::string line = lineOf(shot); !line.empty()) progress.print(line);
         progress.add(suite::isFailure(shot.verdict));
         record->add(shot);
     };
     events.stop = [&] { return interruption.signal() != 0 || record->failed(); };
-    const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    const suite::RunEnd end = suite::runShots(selection->suites, open, runOptions(arguments), events);
     progress.clear();
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;
@@ -149,10 +171,14 @@ int test(const TestArguments& arguments) {
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     record->finish(run, selection->suites, selection->shots);
     if (record->failed()) status = kSceneIsWrong;
+    if (const std::string missing = suite::shortfall(run); !missing.empty()) {
+        print({diagnose("result-E03", missing + "; continue the run with --resume")});
+        status = kSceneIsWrong;
+    }
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
-    status = std::max(status, tell(run, arguments));
+    status = std::max(status, report(run, arguments));
     if (end.stopped && interruption.signal() != 0) {
-        std::fprintf(stderr, "stopped; --resume continues with what is left\n");
+        std::fprintf(stderr, "stopped; continue with --resume\n");
         interruption.obey();
     }
     return status;
@@ -164,12 +190,12 @@ int runCommand(const TestArguments& arguments) {
         return kWrongUsage;
     };
     if (!arguments.merge.empty()) {
-        if (!arguments.suites.suites.empty()) return refuse("--merge takes results folders and no suites");
+        if (!arguments.suites.suites.empty()) return refuse("--merge takes folders of results, not suites");
         return merge(arguments);
     }
-    if (arguments.suites.suites.empty()) return refuse("name a suite: a TOML file, or a folder of scenes");
+    if (arguments.suites.suites.empty()) return refuse("expected a suite: a TOML file or a folder of scenes");
     if ((arguments.force || arguments.variant) && !arguments.update)
-        return refuse("--force and --variant go with --update");
+        return refuse("--force and --variant need --update");
     return test(arguments);
 }
 
@@ -177,33 +203,31 @@ int runCommand(const TestArguments& arguments) {
 
 void addTest(CLI::App& app, int& status) {
     auto arguments = std::make_shared<TestArguments>();
-    CLI::App* command = app.add_subcommand("test", "hold rendered pictures against golden ones");
+    CLI::App* command =
+        addCommand(app, "test", "renders the shots of suites and compares them with golden pictures",
+                   "glibra test scenes/start.toml --report report");
     TestArguments& to = *arguments;
-    command->add_option("SUITE", to.suites.suites, "suites: TOML files, or folders of scenes");
-    command->add_flag("--update", to.update, "make what differs the new golden");
-    command->add_flag("--force", to.force,
-                      "with --update: even pictures of one colour, or with values that are no number");
+    command->add_option("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
+    command->add_flag("--update", to.update, "accept pictures that differ as the new goldens");
+    command->add_flag(
+        "--force", to.force,
+        "with --update: accept even pictures of one colour or with values that are not a number");
     command->add_flag("--variant", to.variant,
-                      "with --update: a golden for this family of drivers alone, as NAME.nvidia.png");
+                      "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
     addSelectionOptions(*command, to.suites);
-    command->add_option("--results", to.results, "folder for results and the pictures of failures")
+    command->add_option("--results", to.results, "folder for the results and the pictures of failures")
         ->capture_default_str();
-    command->add_option("--report", to.report, "folder for a report to look at in a browser");
-    command->add_option("--junit", to.junit, "file for a report as JUnit XML");
+    command->add_option("--report", to.report, "folder for a report that a browser shows");
+    command->add_option("--junit", to.junit, "file for a JUnit report (XML)");
     command->add_option("--goldens", to.goldens,
-                        "folder with a folder of golden pictures a suite, instead of the suites' own");
-    command->add_option("--merge", to.merge, "join the results of several runs, which were shards of one");
-    command->add_option("--jobs", to.suites.jobs, "worker processes; without it one a processor")
-        ->check(CLI::Range(1, 256));
-    command->add_option("--driver", to.suites.driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(kDriversByWord));
-    command
-        ->add_option("--timeout", to.suites.timeout,
-                     "seconds that one shot may take, instead of what the suite says; 0 for no limit")
-        ->check(CLI::Range(0.0, 1e6));
-    command->add_flag("--no-skip", to.noSkip,
-                      "read, make and draw also what the pictures do not need; they stay the same");
-    command->callback([arguments, &status] {
+                        "folder with one folder of goldens per suite, instead of the suites' own");
+    command->add_option("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    addJobsOption(*command, to.suites.jobs);
+    addDriverOption(*command, to.suites.driver);
+    addPictureOption(*command, "timeout", to.picture);
+    addPictureOption(*command, "no-skip", to.picture);
+    command->callback([arguments, command, &status] {
+        if (command->count("--timeout") > 0) arguments->suites.timeout = arguments->picture.timeout;
         arguments->command = commandLine();
         arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);

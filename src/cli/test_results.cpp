@@ -38,14 +38,15 @@ bool isLocked(const Diagnostics& diagnostics) {
 std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::RunResult& run, bool resume,
                                          bool update, const std::function<bool()>& stop) {
     using Start = suite::ResultsWriter::Start;
-    for (bool told = false;; told = true) {
+    for (bool reported = false;; reported = true) {
         const Result<suite::RunResult> earlier = suite::readResults(folder);
         Result<suite::ResultsWriter> writer =
             suite::ResultsWriter::open(folder, run, resume ? Start::resumed : Start::anew);
         if (!writer && isLocked(writer.diagnostics) && !stop()) {
-            if (!told)
+            if (!reported)
                 std::fprintf(stderr,
-                             "another run writes to '%s'; waiting for it (--results names another folder)\n",
+                             "another run is writing to '%s'; waiting for it (or choose another folder with "
+                             "--results)\n",
                              folder.c_str());
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
             continue;
@@ -88,9 +89,10 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
         run.shots.push_back(found != results_.end()
                                 ? found->second
                                 : suite::ShotJudge::broken(suite, shot, suite::Verdict::skipped,
-                                                           "the run was stopped before it"));
+                                                           "the run was stopped before this shot"));
     }
     if (failed_) return;
+    run.complete = suite::missingShots(run).empty();
     const Diagnostics problems = suite::writeResults(run, folder_);
     print(problems);
     failed_ = hasError(problems);

@@ -1,5 +1,5 @@
 #pragma once
-// The results folder of a running test: filled as shots are done, continued by --resume.
+// The results folder of `glibra test`: filled as shots are done, continued by --resume.
 
 #include <functional>
 #include <map>
@@ -14,18 +14,20 @@ namespace glibra::cli {
 
 class RunRecord {
   public:
-    /// Waits while another run writes to the folder, until `stop` says so. Without `resume` the results of
-    /// an earlier run are removed; with it, those of a run with --update count only if this one updates too.
-    /// Nothing if it cannot be written; the reason has been printed.
+    /// Waits while another run writes to the folder, until `stop` returns true. Without `resume` the pictures
+    /// and results of an earlier run are removed. With `resume` they are kept; the verdicts of a run with
+    /// --update count only if this run updates too. Returns nothing if the folder cannot be used; the reason
+    /// has been printed.
     static std::optional<RunRecord> open(const std::filesystem::path& folder, const suite::RunResult& run,
                                          bool resume, bool update, const std::function<bool()>& stop);
 
-    /// True if the run that is continued has a verdict on it.
+    /// True if the earlier run has a verdict on the shot.
     [[nodiscard]] bool isDone(const suite::Suite& suite, const suite::ShotReference& shot) const;
     void add(const suite::ShotResult& shot);
     /// True once a result could not be written; the reason has been printed.
     [[nodiscard]] bool failed() const { return failed_; }
-    /// Puts all results into `run`, in the order of `shots` (those without one are skipped), and writes them.
+    /// Puts all results into `run`, in the order of `shots`, and writes them. Shots without a result are
+    /// skipped; the run is complete if there is none.
     void finish(suite::RunResult& run, std::span<const suite::Suite> suites,
                 std::span<const suite::ShotReference> shots);
 
@@ -41,7 +43,8 @@ class RunRecord {
     bool failed_ = false;
 };
 
-/// 0, 1 for a comparison that failed, 3 for a scene that is wrong, crashed or hung.
+/// The exit status for the verdicts: 0, 1 for a comparison that failed, 3 for a scene that is wrong, crashed
+/// or hung.
 int exitStatus(const suite::RunResult& run);
 
 }  // namespace glibra::cli

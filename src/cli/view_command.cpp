@@ -11,7 +11,8 @@ constexpr SisterProgram kWindow{"glibra-view", "`glibra render SCENE` makes a pi
 }  // namespace
 
 void addView(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("view", "a scene in a window, with a slider for every range");
+    CLI::App* command =
+        app.add_subcommand("view", "shows a scene in a window, with a slider for every range");
     // The window program reads its own arguments, --help among them.
     command->prefix_command();
     command->set_help_flag();

@@ -18,7 +18,7 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
             const std::size_t slash = each->path.find_last_of("/\\");
-            program.report.error(
+            program.report.report(
                 "file-E02",
                 "'" + (slash == std::string::npos ? each->path : each->path.substr(slash + 1)) + "' is empty",
                 {each->path, 1, 1});

@@ -137,15 +137,15 @@ Result<Context> openContext(const ContextOptions& options) {
         setInitialState();
         return Context(std::move(state));
     }
-    return error("gpu-E01",
-                 "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
+    return diagnose("gpu-E01",
+                    "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
 }
 
 Result<Context> adopt(const std::function<void*(const char*)>& loader) {
     auto state = std::make_unique<Context::State>();
     state->backend = std::make_unique<AdoptedBackend>(loader);
     if (!loader || !loadFunctions(*state->backend))
-        return error("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1");
+        return diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1");
     state->capabilities = readCapabilities(false);
     state->howOpened = state->backend->description();
     state->log.attach(state->capabilities.debugOutput);

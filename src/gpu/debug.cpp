@@ -84,9 +84,9 @@ Diagnostics DebugLog::takeDiagnostics() {
         if (each.severity != Severity::error) continue;
         if (each.outOfMemory)
             diagnostics.push_back(
-                error("draw-E05", "out of memory on the graphics device", std::move(each.place)));
+                diagnose("draw-E05", "out of memory on the graphics device", std::move(each.place)));
         else
-            diagnostics.push_back(error("gpu-E02", "OpenGL error: " + each.text, std::move(each.place)));
+            diagnostics.push_back(diagnose("gpu-E02", "OpenGL error: " + each.text, std::move(each.place)));
     }
     return diagnostics;
 }

@@ -46,8 +46,8 @@ GLenum takeError() {
 
 Diagnostic allocationError(GLenum code, std::string_view what) {
     if (code == GL_OUT_OF_MEMORY)
-        return error("draw-E05", "out of memory on the graphics device for " + std::string(what));
-    return error("gpu-E02", "OpenGL refuses " + std::string(what) + ": " + errorName(code));
+        return diagnose("draw-E05", "out of memory on the graphics device for " + std::string(what));
+    return diagnose("gpu-E02", "OpenGL refuses " + std::string(what) + ": " + errorName(code));
 }
 
 std::string readableBytes(std::uint64_t bytes) {

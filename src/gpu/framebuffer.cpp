@@ -45,10 +45,10 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
     if (used > 1) what += " of " + std::to_string(used) + " samples";
     const int widest = std::min(capabilities.maxRenderbufferSide, capabilities.maxViewportWidth);
     const int highest = std::min(capabilities.maxRenderbufferSide, capabilities.maxViewportHeight);
-    if (width < 1 || height < 1) return error("gpu-E04", what + " has no pixels");
+    if (width < 1 || height < 1) return diagnose("gpu-E04", what + " has no pixels");
     if (width > widest || height > highest)
-        return error("gpu-E04", what + " is too large; this driver's limit is " + std::to_string(widest) +
-                                    " x " + std::to_string(highest));
+        return diagnose("gpu-E04", what + " is too large; this driver's limit is " + std::to_string(widest) +
+                                       " x " + std::to_string(highest));
     const auto bytes = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
                        bytesPerPixel * static_cast<std::uint64_t>(used);
     what += " (" + readableBytes(bytes) + ")";
@@ -101,8 +101,8 @@ Result<Framebuffer> Framebuffer::create(std::span<const ColorAttachment> colors,
         glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        return error("gpu-E05", "cannot draw into these " + std::to_string(colors.size()) +
-                                    " colour targets together: " + incompleteness(status));
+        return diagnose("gpu-E05", "cannot draw into these " + std::to_string(colors.size()) +
+                                       " colour targets together: " + incompleteness(status));
     return made;
 }
 

@@ -78,12 +78,12 @@ Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& fram
                        std::span<std::byte> pixels) {
     const std::size_t needed = byteCount(rectangle, layout);
     if (layout.components < 1 || layout.components > 4 || needed == 0 || needed != pixels.size())
-        return {error("gpu-E03", "reading " + std::to_string(rectangle.width) + " x " +
-                                     std::to_string(rectangle.height) + " pixels takes " +
-                                     std::to_string(needed) + " bytes, not " +
-                                     std::to_string(pixels.size()))};
+        return {diagnose("gpu-E03", "reading " + std::to_string(rectangle.width) + " x " +
+                                        std::to_string(rectangle.height) + " pixels takes " +
+                                        std::to_string(needed) + " bytes, not " +
+                                        std::to_string(pixels.size()))};
     if (index < 0 || index >= framebuffer.colorCount())
-        return {error("gpu-E03", "the framebuffer has no colour " + std::to_string(index))};
+        return {diagnose("gpu-E03", "the framebuffer has no colour " + std::to_string(index))};
 
     clearErrors();
     framebuffer.bindForReading();

@@ -45,14 +45,15 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
 
 Result<Target> Target::textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
                                 int samples, SharedDepth depth) {
-    if (textures.empty()) return error("gpu-E05", "a render target needs at least one texture");
+    if (textures.empty()) return diagnose("gpu-E05", "a render target needs at least one texture");
     if (textures.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
-        return error("gpu-E04", std::to_string(textures.size()) + " colour targets; this driver's limit is " +
-                                    std::to_string(capabilities.maxDrawBuffers));
+        return diagnose("gpu-E04", std::to_string(textures.size()) +
+                                       " colour targets; this driver's limit is " +
+                                       std::to_string(capabilities.maxDrawBuffers));
     const TextureSize size = textures.front()->size();
     for (const Texture* each : textures)
         if (each->shape() != TextureShape::texture2D || each->size() != size)
-            return error("gpu-E05", "textures that are drawn into together must be 2D and of one size");
+            return diagnose("gpu-E05", "textures that are drawn into together must be 2D and of one size");
 
     Target target;
     target.width_ = size.width;

@@ -136,12 +136,13 @@ Result<Texture> Texture::make(const Capabilities& capabilities, TextureShape sha
     if (shape != TextureShape::texture3D) size.depth = 1;
     const std::string what = describe(shape, format, size);
     const int largest = largestSide(capabilities, shape);
-    if (size.width < 1 || size.height < 1 || size.depth < 1) return error("gpu-E04", what + " has no texels");
+    if (size.width < 1 || size.height < 1 || size.depth < 1)
+        return diagnose("gpu-E04", what + " has no texels");
     if (shape == TextureShape::cube && size.width != size.height)
-        return error("gpu-E04", what + " is not square");
+        return diagnose("gpu-E04", what + " is not square");
     if (size.width > largest || size.height > largest || size.depth > largest)
-        return error("gpu-E04",
-                     what + " is too large; this driver's limit is " + std::to_string(largest) + " per side");
+        return diagnose("gpu-E04", what + " is too large; this driver's limit is " + std::to_string(largest) +
+                                       " per side");
 
     Texture texture;
     GLuint name = 0;
@@ -167,8 +168,8 @@ Result<Texture> Texture::create(const Capabilities& capabilities, TextureShape s
     const std::uint64_t needed =
         texelCount(shape, made->size_) * static_cast<std::uint64_t>(texels.components) * bytesOf(texels.type);
     if (texels.components < 1 || texels.components > 4 || needed != texels.data.size())
-        return error("gpu-E03", describe(shape, format, made->size_) + " takes " + std::to_string(needed) +
-                                    " bytes of texels, not " + std::to_string(texels.data.size()));
+        return diagnose("gpu-E03", describe(shape, format, made->size_) + " takes " + std::to_string(needed) +
+                                       " bytes of texels, not " + std::to_string(texels.data.size()));
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     upload(shape, made->size_, texels);

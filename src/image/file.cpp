@@ -25,7 +25,7 @@ std::string reason(int number) {
 }
 
 Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
-    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
 }
 
 /// 0, or the error number.
@@ -81,23 +81,23 @@ fs::path resolved(const fs::path& path) {
 
 Result<std::vector<std::byte>> readFile(const fs::path& path, const FileLabel& label, std::uint64_t largest) {
     const auto unreadable = [&](const std::string& why) {
-        return error("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
+        return diagnose("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
     };
     // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 && (errno == ENOENT || errno == ENOTDIR))
-        return error("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
+        return diagnose("file-E01", fmt::format("cannot find '{}'", label.name), label.place);
     struct stat status {};
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return unreadable(reason(errno));
     if (S_ISDIR(status.st_mode)) return unreadable("it is a folder");
     if (!S_ISREG(status.st_mode)) return unreadable("it is not an ordinary file");
     const auto size = static_cast<std::uint64_t>(status.st_size);
-    if (size == 0) return error("file-E02", fmt::format("'{}' is empty", label.name), label.place);
+    if (size == 0) return diagnose("file-E02", fmt::format("'{}' is empty", label.name), label.place);
     if (size > largest)
-        return error("file-E09",
-                     fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
-                                 readableBytes(largest)),
-                     label.place);
+        return diagnose("file-E09",
+                        fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
+                                    readableBytes(largest)),
+                        label.place);
 
     std::vector<std::byte> bytes;
     try {

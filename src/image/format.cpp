@@ -8,12 +8,7 @@
 namespace glibra::image {
 namespace {
 
-struct Row {
-    Format format;
-    std::string_view description;
-    std::string_view openImageIo;
-    std::string_view suffixes;  ///< each with its dot, and a blank after it
-};
+using Row = FormatRow;
 
 // One row per format. Add a new one here and, if it has a signature, below.
 constexpr std::array kRows{
@@ -147,6 +142,10 @@ Format formatOfSuffix(const std::filesystem::path& path) {
 
 std::string_view describe(Format format) {
     return rowOf(format).description;
+}
+
+std::span<const FormatRow> formats() {
+    return kRows;
 }
 
 std::string_view openImageIoName(Format format) {

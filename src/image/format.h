@@ -40,4 +40,13 @@ std::string_view describe(Format format);
 /// OpenImageIO's name of the format; "" for unknown and rawTexture.
 std::string_view openImageIoName(Format format);
 
+/// One kind of file, for lists of them.
+struct FormatRow {
+    Format format;
+    std::string_view description;  ///< as `describe` gives it
+    std::string_view openImageIo;  ///< as `openImageIoName` gives it
+    std::string_view suffixes;     ///< each with its dot and a blank after it
+};
+std::span<const FormatRow> formats();
+
 }  // namespace glibra::image

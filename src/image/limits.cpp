@@ -21,21 +21,21 @@ std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, s
                                     const Limits& limits, const FileLabel& label) {
     const auto side = static_cast<std::uint64_t>(limits.side);
     if (width > side || height > side)
-        return error(
+        return diagnose(
             "file-E09",
             fmt::format("'{}' has {} x {} pixels, the limit is {} per side", label.name, width, height, side),
             label.place);
     const std::uint64_t bytes = width * height * bytesPerPixel;
     if (bytes > limits.texelBytes)
-        return error("file-E09",
-                     fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
-                                 readableBytes(bytes), width, height, readableBytes(limits.texelBytes)),
-                     label.place);
+        return diagnose("file-E09",
+                        fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
+                                    readableBytes(bytes), width, height, readableBytes(limits.texelBytes)),
+                        label.place);
     return std::nullopt;
 }
 
 Diagnostic damaged(const FileLabel& label, const std::string& what) {
-    return error("file-E04", fmt::format("'{}': {}", label.name, what), label.place);
+    return diagnose("file-E04", fmt::format("'{}': {}", label.name, what), label.place);
 }
 
 Diagnostic endsEarly(const FileLabel& label, std::uint64_t rows, std::uint64_t height) {

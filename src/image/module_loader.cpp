@@ -45,10 +45,10 @@ std::optional<Module> loadModule(std::span<const fs::path> folders) {
 }
 
 Diagnostic notInstalled(Format format, const FileLabel& label) {
-    return error("file-E03",
-                 fmt::format("'{}' is {}, but the image module that reads it is not installed", label.name,
-                             describe(format)),
-                 label.place);
+    return diagnose("file-E03",
+                    fmt::format("'{}' is {}, but the image module that reads it is not installed", label.name,
+                                describe(format)),
+                    label.place);
 }
 
 /// The results of the module's callback.
@@ -143,7 +143,8 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
     request.message = message.data();
     request.messageSize = message.size();
     if (module->write(&request) == kGlibraDone) return {};
-    return {error("file-E10", fmt::format("cannot write '{}': {}", label.name, message.data()), label.place)};
+    return {
+        diagnose("file-E10", fmt::format("cannot write '{}': {}", label.name, message.data()), label.place)};
 }
 
 }  // namespace glibra::image

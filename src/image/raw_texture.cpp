@@ -71,9 +71,9 @@ Diagnostic fitsNothing(Bytes file, int dimensions, const FileLabel& label, const
     }
     if (would.empty()) would = "; it does not start with sizes";
     const std::string kind = dimensions == 0 ? "raw texture" : fmt::format("raw {}D texture", dimensions);
-    return error("file-E05",
-                 fmt::format("'{}': {} bytes match no {}{}", label.name, file.size(), kind, would),
-                 label.place);
+    return diagnose("file-E05",
+                    fmt::format("'{}': {} bytes match no {}{}", label.name, file.size(), kind, would),
+                    label.place);
 }
 
 void toMachineOrder(std::vector<std::byte>& floats) {
@@ -112,11 +112,11 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     const RawShape& shape = shapes.front();
     const std::size_t offset = headerBytes(shape.dimensions);
     if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
-        return error("file-E09",
-                     fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
-                                 describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
-                                 readableBytes(limits.texelBytes)),
-                     label.place);
+        return diagnose("file-E09",
+                        fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
+                                    describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
+                                    readableBytes(limits.texelBytes)),
+                        label.place);
 
     TexelBlock block;
     block.dimensions = shape.dimensions;
@@ -131,7 +131,7 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
     if (shapes.size() > 1) {
         std::string all = describe(shapes[0]);
         for (std::size_t i = 1; i < shapes.size(); ++i) all += " and " + describe(shapes[i]);
-        result.diagnostics.push_back(warning(
+        result.diagnostics.push_back(diagnose(
             "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
             label.place));
     }

@@ -39,8 +39,8 @@ Result<Image> decode(std::span<const std::byte> file, Format format, const fs::p
             return decodeBmp(file, label, options.limits);
         case Format::unknown:
         case Format::rawTexture:
-            return error("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
-                         label.place);
+            return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
+                            label.place);
         case Format::jpeg:
             return decodeJpeg(file, label, options);
         default:
@@ -62,7 +62,7 @@ Result<Image> decodeImage(std::span<const std::byte> file, const fs::path& path,
     }
     if (result && promised != Format::unknown && promised != format)
         result.diagnostics.push_back(
-            warning("file-W03", fmt::format("'{}' is {}", label.name, describe(format)), place));
+            diagnose("file-W03", fmt::format("'{}' is {}", label.name, describe(format)), place));
     return result;
 }
 

@@ -49,7 +49,7 @@ Result<TexelBlock> fromPicture(Result<Image> read, int dimensions, const FileLab
     if (!read) return std::move(read.diagnostics);
     if (dimensions != 1) return {planeOf(*std::move(read.value)), std::move(read.diagnostics)};
     if (read->height > 1)
-        read.diagnostics.push_back(warning(
+        read.diagnostics.push_back(diagnose(
             "file-W08",
             fmt::format("Texture1D uses the bottom row of a {} x {} picture", read->width, read->height),
             label.place));
@@ -62,11 +62,11 @@ Result<TexelBlock> fromRaw(std::span<const std::byte> file, int dimensions, cons
     // If a file is not meant as a raw texture, the lengths of raw textures do not help its author.
     if (rawShapes(file, dimensions).empty() && promised != Format::rawTexture &&
         !looksRaw(file, dimensions, limits))
-        return error("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
-                     label.place);
+        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
+                        label.place);
     auto result = decodeRawTexture(file, dimensions, label, limits);
     if (result && promised != Format::unknown && promised != Format::rawTexture)
-        result.diagnostics.push_back(warning(
+        result.diagnostics.push_back(diagnose(
             "file-W03", fmt::format("'{}' is {}", label.name, describe(Format::rawTexture)), label.place));
     return result;
 }
@@ -91,10 +91,10 @@ Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place
         const Format format = formatOf(*file);
         if (format == Format::unknown) return fromRaw(*file, dimensions, path, label, options.limits);
         if (dimensions == 3)
-            return error("file-E03",
-                         fmt::format("'{}' is {}; a 3D texture needs a raw 3D texture file", label.name,
-                                     describe(format)),
-                         place);
+            return diagnose("file-E03",
+                            fmt::format("'{}' is {}; a 3D texture needs a raw 3D texture file", label.name,
+                                        describe(format)),
+                            place);
         return fromPicture(decodeImage(*file, path, place, options), dimensions, label);
     } catch (const std::bad_alloc&) {
         return damaged(label, "there is not enough memory to read it");
@@ -104,7 +104,7 @@ Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place
 Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place,
                                const ReadOptions& options) {
     if (six.size() != 6)
-        return error("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
+        return diagnose("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
     std::vector<TexelBlock> faces;
     Diagnostics remarks;
     Component widest = Component::u8;
@@ -116,20 +116,20 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
         const TexelBlock& first = faces.empty() ? *face : faces.front();
         if (face->width != face->height || face->width != first.width) {
             append(remarks,
-                   {error("file-E06",
-                          fmt::format("CubeMap: '{}' is {} x {}, all faces must be squares of equal size",
-                                      path.filename().string(), face->width, face->height),
-                          place)});
+                   {diagnose("file-E06",
+                             fmt::format("CubeMap: '{}' is {} x {}, all faces must be squares of equal size",
+                                         path.filename().string(), face->width, face->height),
+                             place)});
             return remarks;
         }
         widest = std::max(widest, face->type);
         bytes += face->data.size();
         if (bytes > options.limits.texelBytes) {
             append(remarks,
-                   {error("file-E09",
-                          fmt::format("CubeMap: the faces have more than {}, the limit of one texture",
-                                      readableBytes(options.limits.texelBytes)),
-                          place)});
+                   {diagnose("file-E09",
+                             fmt::format("CubeMap: the faces have more than {}, the limit of one texture",
+                                         readableBytes(options.limits.texelBytes)),
+                             place)});
             return remarks;
         }
         faces.push_back(*std::move(face.value));

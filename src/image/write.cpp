@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
-    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
 }
 
 Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions& options) {

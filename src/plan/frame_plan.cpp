@@ -184,9 +184,9 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
-        say(warning("draw-W01",
-                    fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
-                    draw.place));
+        say(diagnose("draw-W01",
+                     fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
+                     draw.place));
     }
 
     /// Returns draw-E01 if a sampler reads a target of its own pass.
@@ -200,11 +200,11 @@ class FramePlanner {
                 std::find(pass.targets.begin(), pass.targets.end(), uses[i].texture) != pass.targets.end();
             const int unit = state(program).units.at(i).binding.unit;
             if (isTarget && units.insert(unit).second)
-                errors.push_back(error("draw-E01",
-                                       fmt::format("{} samples unit {} while rendering into it "
-                                                   "(RenderToTexture on line {})",
-                                                   draw.word, unit, pass.place.line),
-                                       draw.place));
+                errors.push_back(diagnose("draw-E01",
+                                          fmt::format("{} samples unit {} while rendering into it "
+                                                      "(RenderToTexture on line {})",
+                                                      draw.word, unit, pass.place.line),
+                                          draw.place));
         }
         return errors;
     }
@@ -221,7 +221,7 @@ class FramePlanner {
     void warnOnce(const scene::Draw& draw, PlannedProgramIndex index, const char* id,
                   const std::string& text) {
         if (remarks_.emplace(planned(index).variant.program, id, text).second)
-            say(warning(id, text, draw.place));
+            say(diagnose(id, text, draw.place));
     }
 
     void reportEmptySlots(const scene::Draw& draw, PlannedProgramIndex index,
@@ -332,9 +332,9 @@ class FramePlanner {
         for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
             if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
             usedOverrides_[i] = true;
-            say(warning("glib-W24",
-                        fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                    options_.overrides[i].name)));
+            say(diagnose("glib-W24",
+                         fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                     options_.overrides[i].name)));
         }
     }
 

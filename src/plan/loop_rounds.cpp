@@ -52,7 +52,7 @@ Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<i
         const char* what = most <= allowed                          ? "the loops of this stage run"
                            : glsl::roundsOf(*longest, value) < most ? "this loop and those in it run"
                                                                     : "this loop runs";
-        diagnostics.push_back(warning(
+        diagnostics.push_back(diagnose(
             "draw-W08",
             fmt::format(
                 "{} up to {} rounds, but the driver ends a shader's loops after {}; the picture may be "

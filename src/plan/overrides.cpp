@@ -57,7 +57,9 @@ std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
 }  // namespace
 
 Result<Override> parseOverride(std::string_view text) {
-    const auto bad = [&](std::string_view why) { return error("", fmt::format("--set {}: {}", text, why)); };
+    const auto bad = [&](std::string_view why) {
+        return withoutId(Severity::error, fmt::format("--set {}: {}", text, why));
+    };
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return bad("expected NAME=VALUE");
     Override result;
@@ -110,7 +112,7 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
         const std::string near = isElsewhere ? "" : suggestionFor(name, names);
         diagnostics.push_back(
-            warning("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
+            diagnose("glib-W23", fmt::format("no {} has a uniform {}{}", where, glib::inQuotes(name), near)));
     }
     return diagnostics;
 }

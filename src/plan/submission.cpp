@@ -56,10 +56,10 @@ Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
     const int wanted = geometry::verticesPerPrimitive(topology);
     const bool controlFits = topology == Topology::triangles && interface.facts.patchVertices == wanted;
     if (draw.patchVertices != wanted && !controlFits)
-        return error("draw-E03",
-                     fmt::format("{} delivers {}, but the patch size is {}; write 'NumPatchVertices {}'",
-                                 draw.word, wordOf(topology), draw.patchVertices, wanted),
-                     draw.place);
+        return diagnose("draw-E03",
+                        fmt::format("{} delivers {}, but the patch size is {}; write 'NumPatchVertices {}'",
+                                    draw.word, wordOf(topology), draw.patchVertices, wanted),
+                        draw.place);
     return Submission{Topology::patches, wanted};
 }
 
@@ -107,21 +107,21 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
         submission = *patches;
         delivered = interface.facts.tessellationOutput;
     } else if (topology == Topology::patches) {
-        return error("draw-E04",
-                     fmt::format("{} needs a TessEvaluation stage",
-                                 shape.command == CommandId::glBegin ? "gl_patches" : word),
-                     draw.place);
+        return diagnose("draw-E04",
+                        fmt::format("{} needs a TessEvaluation stage",
+                                    shape.command == CommandId::glBegin ? "gl_patches" : word),
+                        draw.place);
     }
 
     const std::string& wanted = interface.facts.geometryInput;
     if (program != nullptr && !wanted.empty() && !delivered.empty() && wanted != delivered) {
         const std::string file = stageFileName(scene, *program, glsl::Stage::geometry);
-        return error("draw-E02",
-                     fmt::format("{} delivers {}{}, but {} expects {}{}", word, delivered,
-                                 isTessellated ? " after tessellation" : "",
-                                 file.empty() ? "the geometry stage" : file, wanted,
-                                 isTessellated ? "" : recommendation(shape.command, wanted)),
-                     draw.place);
+        return diagnose("draw-E02",
+                        fmt::format("{} delivers {}{}, but {} expects {}{}", word, delivered,
+                                    isTessellated ? " after tessellation" : "",
+                                    file.empty() ? "the geometry stage" : file, wanted,
+                                    isTessellated ? "" : recommendation(shape.command, wanted)),
+                        draw.place);
     }
     return submission;
 }

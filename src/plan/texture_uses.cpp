@@ -38,9 +38,9 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
         uses.push_back({sampler, units.try_emplace({sampler.unit, type.word}, next).first->second});
     }
     const auto tooMany = [](const char* kind, std::size_t wanted, int available) {
-        return error("draw-E05",
-                     fmt::format("the program needs {} {} units at once; the graphics device has {}", wanted,
-                                 kind, available));
+        return diagnose("draw-E05",
+                        fmt::format("the program needs {} {} units at once; the graphics device has {}",
+                                    wanted, kind, available));
     };
     if (textureUnits.size() > static_cast<std::size_t>(std::max(maxTextureUnits, 0)))
         return tooMany("texture", textureUnits.size(), maxTextureUnits);

@@ -94,7 +94,7 @@ class ValueReader {
     double first() const { return given_.values.front(); }
 
     void warn(const char* id, std::string text, const Place& place) {
-        reading_.diagnostics.push_back(warning(id, std::move(text), place));
+        reading_.diagnostics.push_back(diagnose(id, std::move(text), place));
     }
     void warnCount(const std::string& text) {
         warn("glib-W15",
@@ -306,7 +306,7 @@ class ValueReader {
     void checkUnits() {
         for (const double unit : reading_.values) {
             if (unit >= 0 && unit <= glib::kHighestUnit) continue;
-            reading_.diagnostics.push_back(error(
+            reading_.diagnostics.push_back(diagnose(
                 "glib-E12",
                 fmt::format("texture unit {} is not between 0 and {}", numberText(unit), glib::kHighestUnit),
                 given_.valuePlace));

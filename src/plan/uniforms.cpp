@@ -53,7 +53,7 @@ class Resolver {
     const ActiveUniform& uniform(UniformIndex index) const { return at(interface_.uniforms, index); }
     Place place(glib::Position position) const { return {scenePath_, position.line, position.column}; }
     void warn(const char* id, std::string text, const Place& place) {
-        result_.diagnostics.push_back(warning(id, std::move(text), place));
+        result_.diagnostics.push_back(diagnose(id, std::move(text), place));
     }
 
     /// The units of a sampler without a tag: the noise texture's, layout(binding), or 0.

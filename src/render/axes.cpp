@@ -79,7 +79,7 @@ Result<Axes> Axes::create(const gpu::Context& context) {
         gpu::buildProgram(context.capabilities(),
                           {.stages = stages, .vertexInputs = {{"aPosition", 0}}, .fragmentOutputs = {}});
     if (!built.program)
-        return error("gpu-E02", "the driver does not link the program of --axes: " + built.linkLog);
+        return diagnose("gpu-E02", "the driver does not link the program of --axes: " + built.linkLog);
     const base::ActiveResources resources = gpu::reflect(*built.program);
     const std::vector<Vertex> lines = vertices();
     Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(std::span(lines)));

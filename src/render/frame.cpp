@@ -277,9 +277,9 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     const double width = std::clamp(roundedUpAtHalf(raster.lineWidth), capabilities.minLineWidth, widest);
     if (raster.lineWidth > widest && !lineWidthReported_) {
         lineWidthReported_ = true;
-        diagnostics.push_back(warning("draw-W04",
-                                      fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
-                                      planned.draw->place));
+        diagnostics.push_back(
+            diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
+                     planned.draw->place));
     }
     glLineWidth(static_cast<float>(width));
     const bool sizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;

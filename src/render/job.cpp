@@ -24,7 +24,7 @@ namespace {
 Diagnostics writeToStandardOutput(const image::Image& picture) {
     const std::vector<std::byte> png = image::encodePng(picture);
     if (std::fwrite(png.data(), 1, png.size(), stdout) == png.size() && std::fflush(stdout) == 0) return {};
-    return {error("file-E10", "cannot write to standard output")};
+    return {diagnose("file-E10", "cannot write to standard output")};
 }
 
 /// "; nothing is in sight: line 7, Teapot: it is behind ..." if all draws were skipped. Their shaders were
@@ -59,10 +59,10 @@ Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& 
     const Place place{scene.string(), 1, 1};
     if (image::isOneColor(picture))
         remarks.push_back(
-            note("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
+            diagnose("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
     const image::NonFinite bad = image::countNonFinite(picture);
     if (bad.nan + bad.infinite > 0 && !isSearched)
-        remarks.push_back(warning(
+        remarks.push_back(diagnose(
             "draw-W06",
             fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
                         bad.nan, bad.infinite, bad.x, bad.y),

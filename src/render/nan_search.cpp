@@ -181,13 +181,13 @@ Diagnostics NanSearch::at(double time) {
         const Place& place = found[i].draw->draw->place;
         const std::string text = describe(found[i], renderer_.scene(), lines);
         if (found[i].texture) lines.emplace(found[i].texture, place.line);
-        diagnostics.push_back(warning("draw-W06", countingRest(text, i, found.size()), place));
+        diagnostics.push_back(diagnose("draw-W06", countingRest(text, i, found.size()), place));
         if (i + 1 == kMostNamed) break;
     }
     const std::vector<LostPrimitives> lost = positions_.search(renderer_, time, *stats_);
     for (std::size_t i = 0; i < std::min(lost.size(), kMostNamed); ++i)
         diagnostics.push_back(
-            warning("draw-W09", countingRest(describe(lost[i]), i, lost.size()), lost[i].draw->draw->place));
+            diagnose("draw-W09", countingRest(describe(lost[i]), i, lost.size()), lost[i].draw->draw->place));
     applyStrict(diagnostics, strict_);
     return diagnostics;
 }

@@ -116,7 +116,7 @@ void PictureWriter::run() {
                                : copyFile(std::get<std::filesystem::path>(item.content), item.file);
         } catch (const std::bad_alloc&) {
             problems.push_back(
-                error("file-E10", "cannot write '" + item.file.string() + "': not enough memory"));
+                diagnose("file-E10", "cannot write '" + item.file.string() + "': not enough memory"));
         }
         if (!done(item, std::move(problems))) return;
     }

@@ -151,16 +151,16 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
         Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
         if (!outcome.stages[i].compiled && !hasError(found))
-            found.push_back(error("glsl-E01",
-                                  "the driver does not compile the shader: " + outcome.stages[i].log,
-                                  {translated.stages[i].path, 1, 1}));
+            found.push_back(diagnose("glsl-E01",
+                                     "the driver does not compile the shader: " + outcome.stages[i].log,
+                                     {translated.stages[i].path, 1, 1}));
         append(diagnostics, std::move(found));
     }
     if (!outcome.program && !hasError(diagnostics)) {
         append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
         if (!hasError(diagnostics))
-            diagnostics.push_back(
-                error("glsl-E02", "the driver does not link the program: " + outcome.linkLog, programPlace));
+            diagnostics.push_back(diagnose(
+                "glsl-E02", "the driver does not link the program: " + outcome.linkLog, programPlace));
     }
     stats_.add("programs", 1);
     if (!outcome.program) return false;

@@ -22,7 +22,8 @@ Result<std::string> readScene(const std::filesystem::path& path) {
     const auto bytes = image::readFile(path, {path.string(), place}, glib::kLargestFile);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const Diagnostic& why = bytes.diagnostics.front();
-    return error(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text, place);
+    return diagnose(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text,
+                    place);
 }
 
 /// The parser and the plan may both report a mistake. Of equal ids at one place the first is kept.

@@ -127,7 +127,7 @@ Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Cont
     const int width = options.width > 0 ? options.width : interpreted.width;
     const int height = options.height > 0 ? options.height : interpreted.height;
     if (static_cast<std::int64_t>(width) * height > kMostPixels)
-        return error(
+        return diagnose(
             "glib-E15",
             fmt::format("a picture of {} x {} pixels is too large; the limit is 2^30 pixels", width, height),
             {interpreted.path, 1, 1});

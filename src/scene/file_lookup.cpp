@@ -127,17 +127,17 @@ class FolderSearch {
         };
         if (found.size() == 1) {
             reference_.remarks.push_back(
-                warning("file-W01", fmt::format("'{}' found as '{}'", reference_.name, shown(found.front())),
-                        reference_.place));
+                diagnose("file-W01", fmt::format("'{}' found as '{}'", reference_.name, shown(found.front())),
+                         reference_.place));
             return true;
         }
         std::string all = fmt::format("'{}'", shown(found[0]));
         for (std::size_t i = 1; i < found.size(); ++i)
             all += fmt::format("{} '{}'", i + 1 == found.size() ? " and" : ",", shown(found[i]));
         reference_.remarks.push_back(
-            warning("file-W12",
-                    fmt::format("'{}' matches {}; '{}' is used", reference_.name, all, shown(found.front())),
-                    reference_.place));
+            diagnose("file-W12",
+                     fmt::format("'{}' matches {}; '{}' is used", reference_.name, all, shown(found.front())),
+                     reference_.place));
         return true;
     }
 
@@ -228,8 +228,8 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
     FileReference reference{std::string(written), {}, {}, place};
     if (written.size() > kLongestName) {
         reference.remarks.push_back(
-            error("file-E01", fmt::format("cannot find '{}...': the name is too long", written.substr(0, 64)),
-                  place));
+            diagnose("file-E01",
+                     fmt::format("cannot find '{}...': the name is too long", written.substr(0, 64)), place));
         return reference;
     }
     const CleanName name = clean(written);
@@ -240,7 +240,7 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
         FileReference beside = reference;
         if (FolderSearch(beside, listings).find(folders.beside, {name.last})) {
             reference.path = beside.path;
-            reference.remarks.push_back(warning(
+            reference.remarks.push_back(diagnose(
                 "file-W02",
                 fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
                 place));
@@ -250,7 +250,7 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
     if (!name.isAbsolute)
         for (const fs::path& folder : folders.library)
             if (search.find({folder}, name.parts)) return reference;
-    reference.remarks.push_back(error("file-E01", notFound(name, written, folders, listings), place));
+    reference.remarks.push_back(diagnose("file-E01", notFound(name, written, folders, listings), place));
     return reference;
 }
 

@@ -22,16 +22,17 @@ void execute(Interpreter& in, const glib::Command& command) {
     if (known == nullptr) return;
     const CommandAction& action = *known;
     if (in.list && action.inList == InList::isWrong) {
-        in.reportError(command, "glib-E07",
-                       fmt::format("{} is not allowed inside glBegin ... glEnd", command.word));
+        in.reportAt(command, "glib-E07",
+                    fmt::format("{} is not allowed inside glBegin ... glEnd", command.word));
         return;
     }
     if (in.list && action.inList == InList::goesFirst)
-        in.reportWarning(command, "glib-W32",
-                         fmt::format("{} is inside glBegin ... glEnd; it {} before the list", command.word,
-                                     action.draws ? "is drawn" : "takes effect"));
+        in.reportAt(command, "glib-W32",
+                    fmt::format("{} is inside glBegin ... glEnd; it {} before the list", command.word,
+                                action.draws ? "is drawn" : "takes effect"));
     if (action.inList != InList::isPart) in.isOrphan = false;
-    if (in.scene.verbose && !action.draws) in.report(note("glib-N02", textOf(command), in.place(command)));
+    if (in.scene.verbose && !action.draws)
+        in.report(diagnose("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);
 }
 
@@ -95,8 +96,8 @@ Scene interpret(const glib::Script& script, const InterpretOptions& options) {
         finishPasses(in);
         finishNoise(in);
     } catch (const std::exception& problem) {
-        in.report(
-            error("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()), script.place({})));
+        in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
+                           script.place({})));
     }
     std::stable_sort(in.scene.diagnostics.begin(), in.scene.diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) {

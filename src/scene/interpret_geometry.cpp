@@ -93,10 +93,10 @@ ShapeIndex shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh 
 
 bool countVertices(Interpreter& in, const glib::Command& command, std::uint64_t vertices) {
     const auto refuse = [&](std::string_view what, std::uint64_t needed, std::uint64_t limit) {
-        in.reportError(command, "glib-E15",
-                       fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
-                                   glib::groupedText(static_cast<long long>(needed)),
-                                   glib::groupedText(static_cast<long long>(limit))));
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
+                                glib::groupedText(static_cast<long long>(needed)),
+                                glib::groupedText(static_cast<long long>(limit))));
         return false;
     };
     if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);
@@ -147,9 +147,9 @@ namespace {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
-        in.reportError(command, "glib-E09",
-                       fmt::format("{} needs a file name; only the interactive program works without one",
-                                   command.word));
+        in.reportAt(command, "glib-E09",
+                    fmt::format("{} needs a file name; only the interactive program works without one",
+                                command.word));
         return;
     }
     Shape shape{command.id, {}, fileOf(in, command.text, in.script.place(command.textPosition)), nullptr};

@@ -27,7 +27,7 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
     TargetList list;
     list.place = in.place(command);
     const auto refuse = [&](const std::string& text) {
-        in.reportError(command, "glib-E11", fmt::format("{}: {}", textOf(command), text));
+        in.reportAt(command, "glib-E11", fmt::format("{}: {}", textOf(command), text));
         return std::nullopt;
     };
     for (const double number : command.numbers) {

@@ -58,7 +58,7 @@ void doTimer(Interpreter& in, const glib::Command& command) {
 }
 
 void doMessageBox(Interpreter& in, const glib::Command& command) {
-    in.report(note("glib-N01", fmt::format("MessageBox: {}", command.text), in.place(command)));
+    in.report(diagnose("glib-N01", fmt::format("MessageBox: {}", command.text), in.place(command)));
 }
 
 void doNothing(Interpreter&, const glib::Command&) {}

@@ -52,8 +52,7 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
         return;
     }
     if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
-        in.reportWarning(command, "glib-W36",
-                         fmt::format("the noise texture on unit {} is replaced", slot.unit));
+        in.reportAt(command, "glib-W36", fmt::format("the noise texture on unit {} is replaced", slot.unit));
     at->texture = slot.texture;
 }
 
@@ -68,10 +67,10 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
     }
     const std::uint64_t all = in.textureBytes + bytes;
     if (all > kAllTextures) {
-        in.reportError(command, "glib-E15",
-                       fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
-                                   glib::groupedText(static_cast<long long>(all)),
-                                   glib::groupedText(static_cast<long long>(kAllTextures))));
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
+                                glib::groupedText(static_cast<long long>(all)),
+                                glib::groupedText(static_cast<long long>(kAllTextures))));
         return std::nullopt;
     }
     in.textureBytes = all;
@@ -107,7 +106,7 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
             .dimensions = noise->dimensions,
             .size = noise->size,
             .isSizeGiven = true,
-            .remarks = {warning(
+            .remarks = {diagnose(
                 "file-W09", fmt::format("'{}' not found; the built-in noise is used", command.text), place)}};
         return texture;
     }

@@ -25,8 +25,8 @@ glm::dvec3 vectorAt(const glib::Command& command, std::size_t first) {
 void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& transform) {
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {
-        in.reportError(command, "glib-E05",
-                       fmt::format("{}: the matrix does not fit into 32-bit floats", command.word));
+        in.reportAt(command, "glib-E05",
+                    fmt::format("{}: the matrix does not fit into 32-bit floats", command.word));
         return;
     }
     in.state.modelView = product;
@@ -35,9 +35,9 @@ void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& t
 void doWindowSize(Interpreter& in, const glib::Command& command) {
     const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
     if (in.windowSize && *in.windowSize != size)
-        in.reportWarning(command, "glib-W34",
-                         fmt::format("WindowSize is given twice; {} {} replaces {} {}", size.first,
-                                     size.second, in.windowSize->first, in.windowSize->second));
+        in.reportAt(command, "glib-W34",
+                    fmt::format("WindowSize is given twice; {} {} replaces {} {}", size.first, size.second,
+                                in.windowSize->first, in.windowSize->second));
     in.windowSize = size;
     in.scene.width = size.first;
     in.scene.height = size.second;
@@ -56,7 +56,7 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
     const glm::dvec3 eye = vectorAt(command, 0);
     const glm::dvec3 centre = vectorAt(command, 3);
     if (eye == centre) {
-        in.reportError(command, "glib-E13", "LookAt: eye and centre are the same point");
+        in.reportAt(command, "glib-E13", "LookAt: eye and centre are the same point");
         return;
     }
     in.scene.usesLookAt = true;
@@ -67,14 +67,14 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
         if (matrix) break;
         matrix = viewingMatrix(eye, centre, up);
         if (matrix)
-            in.reportWarning(
+            in.reportAt(
                 command, "glib-W30",
                 fmt::format("LookAt: up is parallel to the view direction; {} is used instead", name));
     }
     if (matrix && isFinite(*matrix))
         in.state.modelView = in.scene.view = *matrix;
     else
-        in.reportError(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
+        in.reportAt(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
 }
 
 void doColor(Interpreter& in, const glib::Command& command) {
@@ -103,8 +103,8 @@ void doScale(Interpreter& in, const glib::Command& command) {
 
 void doPushMatrix(Interpreter& in, const glib::Command& command) {
     if (in.state.stack.size() == kDeepestStack) {
-        in.reportError(command, "glib-E15",
-                       fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
         return;
     }
     in.state.stack.push_back({in.state.modelView, in.place(command)});
@@ -112,7 +112,7 @@ void doPushMatrix(Interpreter& in, const glib::Command& command) {
 
 void doPopMatrix(Interpreter& in, const glib::Command& command) {
     if (in.state.stack.empty()) {
-        in.reportError(command, "glib-E06", fmt::format("{} without PushMatrix", command.word));
+        in.reportAt(command, "glib-E06", fmt::format("{} without PushMatrix", command.word));
         return;
     }
     in.state.modelView = in.state.stack.back().modelView;
@@ -142,8 +142,9 @@ std::span<const CommandAction> viewActions() {
 void checkStack(Interpreter& in) {
     const std::size_t open = in.state.stack.size();
     if (open == 0) return;
-    in.report(warning("glib-W31", fmt::format("{} PushMatrix without PopMatrix at the end of the file", open),
-                      in.state.stack.back().place));
+    in.report(diagnose("glib-W31",
+                       fmt::format("{} PushMatrix without PopMatrix at the end of the file", open),
+                       in.state.stack.back().place));
 }
 
 }  // namespace glibra::scene

@@ -16,7 +16,7 @@ namespace {
 bool isInside(Interpreter& in, const glib::Command& command) {
     if (in.list) return true;
     if (!in.isOrphan)
-        in.reportError(command, "glib-E07", fmt::format("{} outside glBegin ... glEnd", command.word));
+        in.reportAt(command, "glib-E07", fmt::format("{} outside glBegin ... glEnd", command.word));
     in.isOrphan = true;
     return false;
 }
@@ -60,7 +60,7 @@ std::string_view primitiveOf(geometry::ListTopology topology) {
 void doGlBegin(Interpreter& in, const glib::Command& command) {
     const auto topology = geometry::listTopology(command.text);
     if (!topology) {
-        in.reportError(command, "glib-E08", fmt::format("unknown topology '{}'", command.text));
+        in.reportAt(command, "glib-E08", fmt::format("unknown topology '{}'", command.text));
         return;
     }
     OpenList list;
@@ -76,9 +76,9 @@ void doGlVertex(Interpreter& in, const glib::Command& command) {
     OpenList& list = *in.list;
     if (list.vertices.size() >= kMostListVertices) {
         if (!list.isFull)
-            in.reportError(command, "glib-E15",
-                           fmt::format("glBegin: a list holds at most {} vertices",
-                                       glib::groupedText(static_cast<long long>(kMostListVertices))));
+            in.reportAt(command, "glib-E15",
+                        fmt::format("glBegin: a list holds at most {} vertices",
+                                    glib::groupedText(static_cast<long long>(kMostListVertices))));
         list.isFull = true;
         return;
     }
@@ -110,15 +110,15 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
         geometry::meshFromList(list.topology, list.vertices, list.hasNormals, in.state.patchVertices);
     const std::string_view primitive = primitiveOf(list.topology);
     if (made.mesh.indices.empty()) {
-        in.reportError(
+        in.reportAt(
             command, "glib-E07",
             fmt::format("glEnd: {} vertices are not enough for one {}", list.vertices.size(), primitive));
         return;
     }
     if (made.dropped > 0)
-        in.reportWarning(command, "glib-W33",
-                         fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
-                                     made.dropped == 1 ? "vertex" : "vertices", primitive));
+        in.reportAt(command, "glib-W33",
+                    fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
+                                made.dropped == 1 ? "vertex" : "vertices", primitive));
     Drawing drawing;
     drawing.word = list.word;
     drawing.size = fmt::format("{} vertices", list.vertices.size());

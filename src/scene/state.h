@@ -95,11 +95,8 @@ struct Interpreter {
 
     [[nodiscard]] Place place(const glib::Command& command) const { return script.place(command.position); }
     void report(Diagnostic diagnostic) { scene.diagnostics.push_back(std::move(diagnostic)); }
-    void reportError(const glib::Command& command, std::string id, std::string text) {
-        report(error(std::move(id), std::move(text), place(command)));
-    }
-    void reportWarning(const glib::Command& command, std::string id, std::string text) {
-        report(warning(std::move(id), std::move(text), place(command)));
+    void reportAt(const glib::Command& command, std::string id, std::string text) {
+        report(diagnose(std::move(id), std::move(text), place(command)));
     }
 };
 

@@ -128,11 +128,11 @@ FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dime
     if (holdsNoise(path, dimensions, size)) {
         file.path = path;
         file.remarks.push_back(
-            note("file-N01", fmt::format("noise is read from '{}' beside the scene", file.name), place));
+            diagnose("file-N01", fmt::format("noise is read from '{}' beside the scene", file.name), place));
     } else {
         const std::string texels =
             dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
-        file.remarks.push_back(warning(
+        file.remarks.push_back(diagnose(
             "file-W10", fmt::format("'{}' does not hold {} byte texels; it is ignored", file.name, texels),
             place));
     }

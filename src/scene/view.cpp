@@ -185,7 +185,7 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     const double moved = std::ceil(16 * (distance + c.z) - kRounding) / 16;
     if (!(moved > 0) || !std::isfinite(moved)) return move;
     move.distance = moved;
-    move.diagnostics.push_back(note(
+    move.diagnostics.push_back(diagnose(
         "draw-N01",
         fmt::format("no LookAt, so the eye is moved back by {} along z (use --view glman to switch this off)",
                     moved),

@@ -1,5 +1,5 @@
 #pragma once
-// A suite: pictures to render and to hold against goldens, as values. suite_file.h reads them.
+// A suite as a value: pictures to render and to compare with goldens. suite_file.h reads it.
 
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
@@ -13,14 +13,14 @@
 
 namespace glibra::suite {
 
-/// A scene that has to fail, and how.
+/// The error that a scene is expected to have.
 struct ExpectedError {
-    std::string id;    ///< of a diagnostic, as "glsl-E01"; empty: any error
-    std::string text;  ///< that its message contains; empty: any
-    int line = 0;      ///< of its place; 0: any
+    std::string id;    ///< id of the diagnostic, as "glsl-E01"; empty: any error
+    std::string text;  ///< part of its message; empty: any
+    int line = 0;      ///< line of its place; 0: any
 };
 
-/// A uniform that a suite names, and where.
+/// A uniform variable that a suite names, and where.
 struct PlacedUniform {
     std::string name;  ///< "uKd", "Dots:uKd"
     Place place;
@@ -28,8 +28,8 @@ struct PlacedUniform {
 
 /// One picture.
 struct Shot {
-    /// Unique in its suite; letters, digits and "._-=,@+" and '/' between parts, so that it names files:
-    /// "teapot", "oval@uTol=0.1", "start/teapot@time=0.5".
+    /// Unique in its suite. It names files, so it is made of letters, digits, "._-=,@+", and "/" between
+    /// parts: "teapot", "oval@uTol=0.1", "start/teapot@time=0.5".
     std::string name;
     std::filesystem::path script;
     RenderOptions options;
@@ -37,10 +37,11 @@ struct Shot {
     double timeout = 300;           ///< seconds
     std::vector<std::string> tags;  ///< for --only tag:NAME
     std::optional<ExpectedError> expectedError;
-    std::string match;   ///< another shot of the suite that has to give the same picture; empty: none
-    std::string differ;  ///< another shot that has to give a different one; empty: none
+    std::string match;   ///< another shot of the suite that must give the same picture, or empty
+    std::string differ;  ///< another shot that must give a different picture, or empty
     bool golden = true;  ///< false: the picture is only compared with `match` and `differ`
-    /// What the [[shot]] itself sets or sweeps; empty if it means several scenes, which need not all have it.
+    /// What the [[shot]] itself sets or sweeps. Empty if it has several scenes, because not all of them need
+    /// to have every uniform.
     std::vector<PlacedUniform> ownUniforms;
     Place place;  ///< in the suite file
 };

@@ -136,7 +136,7 @@ TEST(LogAxis, HasFewDigitsWhereTheyAreEnough) {
 }
 
 Result<std::vector<Figure>> fails(Bench& /*bench*/) {
-    return error("gpu-E01", "no usable OpenGL driver");
+    return diagnose("gpu-E01", "no usable OpenGL driver");
 }
 Result<std::vector<Figure>> works(Bench& /*bench*/) {
     Figure figure;

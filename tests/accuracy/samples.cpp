@@ -27,7 +27,7 @@ Report sampleReport() {
     plain.points.push_back(pointAt(32, std::numeric_limits<double>::infinity()));
     figure.curves = {timed, plain};
     SubjectRun subject{"primitives", "Primitives: meshes", 1.5, {figure}, {}};
-    subject.diagnostics = {error("gpu-E01", "no usable OpenGL driver")};
+    subject.diagnostics = {diagnose("gpu-E01", "no usable OpenGL driver")};
     report.subjects = {subject};
     return report;
 }

@@ -1,4 +1,4 @@
-// Bad input, one test each: one clear message with file, line and column, the right exit status, no
+// Wrong input, one test each: one clear message with file, line and column, the right exit status, and no
 // half-written file.
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr const char* kFragment = "#version 330 core\nout vec4 fColor;\nvoid mai
 
 class BadInput : public testing::Test {
   protected:
-    /// Renders scene.glib and expects status 3, no picture, and all of `parts` in the messages.
+    /// Renders scene.glib and expects status 3, no picture, and all `parts` in the messages.
     void expectRefused(std::string_view scene, std::initializer_list<const char*> parts,
                        const std::string& arguments = {}) {
         folder.write("scene.glib", scene);
@@ -46,19 +46,19 @@ TEST_F(BadInput, WrongArgument) {
     expectRefused("Perspective 190\n", {"scene.glib:1:", "190", "[glib-E05]"});
 }
 
-TEST_F(BadInput, BoundThatIsNone) {
+TEST_F(BadInput, InvalidErrorBound) {
     folder.write("scene.glib", "Sphere\n");
     for (const char* bound : {"0", "-1", "nan", "inf", "1e-10", "1e7", "px", "1mm", "0x1p3", "1,5"}) {
         const Finished run = glibra(folder.path(), std::string("render scene.glib --max-error=") + bound);
         EXPECT_EQ(run.status, 2) << bound << run.err;
-        EXPECT_NE(run.err.find("is not a number of pixels from 1e-9 to 1e6, as 0.25px"), std::string::npos)
+        EXPECT_NE(run.err.find("expected a number from 1e-09 to 1e+06, as 0.25px, found"), std::string::npos)
             << bound << run.err;
     }
     EXPECT_EQ(glibra(folder.path(), "render scene.glib --override-counts").status, 2);
     EXPECT_EQ(folder.listing(), "scene.glib\n");
 }
 
-TEST_F(BadInput, BoundThatNothingCanKeepIsSaidAndDrawn) {
+TEST_F(BadInput, AnUnreachableErrorBoundIsReportedAndDrawn) {
     folder.write("scene.glib", "LookAt 0 0 4 0 0 0 0 1 0\nSphere\n");
     const Finished run = glibra(folder.path(), "render scene.glib --size 64x64 --max-error 1e-9px");
     EXPECT_EQ(run.status, 0) << run.err;
@@ -249,7 +249,7 @@ TEST_F(BadInput, StrictTurnsWarningsIntoErrors) {
     EXPECT_FALSE(std::filesystem::exists(folder / "strict.png"));
 }
 
-TEST_F(BadInput, NanIsToldOnceInWhicheverFrameItComesAndStrictRefusesIt) {
+TEST_F(BadInput, NanIsReportedOnceInTheFirstFrameThatHasItAndStrictRefusesIt) {
     folder.write("nan.frag",
                  "#version 330 core\nuniform float Timer;\nout vec4 f;\n"
                  "void main() { f = vec4(sqrt(.25 - Timer), gl_FragCoord.x, 0., 1.); }\n");

@@ -16,12 +16,12 @@ class CompareCommand : public testing::Test {
   protected:
     void SetUp() override {
         put("a.png", 100, 0);
-        put("same.png", 100, 0, 9);  // the same pixels, other bytes
+        put("same.png", 100, 0, 9);  // equal pixels, different bytes
         put("near.png", 100, 2);
         put("far.png", 100, 60);
     }
 
-    /// 40 x 30 grey pixels, a square of which is brighter.
+    /// Writes 40 x 30 grey pixels with a brighter square.
     void put(const std::string& name, int value, int by, int level = 1) const {
         image::Image picture{40, 30, 3, image::Component::u8, {}};
         for (int y = 0; y < 30; ++y)

@@ -1,5 +1,5 @@
-// The same picture, bit for bit, whatever draws it: EGL or OSMesa, one thread or two, once or twice, in tiles
-// or whole.
+// A picture has the same bits with EGL and OSMesa, with one thread and two, drawn once or twice, in tiles or
+// as a whole.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class Determinism : public testing::Test {
                      "WireSphere .8 12 8\nPointSize 20\nPointCloud 3 3 3\n");
     }
 
-    /// The bytes of the picture made with these arguments and environment.
+    /// Renders with these arguments and environment and returns the bytes of the file.
     std::string picture(const std::string& arguments, const std::string& environment = {}) {
         const Finished run = glibra(folder.path(), "render scene.glib -o out.png " + arguments, environment);
         EXPECT_EQ(run.status, 0) << run.err;
@@ -69,8 +69,8 @@ TEST_F(Determinism, TilesJoinWithoutASeam) {
             folder.path(), std::string("render scene.glib -o tiled.png --size 500x430 --tile ") + tile);
         ASSERT_EQ(run.status, 0) << run.err;
         folder.write("whole.png", whole);
-        // Clip coordinates of a tile are rounded anew, so a pixel on an edge may fall to the other side;
-        // nothing else may.
+        // The clip coordinates of a tile are rounded differently, so pixels on an edge may change. No others
+        // may.
         const Finished compared = glibra(folder.path(), "compare whole.png tiled.png --fraction 0.0005");
         EXPECT_EQ(compared.status, 0) << tile << ": " << compared.out;
     }
@@ -110,7 +110,7 @@ TEST_F(Determinism, SeveralJobsWriteTheSameAnimationAsOne) {
     folder.write(
         "a.frag",
         "#version 330 core\nin vec3 vN;\nout vec4 f;\nvoid main() { f = vec4(Timer, abs(vN.xy), 1.); }\n");
-    // 50 frames, of which the last 10 repeat the first.
+    // 50 frames, the last 10 of which repeat the first 10.
     folder.write("repeat.glib",
                  "WindowSize 90 80\nLookAt 0 0 4 0 0 0 0 1 0\nTimer 4\nVertex a.vert\nFragment a.frag\n"
                  "Program P uNone 1\nTeapot\n");
@@ -131,9 +131,9 @@ TEST_F(Determinism, SeveralJobsWriteTheSameAnimationAsOne) {
     }
 }
 
-TEST_F(Determinism, SeveralJobsTellNanAsOneDoes) {
-    // The square root of a negative number from .5 seconds on: in more and more pixels, so that every frame
-    // would say something else. Another draw joins it in a frame that another process draws.
+TEST_F(Determinism, SeveralJobsReportNanAsOneDoes) {
+    // From .5 seconds on, the square root of a negative number occurs in more and more pixels, so that every
+    // frame would have another message. Another draw adds its own in a frame that another process draws.
     folder.write("a.frag",
                  "#version 330 core\nuniform float uStart;\nout vec4 f;\nvoid main() { f = "
                  "vec4(sqrt(1. + gl_FragCoord.x / 99. - 4. * Timer + uStart)); }\n");

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the glibra program as a user does, and keeps what it printed. Each test gets a folder of its own.
+// Runs the glibra program as a user does and returns what it printed. Each test has a folder of its own.
 
 #include <filesystem>
 #include <string>
@@ -20,7 +20,7 @@ Finished glibra(const std::filesystem::path& folder, const std::string& argument
 /// Runs `command` through the shell in `folder`.
 Finished shell(const std::filesystem::path& folder, const std::string& command);
 
-/// A new folder that goes with the object.
+/// A new folder, which is removed with the object.
 class Folder {
   public:
     Folder();
@@ -30,9 +30,9 @@ class Folder {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-    /// Writes a file, making folders as needed.
+    /// Writes a file and makes its folders.
     void write(std::string_view name, std::string_view content) const;
-    /// Everything in the folder, sorted, one name a line.
+    /// The names of all files in the folder, sorted, one per line.
     [[nodiscard]] std::string listing() const;
 
   private:

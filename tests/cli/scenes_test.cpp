@@ -1,5 +1,5 @@
-// Every scene of the repository: free of messages, drawn, not one colour, also on GL 4.1; and its translated
-// shaders are accepted by a second compiler.
+// Every scene of the repository renders without messages to a picture of more than one colour, also on GL
+// 4.1. A second compiler accepts its translated shaders.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(Scenes, LookTheSameOnGl41) {
         const auto got = image::readImage(folder / "old" / fs::relative(each.path(), folder / "new"));
         ASSERT_TRUE(expected && got) << each.path();
         const image::Comparison difference = image::compare(*expected, *got);
-        // A few pixels on edges and thresholds may fall to the other side.
+        // A few pixels on edges and thresholds may change.
         EXPECT_LE(static_cast<double>(difference.differingPixels), 0.01 * 150 * 120) << each.path();
     }
 }
@@ -78,7 +78,8 @@ TEST(Scenes, TranslatedShadersAreAcceptedByGlslang) {
         const Folder folder;
         const Finished run = glibra(folder.path(), "check --translated shaders '" + each.string() + "'");
         ASSERT_EQ(run.status, 0) << each << run.err;
-        // Each stage alone: linking is the driver's affair, and programs share the folder.
+        // Each stage is compiled alone, because linking depends on the driver and the programs share the
+        // folder.
         const std::string command =
             "cd '" + folder.path().string() + "/shaders' && glslangValidator *.* >../log.txt 2>&1";
         EXPECT_EQ(std::system(command.c_str()), 0) << each << "\n" << readFile(folder / "log.txt");

@@ -1,4 +1,4 @@
-// --no-skip of the program: every scene of the repository is the same without any skip rule.
+// --no-skip: every scene of the repository gives the same picture without the skip rules.
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(NoSkip, SuitesAreDrawnTheSameWay) {
     EXPECT_EQ(glibra(folder.path(), "test s.toml").status, 0);
 }
 
-/// What the system's loader says it opened for `glibra ARGUMENTS`.
+/// The files that the system loader opened for `glibra ARGUMENTS`.
 std::string loaded(const Folder& folder, const std::string& arguments) {
     EXPECT_EQ(glibra(folder.path(), arguments, "LD_DEBUG=files LD_DEBUG_OUTPUT=loaded").status, 0);
     std::string all;

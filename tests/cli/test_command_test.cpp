@@ -1,4 +1,4 @@
-// glibra test and glibra render --suite as a user runs them.
+// `glibra test` and `glibra render --suite`, run as a user runs them.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_F(TestCommand, AChangedShaderFailsAndUpdateAcceptsIt) {
     EXPECT_FALSE(exists("glibra-results/s/a@uKd=0.7.got.png")) << "an earlier run's picture";
 }
 
-TEST_F(TestCommand, AChangeThatNobodySeesPassesAndIsTold) {
+TEST_F(TestCommand, AnInvisibleChangePassesAndIsReported) {
     accept();
     light("1.002");
     const Finished run = this->run("s.toml");
@@ -145,7 +145,7 @@ TEST_F(TestCommand, ShardsMergeToTheWholeRun) {
 }
 
 TEST_F(TestCommand, AHangingShotCostsOnlyItself) {
-    // Drivers end a loop after some ten thousand rounds; so there are many pixels to do them for.
+    // Drivers end a loop after some ten thousand rounds, so the picture has many pixels.
     folder.write("hang.frag",
                  "#version 330 core\nuniform float uKd;\nout vec4 f;\nvoid main() { float x = uKd; "
                  "while (x < 9.) x = sin(x + uKd); f = vec4(x); }\n");
@@ -192,7 +192,7 @@ TEST_F(TestCommand, PicturesOfSuitesAreThoseOfScenes) {
 
     fs::remove(folder / "out/a@uKd=1.png");
     const Finished rest = glibra(folder.path(), "render --suite s.toml -o out --resume");
-    EXPECT_TRUE(contains(rest.err, "1 of 1 shots rendered, 2 were there")) << rest.err;
+    EXPECT_TRUE(contains(rest.err, "1 of 1 shots rendered, 2 exist already")) << rest.err;
     EXPECT_TRUE(exists("out/a@uKd=1.png"));
     EXPECT_EQ(glibra(folder.path(), "render --suite s.toml --size 8x8").status, 2);
     EXPECT_EQ(glibra(folder.path(), "render").status, 2);

@@ -1,5 +1,5 @@
-// What a run has to survive: killed workers, Ctrl-C, a full disk, goldens that cannot be written, a second
-// run in the same folder.
+// A run survives killed workers, Ctrl-C, a full disk, goldens that cannot be written, and a second run in the
+// same folder.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shots that each take long enough to be caught at work.
+/// Shots that take long enough to be interrupted.
 class Survival : public testing::Test {
   protected:
     static constexpr int kShots = 12;
@@ -37,7 +37,7 @@ class Survival : public testing::Test {
                          rounds + "] }\n");
     }
     Finished run(const std::string& arguments) { return glibra(folder.path(), "test " + arguments); }
-    /// Runs a shell script in the folder, with $GLIBRA; the exit status.
+    /// Runs a shell script in the folder, with $GLIBRA set. Returns the exit status.
     int shell(const std::string& script) {
         folder.write("script.sh", "GLIBRA='" GLIBRA_PROGRAM "'\n" + script);
         const int status =
@@ -45,7 +45,7 @@ class Survival : public testing::Test {
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     std::string log() { return readFile(folder / "log"); }
-    /// Names of temporary files left anywhere.
+    /// The names of all temporary files that were left.
     std::string leftovers() {
         std::string names;
         for (const auto& each : fs::recursive_directory_iterator(folder.path()))
@@ -64,7 +64,7 @@ std::string count(int n, const std::string& word) {
     return std::to_string(n) + " " + word;
 }
 
-/// The lines that end with an id, without those of progress.
+/// The lines that end with an id, without the lines of progress.
 std::string diagnosticsIn(const std::string& text) {
     std::string found;
     std::istringstream lines(text);
@@ -75,7 +75,7 @@ std::string diagnosticsIn(const std::string& text) {
 
 TEST_F(Survival, AKilledWorkerCostsOneShotAndTheRestGoesOn) {
     ASSERT_EQ(run("s.toml --update").status, 0);
-    // A worker that has told of one shot and not yet begun the next costs nothing: it is tried again.
+    // A worker between two shots may be killed without consequence; then the test tries again.
     int status = 0;
     for (int i = 0; i < 5 && status == 0; ++i)
         status = shell(
@@ -139,7 +139,7 @@ TEST_F(Survival, ABatchIsTheSameWhatEverIsPreparedBesideIt) {
 }
 
 TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
-    // The shell lets its background jobs ignore SIGINT; env gives them the signal back.
+    // Background jobs of the shell ignore SIGINT; env restores the signal.
     const int status = shell(
         "env --default-signal=INT $GLIBRA test s.toml --update --jobs 1 & parent=$!\n"
         "until ls golden/*.png; do sleep .01; done\nkill -INT $parent\nwait $parent\n");
@@ -168,11 +168,45 @@ TEST_F(Survival, AKilledRunContinuesWithWhatIsMissing) {
     const Finished rest = run("s.toml --resume");
     EXPECT_EQ(rest.status, 0) << rest.err;
     EXPECT_TRUE(contains(rest.out, count(kShots, "passed"))) << rest.out;
-    // Lines that were there are kept as they were, times included.
+    // Earlier lines stay as they were, including their times.
     const std::string after = readFile(folder / "glibra-results/results.jsonl");
     const std::size_t begin = before.find('\n') + 1;
     const std::string line = before.substr(begin, before.find('\n', begin) - begin);
     EXPECT_TRUE(contains(after, line)) << line;
+}
+
+TEST_F(Survival, AMergeOfKilledRunsIsAnErrorUntilTheyAreResumed) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    // Shard 1 is killed after one result, shard 2 after three.
+    shell(
+        "for shard in 1 2; do\n"
+        "  $GLIBRA test s.toml --shard $shard/2 --results r$shard --jobs 1 & run=$!\n"
+        "  until [ $(cat r$shard/results.jsonl | wc -l) -gt $((shard * 2 - 1)) ]; do sleep .01; done\n"
+        "  kill -9 $run\n  wait $run\ndone\n");
+    const Finished early = run("--merge r1 r2 --results all --junit j.xml --report page");
+    EXPECT_EQ(early.status, 3) << early.out;
+    EXPECT_TRUE(contains(early.err, "result-E03")) << early.err;
+    EXPECT_TRUE(contains(early.err, "planned shots have no verdict")) << early.err;
+    EXPECT_TRUE(contains(early.out, "incomplete: ")) << early.out;
+    EXPECT_TRUE(contains(readFile(folder / "j.xml"), "<error message=")) << readFile(folder / "j.xml");
+    EXPECT_TRUE(contains(readFile(folder / "page/index.html"), "planned shots have no verdict"));
+    for (const std::string shard : {"1", "2"})
+        EXPECT_EQ(run("s.toml --shard " + shard + "/2 --resume --results r" + shard).status, 0);
+    const Finished whole = run("--merge r1 r2 --results all");
+    EXPECT_EQ(whole.status, 0) << whole.err;
+    EXPECT_TRUE(contains(whole.out, count(kShots, "passed"))) << whole.out;
+}
+
+TEST_F(Survival, AMergeOfAnInterruptedRunIsAnError) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    const int status = shell(
+        "rm -r glibra-results\nenv --default-signal=INT $GLIBRA test s.toml --jobs 1 & parent=$!\n"
+        "until [ $(cat glibra-results/results.jsonl | wc -l) -gt 2 ]; do sleep .01; done\n"
+        "kill -INT $parent\nwait $parent\n");
+    EXPECT_EQ(status, 130) << log();
+    const Finished merged = run("--merge glibra-results --results all");
+    EXPECT_EQ(merged.status, 3) << merged.out;
+    EXPECT_TRUE(contains(merged.err, "result-E03")) << merged.err;
 }
 
 TEST_F(Survival, TwoRunsInOneFolderBothGiveRightResults) {
@@ -209,13 +243,13 @@ TEST_F(Survival, ATruncatedGoldenFailsItsShotOnly) {
     EXPECT_EQ(run("s.toml").status, 0);
 }
 
-TEST_F(Survival, GoldensThatCannotBeWrittenAreToldAndStay) {
+TEST_F(Survival, GoldensThatCannotBeWrittenAreReportedAndStay) {
     ASSERT_EQ(run("s.toml --update").status, 0);
     const std::string before = readFile(folder / "golden/a@uRounds=200.png");
     folder.write("a.frag",
                  "#version 330 core\nuniform int uRounds;\nout vec4 f;\nvoid main() { f = vec4(fract(float("
                  "uRounds) * gl_FragCoord.xy / 500.), 0., 1.); }\n");
-    // Root may write anywhere, so that another user has to try.
+    // Root may write anywhere, so another user has to try.
     const bool root = ::geteuid() == 0;
     const std::string user = root ? "setpriv --reuid=65534 --clear-groups " : "";
     const int status =
@@ -229,7 +263,7 @@ TEST_F(Survival, GoldensThatCannotBeWrittenAreToldAndStay) {
     EXPECT_EQ(leftovers(), "");
 }
 
-TEST_F(Survival, AFullDiskIsToldAndNothingIsHalfWritten) {
+TEST_F(Survival, AFullDiskIsReportedAndNothingIsHalfWritten) {
     if (shell("mkdir small && mount -t tmpfs -o size=256k tmpfs small\n") != 0)
         GTEST_SKIP() << "mounting is not permitted: " << log();
     const int status = shell(

@@ -189,8 +189,8 @@ TEST(UnusableProgram, ReportsItsErrorsOnceAndKeepsItsDraws) {
     const auto program = hand.program("Dots");
     hand.scene.programs.back().uniforms.push_back(number("uKa", 1));
     programs.byIndex[program].facts.diagnostics = {
-        error("glsl-E01", "'vMC' : undeclared identifier", {"a.frag", 3, 1}),
-        warning("glsl-W01", "no #version", {"a.frag", 1, 1})};
+        diagnose("glsl-E01", "'vMC' : undeclared identifier", {"a.frag", 3, 1}),
+        diagnose("glsl-W01", "no #version", {"a.frag", 1, 1})};
     hand.sphere();
     hand.sphere().flatColors = true;  // a second variant with the same messages
     const FramePlan plan = programs.plan(hand.scene);

@@ -62,12 +62,12 @@ TEST(DifferentFrames, OfAWrongSceneAreOne) {
 }
 
 Diagnostic nan(int line, const std::string& text) {
-    return warning("draw-W06", text, {"s.glib", line, 1});
+    return diagnose("draw-W06", text, {"s.glib", line, 1});
 }
 
 TEST(JoinedRemarks, AreThoseOfTheFirstFrame) {
-    const Diagnostic load = warning("glib-W01", "load", {"s.glib", 2, 1});
-    const Diagnostic write = error("file-E10", "write");
+    const Diagnostic load = diagnose("glib-W01", "load", {"s.glib", 2, 1});
+    const Diagnostic write = diagnose("file-E10", "write");
     const AnimationRemarks even{{load}, {{2, {nan(5, "2a"), nan(5, "2b")}}, {4, {nan(7, "4")}}}};
     const AnimationRemarks odd{{load, write}, {{1, {nan(7, "1")}}, {3, {nan(5, "3"), nan(9, "3")}}}};
     for (const auto& parts : {std::vector{even, odd}, std::vector{odd, even}}) {

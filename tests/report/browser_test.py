@@ -228,7 +228,7 @@ class Report(unittest.TestCase):
         self.browser.press(*"999")
         self.assertEqual(self.listed(), ["sample/pass04999"])
         self.browser.press(*"9")
-        self.assertEqual(self.browser.run("return document.querySelector('.nothing').textContent"), "No shot fits.")
+        self.assertEqual(self.browser.run("return document.querySelector('.nothing').textContent"), "No shot matches.")
         self.browser.run("""const search = document.querySelector('#search');
             search.value = ''; search.dispatchEvent(new Event('input'))""")
         self.browser.click("#chips [data-verdict=missing]")

@@ -1,6 +1,6 @@
 // usage: glibra_sample_report FOLDER [PASSES]
-// Writes FOLDER/results with a shot of every verdict and FOLDER/report, its HTML report. browser_test.py
-// knows what is in them.
+// Writes FOLDER/results with a shot of every verdict, and
+// FOLDER/report with its HTML report. browser_test.py expects exactly these.
 
 #include <algorithm>
 #include <charconv>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 64, kHeight = 48;
 
-/// Red grows to the right, green downwards, blue is 128.
+/// Red increases to the right, green downwards; blue is 128.
 image::Image gradient(int width = kWidth, int height = kHeight) {
     image::Image picture{width, height, 3, image::Component::u8, {}};
     picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(height));
@@ -42,7 +42,7 @@ image::Image gradient(int width = kWidth, int height = kHeight) {
     return picture;
 }
 
-/// The gradient with 5 more red and 9 less blue in the square from 20 10 to 29 19.
+/// The gradient with 5 more red and 9 less blue in the square from 20, 10 to 29, 19.
 image::Image withSquare() {
     image::Image picture = gradient();
     for (std::size_t y = 10; y < 20; ++y)
@@ -63,7 +63,7 @@ image::Image differenceOf(const image::Image& a, const image::Image& b) {
     return picture;
 }
 
-/// 16 bits with alpha: the pixel 3 2 has colour but alpha 0, which a canvas would lose.
+/// 16 bits with alpha. The pixel at 3, 2 has a colour but alpha 0, which a canvas would lose.
 image::Image deep(std::uint16_t red) {
     image::Image picture{8, 8, 4, image::Component::u16, {}};
     for (int pixel = 0; pixel < 64; ++pixel) {
@@ -155,9 +155,9 @@ suite::RunResult sampleRun(const fs::path& results, int passes) {
     run.shots.push_back(shot("scene", Verdict::failed));
     run.shots.back().reason = "the scene has errors: </script><b>bold</b>";
     run.shots.back().diagnostics = {
-        error("file-E01", "cannot find '<img src=x onerror=window.hacked=2>.vert'", {"scene.glib", 3, 8}),
-        warning("glib-W02", "text after the continuation backslash ignored", {"scene.glib", 4, 1}),
-        error("glsl-E01", "a place <outside>", {"other.frag", 1, 1})};
+        diagnose("file-E01", "cannot find '<img src=x onerror=window.hacked=2>.vert'", {"scene.glib", 3, 8}),
+        diagnose("glib-W02", "text after the continuation backslash ignored", {"scene.glib", 4, 1}),
+        diagnose("glsl-E01", "a place <outside>", {"other.frag", 1, 1})};
     run.shots.push_back(shot("crashed", Verdict::crashed));
     run.shots.push_back(shot("timed-out", Verdict::timedOut));
     return run;

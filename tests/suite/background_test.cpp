@@ -5,6 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 namespace glibra::suite {
@@ -12,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Holds up the job that passes through it.
+/// Blocks a job that passes through it until it is opened.
 class Gate {
   public:
     void pass() const { opened_.wait(); }
@@ -85,6 +87,23 @@ TEST(Background, TakesAJobOfAnySizeWhereNoneWaits) {
     background.add([&] { isDone = true; }, std::size_t{1} << 40U);
     background.wait();
     EXPECT_TRUE(isDone);
+}
+
+TEST(Background, PassesOnTheFirstExceptionAndDoesTheOtherJobs) {
+    Background background;
+    int done = 0;
+    background.add([] { throw std::bad_alloc(); });
+    background.add([] { throw std::runtime_error("later"); });
+    background.add([&] { ++done; });
+    EXPECT_THROW(background.wait(), std::bad_alloc);
+    EXPECT_EQ(done, 1);
+    background.add([&] { ++done; });
+    background.finish();
+    EXPECT_EQ(done, 2);
+    EXPECT_NO_THROW({
+        Background forgotten;
+        forgotten.add([] { throw std::bad_alloc(); });
+    });
 }
 
 }  // namespace

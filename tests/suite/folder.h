@@ -1,5 +1,5 @@
 #pragma once
-// A folder that is removed at the end of a test, and what is put into it.
+// A temporary folder that is removed at the end of a test, and functions to write and read files.
 
 #include <unistd.h>
 

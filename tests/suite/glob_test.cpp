@@ -1,4 +1,4 @@
-// Patterns, beside fnmatch() of the C library.
+// Patterns, compared with fnmatch() of the C library.
 
 #include "suite/file/glob.h"
 
@@ -38,7 +38,7 @@ TEST(Glob, AgreesWithTheCLibraryOnRandomPatterns) {
     for (int i = 0; i < 200'000; ++i) {
         const std::string pattern = text(alphabet.size());
         const std::string name = text(2);
-        // POSIX leaves reversed ranges, slashes in a set and sets that are not closed open.
+        // POSIX does not define reversed ranges, slashes in a set, and sets without an end.
         if (pattern.find('-') != std::string::npos || pattern.find('/') != std::string::npos) continue;
         if (pattern.find('[') != std::string::npos &&
             (pattern.find('[', pattern.find('[') + 1) != std::string::npos ||
@@ -74,7 +74,7 @@ TEST(Glob, FindsFilesPartByPart) {
     EXPECT_EQ(found(folder, "b/.h*"), "b/.hidden.glib ");
     EXPECT_EQ(found(folder, "a/**/**/z.glib"), "a/deep/er/z.glib ");
     EXPECT_EQ(found(folder, "*.toml"), "");
-    EXPECT_EQ(found(folder, "a"), "");  // a folder is no file
+    EXPECT_EQ(found(folder, "a"), "");  // a folder is not a file
     EXPECT_EQ(found(folder, ""), "");
 }
 

@@ -16,7 +16,7 @@ class Goldens : public testing::Test {
         suite.goldens = folder / "goldens";
     }
     GoldenStore store() const { return *GoldenStore::open(suite); }
-    /// Writes a golden by its file name, as a person would.
+    /// Writes a golden under its file name, as a person would.
     void put(const std::string& name, const image::Image& image) const {
         ASSERT_TRUE(store().replace(shotNamed(name), "", image));
     }

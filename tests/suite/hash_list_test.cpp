@@ -56,7 +56,7 @@ TEST(HashList, ANewGoldenVoidsTheLinesOfTheOldOne) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 2) << text;
 }
 
-TEST(HashList, BrokenLinesAreToldWithTheirNumberAndLeftOut) {
+TEST(HashList, BrokenLinesAreReportedWithTheirNumberAndLeftOut) {
     const Folder folder;
     writeText(folder / "s.hashes", "# heading\n" + toLine(line("a", 1, 5)) +
                                        "\r\n<<<<<<< HEAD\nb - 00 00 k\n" + toLine(line("c", 1, 5)));

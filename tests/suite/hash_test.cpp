@@ -8,7 +8,7 @@
 namespace glibra::suite {
 namespace {
 
-// The value for no bytes and seed 0 in xxHash's own self-test (tests/sanity_test_vectors.h of 0.8).
+// The value for no bytes and seed 0 in the self-test of xxHash (tests/sanity_test_vectors.h of 0.8).
 TEST(Hash, IsThePublishedXxh3OfNoBytes) {
     EXPECT_EQ(toText(hashOf(std::span<const std::byte>{})), "99aa06d3014798d86001c324468d497f");
 }

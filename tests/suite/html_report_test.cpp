@@ -26,7 +26,7 @@ image::Image noise(int width, int height, int components, image::Component type)
     return picture;
 }
 
-/// What the page's script does with the text of packedPixels, written independently of the writer.
+/// Unpacks the text of packedPixels as the script of the page does, written independently of the writer.
 std::vector<std::byte> unpacked(const std::string& json, std::size_t size) {
     const auto parsed = nlohmann::json::parse(json);
     std::vector<std::byte> compressed;
@@ -62,7 +62,7 @@ TEST(PackedPixels, ComeBackBitForBit) {
             }
 }
 
-TEST(PackedPixels, LeaveOutAlphaThatSaysNothing) {
+TEST(PackedPixels, LeaveOutAnOpaqueAlpha) {
     image::Image picture = noise(4, 4, 4, image::Component::u8);
     for (std::size_t i = 3; i < picture.data.size(); i += 4) picture.data[i] = std::byte{255};
     EXPECT_EQ(nlohmann::json::parse(packedPixels(picture)).at("components"), 3);
@@ -94,7 +94,7 @@ class HtmlReport : public testing::Test {
         shot.got = "b.png";
         return shot;
     }
-    /// The data of the page.
+    /// The JSON data in the page.
     nlohmann::json data() const {
         const std::string page = textOf(folder / "report/index.html");
         const std::string begin = "<script type=\"application/json\" id=\"data\">";
@@ -117,7 +117,7 @@ class HtmlReport : public testing::Test {
 TEST_F(HtmlReport, HasTheWarningsOfPasses) {
     ShotResult shot = failed();
     shot.verdict = Verdict::passed;
-    shot.diagnostics = {note("draw-N01", "no LookAt"), warning("glib-W23", "no uniform 'uKe'")};
+    shot.diagnostics = {diagnose("draw-N01", "no LookAt"), diagnose("glib-W23", "no uniform 'uKe'")};
     EXPECT_TRUE(write({shot}).empty());
     const nlohmann::json told = data().at("shots").at(0).at("diagnostics");
     ASSERT_EQ(told.size(), 1U);
@@ -165,7 +165,7 @@ TEST_F(HtmlReport, KeepsOnePictureOfAPassByEqualBytes) {
     EXPECT_EQ(data().at("shots").at(0).at("expected"), "pictures/" + files("pictures").front());
 }
 
-TEST_F(HtmlReport, TellsAPictureThatIsNotThereAndOneThatIsNone) {
+TEST_F(HtmlReport, ReportsAMissingPictureAndAFileThatIsNotAPicture) {
     ShotResult absent = failed(), damaged = failed();
     absent.got = "gone.png";
     damaged.got = "text.png";
@@ -206,7 +206,7 @@ TEST_F(HtmlReport, HoldsEachSceneOnce) {
     writeText(folder / "results/scene.glib", "Sphere 1\n\xff\n");
     ShotResult shot = failed();
     shot.script = "scene.glib";
-    shot.diagnostics.push_back(warning("glib-W01", "x", {"scene.glib", 1, 1}));
+    shot.diagnostics.push_back(diagnose("glib-W01", "x", {"scene.glib", 1, 1}));
     ASSERT_TRUE(write({shot, shot, shot}).empty());
     ASSERT_EQ(data().at("sources").size(), 1U);
     EXPECT_EQ(data().at("sources").at(0).at("text"), "Sphere 1\n\xef\xbf\xbd\n");

@@ -21,12 +21,23 @@ ShotResult shot(const std::string& name, Verdict verdict, const std::string& got
     return made;
 }
 
+/// A run that planned these shots, and is complete if it skips none.
 RunResult run(const std::string& shard, std::vector<ShotResult> shots) {
     RunResult made;
     made.driver = "llvmpipe";
     made.shard = shard;
     made.shots = std::move(shots);
+    made.planned.emplace();
+    for (const ShotResult& each : made.shots) made.planned->push_back({each.suite, {each.shot}});
+    made.complete = missingShots(made).empty();
     return made;
+}
+
+/// The same run as it is when it was killed after so many shots.
+RunResult killed(RunResult run, std::size_t after) {
+    run.shots.resize(after);
+    run.complete = false;
+    return run;
 }
 
 std::string ids(const Diagnostics& diagnostics) {
@@ -88,7 +99,7 @@ TEST_F(Merge, GivesTheSameForAnyOrderOfTheFolders) {
     } while (std::next_permutation(folders.begin(), folders.end()));
 }
 
-TEST_F(Merge, TellsTheShardsThatAreMissing) {
+TEST_F(Merge, ReportsMissingShards) {
     add("1", run("1/4", {shot("a", Verdict::passed)}));
     add("3", run("3/4", {shot("b", Verdict::passed)}));
     const Result<RunResult> result = merged();
@@ -98,7 +109,7 @@ TEST_F(Merge, TellsTheShardsThatAreMissing) {
     EXPECT_EQ(result->shots.size(), 2U);
 }
 
-TEST_F(Merge, TellsAHugeNumberOfMissingShardsInOneLine) {
+TEST_F(Merge, ReportsAHugeNumberOfMissingShardsInOneLine) {
     add("1", run("1/2000000000", {shot("a", Verdict::passed)}));
     const Result<RunResult> result = merged();
     ASSERT_EQ(ids(result.diagnostics), "result-E03 ");
@@ -116,7 +127,7 @@ TEST_F(Merge, RefusesToCallShardsOfDifferentCountsWhole) {
     EXPECT_EQ(ids(merged().diagnostics), "result-E04 ");
 }
 
-TEST_F(Merge, OfTwoVerdictsTheFailureCountsAndTheOtherIsTold) {
+TEST_F(Merge, OfTwoVerdictsTheFailureCountsAndTheDifferenceIsReported) {
     add("a", run("", {shot("x", Verdict::passed), shot("y", Verdict::crashed), shot("z", Verdict::failed)}));
     add("b", run("", {shot("x", Verdict::failed), shot("y", Verdict::passed), shot("z", Verdict::failed)}));
     const Result<RunResult> result = merged();
@@ -133,7 +144,58 @@ TEST_F(Merge, SkippedLosesAgainstAnythingAndSilently) {
     const Result<RunResult> result = merged();
     ASSERT_TRUE(result);
     EXPECT_EQ(verdicts(*result), "x:passed y:passed z:skipped ");
+    EXPECT_EQ(ids(result.diagnostics), "result-E03 result-E03 ") << "both runs were stopped";
+}
+
+TEST_F(Merge, AKilledRunIsAnErrorWithTheShotsThatAreMissing) {
+    const RunResult whole =
+        run("1/2", {shot("a", Verdict::passed), shot("b", Verdict::passed), shot("c", Verdict::passed)});
+    for (std::size_t after = 0; after <= 3; ++after) {
+        folders.clear();
+        add("1", killed(whole, after));
+        add("2", run("2/2", {shot("d", Verdict::passed)}));
+        const Result<RunResult> result = merged();
+        ASSERT_TRUE(result) << after;
+        ASSERT_EQ(ids(result.diagnostics), "result-E03 ") << after;
+        EXPECT_FALSE(result->complete);
+        EXPECT_EQ(missingShots(*result).size(), 3 - after);
+        const std::string& text = result.diagnostics[0].text;
+        EXPECT_NE(text.find((folder / "1").string()), std::string::npos) << text;
+        EXPECT_EQ(text.find("s/c") != std::string::npos, after < 3) << text;
+        // The merged folder is no better than what it was made of.
+        const std::vector<fs::path> again{folder / "into"};
+        EXPECT_EQ(mergeResults(again, folder / "again").diagnostics.empty(), false) << after;
+    }
+}
+
+TEST_F(Merge, AKilledRunIsCoveredByOneThatIsWhole) {
+    const RunResult whole = run("", {shot("a", Verdict::passed), shot("b", Verdict::passed)});
+    add("1", killed(whole, 1));
+    add("2", whole);
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
     EXPECT_EQ(ids(result.diagnostics), "");
+    EXPECT_TRUE(result->complete);
+    EXPECT_TRUE(readResults(folder / "into")->complete);
+}
+
+TEST_F(Merge, AFileWithoutAPlanIsAnError) {
+    RunResult old = run("", {shot("a", Verdict::passed)});
+    old.planned.reset();
+    add("1", old);
+    EXPECT_EQ(ids(merged().diagnostics), "result-E03 ");
+    folders.clear();
+    add("2", killed(run("", {shot("a", Verdict::passed)}), 0));
+    EXPECT_EQ(ids(merged().diagnostics), "result-E03 ") << "only a header";
+}
+
+TEST_F(Merge, NoCutOfAResultsFileMergesWithoutAnError) {
+    add("1", run("", {shot("a", Verdict::passed), shot("b", Verdict::passed)}));
+    const std::string whole = textOf(folder / "1/results.jsonl");
+    for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+        writeText(folder / "1/results.jsonl", whole.substr(0, length));
+        EXPECT_TRUE(hasError(merged().diagnostics)) << length;
+    }
 }
 
 TEST_F(Merge, KeepsBothOfTwoPicturesWithOneName) {
@@ -173,7 +235,7 @@ TEST_F(Merge, SaysWhichDriverDrewAShotWhereTheyDiffer) {
     EXPECT_EQ(result->shots[1].driver, "NVIDIA");
 }
 
-TEST_F(Merge, AFolderThatCannotBeReadIsToldAndTheOthersAreJoined) {
+TEST_F(Merge, AFolderThatCannotBeReadIsReportedAndTheOthersAreMerged) {
     add("1", run("1/2", {shot("a", Verdict::passed)}));
     folders.push_back(folder / "died");
     const Result<RunResult> result = merged();

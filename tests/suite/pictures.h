@@ -12,7 +12,7 @@
 
 namespace glibra::suite {
 
-/// 8-bit RGB, `value(x, y, component)`.
+/// An 8-bit RGB picture of `value(x, y, component)`.
 inline image::Image picture(int width, int height, const std::function<int(int, int, int)>& value) {
     image::Image image{width, height, 3, image::Component::u8, {}};
     for (int y = 0; y < height; ++y)
@@ -30,7 +30,7 @@ inline image::Image oneColor(int value) {
     return picture(32, 32, [value](int, int, int) { return value; });
 }
 
-/// 32-bit float RGB of one colour but for one pixel.
+/// A 32-bit float RGB picture of one colour, except for one pixel.
 inline image::Image floats(float most, float one) {
     image::Image image{8, 8, 3, image::Component::f32, {}};
     std::vector<float> values(192, most);

@@ -121,6 +121,7 @@ RunResult ResultsMaker::run() {
     made.command = text();
     made.seconds = figure();
     made.began = text();
+    if (chance()) made.planned = {{text(), {text(), text()}}, {text(), {}}};
     return made;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Results with every member filled, by chance but the same in each run.
+// Makes random results with every member set, the same in each run.
 
 #include <random>
 
@@ -25,7 +25,7 @@ class ResultsMaker {
     std::mt19937_64 random_;
 };
 
-/// Equal member by member; NaN equals NaN, and 0 is not -0.
+/// Expects equality member by member. NaN equals NaN, and 0 differs from -0.
 void expectEqual(const ShotResult& a, const ShotResult& b);
 
 }  // namespace glibra::suite

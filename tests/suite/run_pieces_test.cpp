@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "suite/options/option_words.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/run/run_messages.h"
 
@@ -56,7 +57,7 @@ TEST(Messages, ComeBack) {
     EXPECT_FALSE(std::get<Done>(*parseMessage(toText(done))).accepted);
 }
 
-TEST(Messages, NonsenseIsNone) {
+TEST(Messages, NonsenseIsNotAMessage) {
     for (const char* bad : {"", "x", "b 1", "q 1 2\n", "d 1 2\nno json\n"})
         EXPECT_FALSE(parseMessage(bad)) << bad;
 }

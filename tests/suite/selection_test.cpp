@@ -1,4 +1,4 @@
-// Which shots run where.
+// Tests of --only and --shard: which shots run on which machine.
 
 #include "suite/file/selection.h"
 
@@ -54,7 +54,7 @@ TEST(Shards, CoverEveryShotOnce) {
 }
 
 TEST(Shards, AreAboutOfOneSize) {
-    // 10,000 shots on 16 machines: 625 each, standard deviation of a fair choice 24.
+    // 10,000 shots on 16 machines: 625 each, with a standard deviation of 24 for a random choice.
     const Suite suite = numbered(10'000);
     for (int i = 1; i <= 16; ++i) {
         const auto count = static_cast<double>(select(suite, {}, {i, 16}).size());
@@ -77,7 +77,8 @@ TEST(Shards, StayWhereTheyAreWhenShotsAreAdded) {
 }
 
 TEST(Shards, AreGivenByTheDocumentedHash) {
-    // h of ("start", "teapot") by an independent program: FNV-1a 64, then MurmurHash3's fmix64 (Python).
+    // The hash of ("start", "teapot") from an independent program: FNV-1a 64, then fmix64 of MurmurHash3
+    // (Python).
     EXPECT_EQ(shardOf("start", "teapot", 1000), 609);
     EXPECT_EQ(shardOf("", "", 1000), 267);
     EXPECT_NE(shardOf("ab", "c", 1'000'000), shardOf("a", "bc", 1'000'000));
@@ -140,10 +141,10 @@ TEST(Selection, NamesPatternsThatMeanNothing) {
     const auto problems =
         unmatchedPatterns(suites, std::vector<std::string>{"teapto", "ovla", "tag:slwo", "x*", "cow"});
     ASSERT_EQ(problems.size(), 4U);
-    EXPECT_EQ(problems[0].text, "--only 'teapto' means no shot; did you mean 'teapot'?");
-    EXPECT_EQ(problems[1].text, "--only 'ovla' means no shot; did you mean 'oval'?");
-    EXPECT_EQ(problems[2].text, "--only 'tag:slwo' means no shot; did you mean 'tag:slow'?");
-    EXPECT_EQ(problems[3].text, "--only 'x*' means no shot");
+    EXPECT_EQ(problems[0].text, "no shot matches --only 'teapto'; did you mean 'teapot'?");
+    EXPECT_EQ(problems[1].text, "no shot matches --only 'ovla'; did you mean 'oval'?");
+    EXPECT_EQ(problems[2].text, "no shot matches --only 'tag:slwo'; did you mean 'tag:slow'?");
+    EXPECT_EQ(problems[3].text, "no shot matches --only 'x*'");
     EXPECT_EQ(problems[3].id, "suite-E15");
 }
 

@@ -1,4 +1,4 @@
-// What is prepared beside a shot changes no picture and no message, whatever the next ones turn out to be.
+// Preparing the next shots changes neither the picture nor the messages of a shot.
 
 #include "suite/run/shot_renderer.h"
 
@@ -80,7 +80,7 @@ TEST_F(ShotRendering, IsTheSameWithEveryPairOfShotsPrepared) {
             }
 }
 
-TEST_F(ShotRendering, MayBeToldWrongly) {
+TEST_F(ShotRendering, IgnoresWrongPredictions) {
     ShotRenderer renderer(*context, true);
     for (std::size_t i = 0; i < 3 * shots.size(); ++i) {
         const std::size_t next = (i * 5 + 2) % shots.size();

@@ -1,4 +1,4 @@
-// Suite files that are right: what shots they make.
+// Correct suite files and the shots that they make.
 
 #include "suite/file/suite_file.h"
 
@@ -114,7 +114,7 @@ match = "left/one"
     EXPECT_EQ(suite->shots[1].match, "left/one");
 }
 
-TEST(SuiteFile, LeavesWhatIsNotSaidAtItsDefault) {
+TEST(SuiteFile, MissingKeysKeepTheirDefaults) {
     const SceneFolder folder{"a.glib"};
     const auto suite = folder.read("[[shot]]\nscript = 'a.glib'\n");
     ASSERT_TRUE(suite) << folder.shown(suite);
@@ -164,7 +164,7 @@ TEST(SuiteFile, MakesAShotOfEveryValueOfASweep) {
     EXPECT_EQ(suite->shots[1].options.set, (Strings{"uTol=0.1"}));
 }
 
-TEST(SuiteFile, TellsAVectorFromASweepByWhereItStands) {
+TEST(SuiteFile, AListIsAVectorInSetAndSeveralValuesInSweep) {
     const SceneFolder folder{"a.glib"};
     const auto one = folder.read("[[shot]]\nscript = 'a.glib'\nset = { uColor = [0, 0.1, 0.2] }\n");
     ASSERT_TRUE(one);
@@ -247,7 +247,7 @@ TEST(SuiteFile, ShortensPathsOfScripts) {
         readSuiteText("[[shot]]\nscript = '../glib/a.glib'\n", folder.path() / "scenes/s.toml");
     ASSERT_TRUE(suite);
     EXPECT_EQ(suite->shots.at(0).script, folder.path() / "glib/a.glib");
-    // Behind a link the short way would lead elsewhere.
+    // Through a link, the shortened path would lead to another place.
     fs::create_directories(folder.path() / "far/away");
     fs::create_directory_symlink(folder.path() / "scenes", folder.path() / "far/away/link");
     const auto linked =

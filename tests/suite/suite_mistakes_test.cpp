@@ -1,4 +1,4 @@
-// Suite files that are wrong: every mistake has its place, its id and a way out.
+// Wrong suite files: every mistake is reported with its place, its id and a way to correct it.
 
 #include <gtest/gtest.h>
 
@@ -16,18 +16,17 @@ namespace {
 struct Mistake {
     const char* name;
     std::string text;
-    std::string message;  ///< "line:column id text" of each, one a line
+    std::string message;  ///< "line:column id text" per message, one per line
 };
 
-// GoogleTest calls it by this name.
-// NOLINTNEXTLINE(readability-identifier-naming)
+// GoogleTest needs this name.
 void PrintTo(const Mistake& mistake, std::ostream* to) {
     *to << mistake.name;
 }
 
 class SuiteMistake : public testing::TestWithParam<Mistake> {};
 
-TEST_P(SuiteMistake, IsToldWithItsPlace) {
+TEST_P(SuiteMistake, IsReportedWithItsPlace) {
     const SceneFolder folder{"teapot.glib", "start/cow.glib"};
     const auto suite = folder.read(GetParam().text);
     EXPECT_FALSE(suite);
@@ -82,10 +81,10 @@ INSTANTIATE_TEST_SUITE_P(
             "WrongView",
             shot("eye-transform = [1, 2]\nprojection = 'flat'\nbackground = [1, 'a', 0]\n"
                  "object-transform = { teapot = [1] }"),
-            "3:17 suite-E03 eye-transform: a list of 16 numbers, column by column, is wanted, not a list\n"
-            "4:14 suite-E03 projection: \"scene\", \"perspective\" or \"orthographic\" is wanted, not the "
+            "3:17 suite-E03 eye-transform: expected a list of 16 numbers, column by column, found a list\n"
+            "4:14 suite-E03 projection: expected \"scene\", \"perspective\" or \"orthographic\", found the "
             "text 'flat'\n"
-            "5:18 suite-E03 background: a number is wanted, not the text 'a'\n"
+            "5:18 suite-E03 background: expected a number, found the text 'a'\n"
             "6:22 suite-E04 object-transform: 'teapot' is not the number of a line of the scene\n"},
         Mistake{"KeyTwice", shot("time = 1\ntime = 2"),
                 "4:8 suite-E01 not TOML: key-value pair: cannot redefine existing integer 'time'\n"},
@@ -101,41 +100,41 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:15 suite-E02 unknown key 'maximum' in tolerance; did you mean 'max'?\n"
                 "3:28 suite-E02 unknown key 'flipp' in tolerance; did you mean 'flip'?\n"},
         Mistake{"UnknownToleranceKeyLikeNoOther", shot("tolerance = { percent = 3 }"),
-                "3:15 suite-E02 unknown key 'percent' in tolerance; it has the keys max, fraction, cluster, "
+                "3:15 suite-E02 unknown key 'percent' in tolerance; the keys are max, fraction, cluster, "
                 "line, bias, flip, structure, relative, absolute\n"},
         Mistake{"ShotKeyAtTheTop", "script = 'teapot.glib'\n",
                 "1:1 suite-E02 'script' belongs under [[shot]]\n"},
         Mistake{"UnknownErrorKey", shot("expect-error = { ids = 'glsl-E01' }"),
                 "3:18 suite-E02 unknown key 'ids' in expect-error; did you mean 'id'?\n"},
         Mistake{"SingleShot", "[shot]\nscript = 'teapot.glib'\n",
-                "1:1 suite-E03 shot: [[shot]] is wanted, not a table\n"},
+                "1:1 suite-E03 shot: expected [[shot]], found a table\n"},
         Mistake{"ShotIsNoTable", "shot = [1]\n",
-                "1:9 suite-E03 shot: a table under [[shot]] is wanted, not the number 1\n"},
+                "1:9 suite-E03 shot: expected a table under [[shot]], found the number 1\n"},
         Mistake{"WrongTypes",
                 shot("samples = 'four'\nstrict = 1\ntimeout = '3'\nsize = 'big'\nview = 'best'\ntags = "
                      "3\ntime = true"),
-                "3:11 suite-E03 samples: a whole number is wanted, not the text 'four'\n"
-                "4:10 suite-E03 strict: true or false is wanted, not the number 1\n"
-                "5:11 suite-E03 timeout: a number is wanted, not the text '3'\n"
-                "6:8 suite-E03 size: [WIDTH, HEIGHT] or \"WIDTHxHEIGHT\" is wanted, not the text 'big'\n"
-                "7:8 suite-E03 view: \"auto\" or \"glman\" is wanted, not the text 'best'\n"
-                "8:8 suite-E03 tags: a text between quotes, or a list of such, is wanted, not the number 3\n"
-                "9:8 suite-E03 time: a number is wanted, not true\n"},
+                "3:11 suite-E03 samples: expected a whole number, found the text 'four'\n"
+                "4:10 suite-E03 strict: expected true or false, found the number 1\n"
+                "5:11 suite-E03 timeout: expected a number, found the text '3'\n"
+                "6:8 suite-E03 size: expected [WIDTH, HEIGHT] or \"WIDTHxHEIGHT\", found the text 'big'\n"
+                "7:8 suite-E03 view: expected \"auto\" or \"glman\", found the text 'best'\n"
+                "8:8 suite-E03 tags: expected a text between quotes, or a list of such, found the number 3\n"
+                "9:8 suite-E03 time: expected a number, found true\n"},
         Mistake{"DateAsTime", shot("time = 1979-05-27"),
-                "3:8 suite-E03 time: a number is wanted, not a date or time\n"},
+                "3:8 suite-E03 time: expected a number, found a date or time\n"},
         Mistake{"HalfASample", shot("samples = 1.5"),
-                "3:11 suite-E03 samples: a whole number is wanted, not the number 1.5\n"},
+                "3:11 suite-E03 samples: expected a whole number, found the number 1.5\n"},
         Mistake{"WrongBound", shot("max-error = 0\noverride-counts = 1"),
                 "3:13 suite-E04 max-error: 0 is not between 1e-09 and 1e+06\n"
-                "4:19 suite-E03 override-counts: true or false is wanted, not the number 1\n"},
+                "4:19 suite-E03 override-counts: expected true or false, found the number 1\n"},
         Mistake{"HalfAPixel", shot("tolerance = { cluster = 1.5 }"),
-                "3:25 suite-E03 tolerance.cluster: a whole number is wanted, not the number 1.5\n"},
+                "3:25 suite-E03 tolerance.cluster: expected a whole number, found the number 1.5\n"},
         Mistake{"ListOfListsInSet", shot("set = { uColor = [[1, 0, 0], [0, 1, 0]] }"),
-                "3:19 suite-E03 set.uColor: one value is wanted, not a list of lists; a list of values "
+                "3:19 suite-E03 set.uColor: expected one value, found a list of lists; a list of values "
                 "belongs in sweep\n"},
         Mistake{
             "SweepOfOneNumber", shot("sweep = { uTol = 0.1 }"),
-            "3:18 suite-E03 sweep.uTol: a list of values, as [0, 0.1, 0.2], is wanted, not the number 0.1\n"},
+            "3:18 suite-E03 sweep.uTol: expected a list of values, as [0, 0.1, 0.2], found the number 0.1\n"},
         Mistake{"OutOfRange",
                 shot("samples = 100\ntimeout = -1\ntolerance = { flip = 2 }\nsize = [0, 70000]\ntime = [0, "
                      "1e10]\nset = "
@@ -189,21 +188,21 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SweepNamedAsOne", shot("sweep = { uA = [1, 2] }") + shot("name = 'b'\ndiffer = 'teapot'"),
                 "7:10 suite-E07 differ: there is no shot 'teapot'; there is 'teapot@uA=1', one of several\n"},
         Mistake{"Itself", shot("match = 'teapot'"),
-                "3:9 suite-E08 match: the shots name each other in a ring: teapot, teapot\n"},
+                "3:9 suite-E08 match: the shots name each other in a cycle: teapot, teapot\n"},
         Mistake{"Ring",
                 shot("name = 'a'\nmatch = 'b'") + shot("name = 'b'\ndiffer = 'c'") +
                     shot("name = 'c'\nmatch = 'a'"),
-                "12:9 suite-E08 match: the shots name each other in a ring: a, b, c, a\n"},
+                "12:9 suite-E08 match: the shots name each other in a cycle: a, b, c, a\n"},
         Mistake{
             "PatternOfNothing", "[[shot]]\nscript = 'strat/*.glib'\n",
-            "2:10 suite-E09 script: 'strat/*.glib' fits no file; there is no folder 'strat'; did you mean "
+            "2:10 suite-E09 script: no file matches 'strat/*.glib'; there is no folder 'strat'; did you mean "
             "'start'?\n"},
         Mistake{"PatternOfAnotherEnding", "[[shot]]\nscript = 'start/*.gilb'\n",
-                "2:10 suite-E09 script: 'start/*.gilb' fits no file; did you mean 'start/*.glib'?\n"},
+                "2:10 suite-E09 script: no file matches 'start/*.gilb'; did you mean 'start/*.glib'?\n"},
         Mistake{"ExceptionOfNothing", "[[shot]]\nscript = '*.glib'\nexcept = 'x*'\n",
-                "3:10 suite-E09 except: 'x*' fits no file\n"},
+                "3:10 suite-E09 except: no file matches 'x*'\n"},
         Mistake{"ExceptionOfAll", "[[shot]]\nscript = '*.glib'\nexcept = '*'\n",
-                "2:10 suite-E09 script: 'except' leaves no file\n"},
+                "2:10 suite-E09 script: 'except' excludes every file\n"},
         Mistake{"MissingScript", "[[shot]]\nscript = 'teapto.glib'\n",
                 "2:10 suite-E10 script: cannot find 'teapto.glib'; did you mean 'teapot.glib'?\n"},
         Mistake{"MissingScriptOfAList", "[[shot]]\nscript = ['teapot.glib', 'start/cwo.glib']\n",
@@ -226,11 +225,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "3:11 suite-E10 library: 'teapot.glib' is not a folder\n"},
         Mistake{"NoScript", "[[shot]]\nname = 'x'\n", "1:1 suite-E12 the shot has no script\n"},
         Mistake{"SetAndSweep", shot("set = { uA = 1 }\nsweep = { uA = [2] }"),
-                "4:11 suite-E12 'uA' stands in set and in sweep\n"},
+                "4:11 suite-E12 'uA' is in both set and sweep\n"},
         Mistake{"ErrorThatMatches", shot("") + shot("name = 'b'\nexpect-error = true\nmatch = 'teapot'"),
                 "8:9 suite-E12 a shot with expect-error makes no picture that could match or differ\n"},
         Mistake{"MatchOfAnError", shot("expect-error = true") + shot("name = 'b'\nmatch = 'teapot'"),
-                "7:9 suite-E12 match: 'teapot' has to fail and makes no picture\n"},
+                "7:9 suite-E12 match: 'teapot' expects an error, so it makes no picture\n"},
         Mistake{"MatchAndDiffer", shot("") + shot("name = 'b'\nmatch = 'teapot'\ndiffer = 'teapot'"),
                 "8:10 suite-E12 match and differ both name 'teapot'\n"},
         Mistake{"WarningExpected", shot("expect-error = 'glib-W37'"),
@@ -239,16 +238,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoShots", "[defaults]\nsamples = 4\n", "1:1 suite-E14 the suite has no [[shot]]\n"},
         Mistake{"UnknownError", shot("expect-error = 'glsl-E1'"),
                 "3:16 suite-E17 expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?\n"},
-        Mistake{
-            "ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
-            "1:1 suite-E02 unknown key 'golds' at the top of the file; it has the keys goldens, defaults, "
-            "shot\n"},
+        Mistake{"ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
+                "1:1 suite-E02 unknown key 'golds' at the top of the file; the keys are goldens, defaults, "
+                "shot\n"},
         Mistake{"ColumnsAfterUmlauts", shot("set = { \"\xc3\xa4\xc3\xb6\" = 1, uA = nan }"),
                 "3:9 suite-E05 set: '\xc3\xa4\xc3\xb6' is not the name of a uniform\n"
                 "3:26 suite-E04 set.uA: nan is not a finite 32-bit number\n"}),
     [](const testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 
-TEST(SuiteMistakes, OfAHugeSweepAreToldBeforeItIsMade) {
+TEST(SuiteMistakes, OfAHugeSweepAreReportedBeforeItIsMade) {
     const SceneFolder folder{"a.glib"};
     std::string values;
     for (int i = 0; i < 1000; ++i) values += std::to_string(i) + ", ";
@@ -280,7 +278,7 @@ TEST(SuiteMistakes, AreCountedBeyondAHundred) {
     EXPECT_EQ(suite.diagnostics.back().text, "50 more errors are not shown");
 }
 
-TEST(SuiteMistakes, OfFilesAreTold) {
+TEST(SuiteMistakes, OfFilesAreReported) {
     const SceneFolder folder{"a.glib", "start.toml", "empty/notes.txt", "twice/a b.glib", "twice/a_b.glib"};
     const auto message = [&](const char* name) { return folder.shown(readSuite(folder.path() / name)); };
     EXPECT_EQ(message("strat.toml"), "1:1 file-E01 cannot find 'strat.toml'; nearest: 'start.toml'\n");
@@ -302,7 +300,7 @@ TEST(SuiteMistakes, OfALongRingShowItsBeginning) {
     const auto suite = folder.read(text);
     ASSERT_EQ(suite.diagnostics.size(), 1U);
     EXPECT_EQ(suite.diagnostics[0].text,
-              "match: the shots name each other in a ring: s0, s1, s2, s3, s4, s5, ..., s0");
+              "match: the shots name each other in a cycle: s0, s1, s2, s3, s4, s5, ..., s0");
 }
 
 }  // namespace

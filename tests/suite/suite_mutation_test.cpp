@@ -1,4 +1,4 @@
-// Suite files damaged at random: never a crash, always a place.
+// Suite files with random damage never crash the reader, and every error has a place.
 
 #include <gtest/gtest.h>
 
@@ -163,7 +163,7 @@ TEST(SuiteMutation, GivesAPlaceOrASuiteAndNeverCrashes) {
     const SceneFolder folder{"a.glib", "b.glib", "n/x.glib", "n/y.glib"};
     const std::string whole(kWhole);
     const auto unharmed = folder.read(whole);
-    // "ä" is no uniform's name; without it the suite is right.
+    // "ä" is not a valid name of a uniform. Without it the suite is correct.
     ASSERT_EQ(folder.shown(unharmed), "15:21 suite-E05 set: '\xc3\xa4' is not the name of a uniform\n");
     std::string base = whole;
     base.replace(base.find("\"ä\""), 4, "uA");
@@ -219,7 +219,7 @@ TEST(SuiteMutation, SurvivesTextsThatNestWithoutEnd) {
         ASSERT_EQ(suite.diagnostics.size(), 1U) << text.substr(0, 40);
         EXPECT_EQ(suite.diagnostics[0].id, "suite-E01") << text.substr(0, 40);
     }
-    // As many dots outside of keys mean nothing.
+    // The same number of dots outside of keys is allowed.
     EXPECT_EQ(folder.show("# " + repeated(".", 100) + "\n[[shot]]\nscript = 'a.glib'\nset = { uA = '1" +
                           repeated(" .5", 100) + "', uB = [" + repeated("0.5, ", 100) + "] }\n"),
               "a\n");

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of suite files share: a folder with scenes in it, and suites from text.
+// A folder with scenes, and suites from text, for the tests of suite files.
 
 #include <glibra/result.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace glibra::suite::test {
 
-/// A new folder with empty scenes of these names, removed with the object.
+/// A new folder with empty scenes of these names. It is removed with the object.
 class SceneFolder {
   public:
     explicit SceneFolder(std::initializer_list<std::string_view> scenes = {}) {
@@ -38,12 +38,12 @@ class SceneFolder {
         std::ofstream(path_ / name, std::ios::binary) << content;
     }
 
-    /// The suite "s.toml" of this folder with this text.
+    /// Reads the suite "s.toml" of this folder, which has this text.
     [[nodiscard]] Result<Suite> read(std::string_view text) const {
         return readSuiteText(text, path_ / "s.toml");
     }
 
-    /// Its shots' names, one a line; of a suite with errors these: "line:column id text", without the folder.
+    /// The names of its shots, one per line; or its errors, as "line:column id text" without the folder.
     [[nodiscard]] std::string show(std::string_view text) const { return shown(read(text)); }
 
     [[nodiscard]] std::string shown(const Result<Suite>& suite) const {

@@ -12,7 +12,7 @@
 namespace glibra::suite {
 namespace {
 
-const std::vector<ShotReference> kShots{{0, 1}, {0, 2}, {0, 3}};  // the one that was drawn first
+const std::vector<ShotReference> kShots{{0, 1}, {0, 2}, {0, 3}};  // the first was being drawn
 const char* const kNames[] = {"drawn", "next", "last"};
 
 ShotResult resultOf(const char* shot, Verdict verdict) {
@@ -28,7 +28,8 @@ Suspicions ofAll() {
     return suspicions;
 }
 
-/// "drawn good, next bad, last good": what is told once all have been drawn by themselves, in every order.
+/// "drawn good, next bad, last good": the results that are reported when all shots have been drawn by
+/// themselves, in every order.
 std::set<std::string> told(const std::array<Verdict, 3>& verdicts) {
     std::set<std::string> texts;
     std::array<std::size_t, 3> order{0, 1, 2};

@@ -1,4 +1,4 @@
-// The reports that are one text: JUnit XML and the terminal's.
+// Tests of the reports that consist of one text: JUnit XML and the terminal report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,7 +125,7 @@ TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
     for (const char each : xml)
         ASSERT_TRUE(static_cast<unsigned char>(each) >= 0x20 || each == '\n' || each == '\t' || each == '\r');
     EXPECT_EQ(xml.find('\x7f'), std::string::npos);
-    // Outside of tags there is no '<' and in attributes no '"' but the markup's own.
+    // Text outside of tags has no '<', and attributes have no '"' except their own quotes.
     EXPECT_EQ(occurrences(xml, "<"), occurrences(xml, ">"));
     EXPECT_EQ(occurrences(xml, "\"") % 2, 0);
     EXPECT_EQ(xml.find("</script>"), std::string::npos);
@@ -150,7 +150,7 @@ TEST(Terminal, EndsWithTheSummary) {
     EXPECT_EQ(text.substr(text.size() - end.size()), end) << text;
 }
 
-TEST(Terminal, TellsTheReasonTheFiguresAndTheCommandsOfAFailure) {
+TEST(Terminal, ShowsTheReasonTheFiguresAndTheCommandsOfAFailure) {
     const std::string text = toText(runOf({failedShot()}), false);
     EXPECT_NE(text.find("failed start/teapot: 240 pixels differ by more than 3/255, 13 may\n"),
               std::string::npos)
@@ -162,7 +162,7 @@ TEST(Terminal, TellsTheReasonTheFiguresAndTheCommandsOfAFailure) {
         << text;
 }
 
-TEST(Terminal, SaysNothingOfPlainPassesAndNothingTwice) {
+TEST(Terminal, ShowsNoPlainPassAndNothingTwice) {
     const std::string text =
         toText(runOf({withVerdict(Verdict::passed), withVerdict(Verdict::skipped)}), false);
     EXPECT_EQ(occurrences(text, "\n"), 1) << text;
@@ -171,15 +171,15 @@ TEST(Terminal, SaysNothingOfPlainPassesAndNothingTwice) {
     const std::string long400 = toText(many, false);
     EXPECT_EQ(occurrences(long400, "reproduce"), 20);
     EXPECT_EQ(occurrences(long400, "failed start/teapot"), 400);
-    EXPECT_NE(long400.find("380 more in a line each"), std::string::npos);
+    EXPECT_NE(long400.find("380 more with one line each"), std::string::npos);
 }
 
-TEST(Terminal, TellsAWarningOfPassesOnceWithTheNumberOfShots) {
+TEST(Terminal, ShowsAWarningOfPassesOnceWithTheNumberOfShots) {
     std::vector<ShotResult> shots(4, withVerdict(Verdict::passed));
-    const Diagnostic unknown = warning("glib-W23", "no program of the scene has a uniform 'uKe'");
+    const Diagnostic unknown = diagnose("glib-W23", "no program of the scene has a uniform 'uKe'");
     for (std::size_t i = 1; i < shots.size(); ++i) {
         shots[i].shot = "oval" + std::to_string(i);
-        shots[i].diagnostics = {unknown, unknown, note("draw-N01", "no LookAt")};
+        shots[i].diagnostics = {unknown, unknown, diagnose("draw-N01", "no LookAt")};
     }
     const std::string text = toText(runOf(shots), false);
     EXPECT_TRUE(
@@ -187,7 +187,7 @@ TEST(Terminal, TellsAWarningOfPassesOnceWithTheNumberOfShots) {
                          "start/oval1\n4 passed"))
         << text;
     for (int i = 0; i < 30; ++i)
-        shots[0].diagnostics.push_back(warning("glib-W23", "number " + std::to_string(i)));
+        shots[0].diagnostics.push_back(diagnose("glib-W23", "number " + std::to_string(i)));
     const std::string many = toText(runOf(shots), false);
     EXPECT_EQ(occurrences(many, "warning: "), 10) << many;
     EXPECT_NE(many.find("21 more warnings are not shown"), std::string::npos) << many;
@@ -198,7 +198,7 @@ TEST(Terminal, NoByteOfASceneControlsTheTerminal) {
     shot.reason =
         "before\033[2J\r\x07 \xc2\x9b"
         "after";
-    shot.diagnostics.push_back(error("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
+    shot.diagnostics.push_back(diagnose("glsl-E01", "\033]0;title\007", {"a\033.frag", 1, 1}));
     const std::string text = toText(runOf({shot}), false);
     EXPECT_EQ(text.find('\033'), std::string::npos);
     EXPECT_EQ(text.find('\r'), std::string::npos);

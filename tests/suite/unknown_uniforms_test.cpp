@@ -13,8 +13,8 @@ Shot shotThatNames(std::initializer_list<const char*> uniforms) {
 }
 
 TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
-    Diagnostics all{warning("glib-W23", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
-                    warning("glib-W23", "no program 'Dots' has a uniform 'uA'")};
+    Diagnostics all{diagnose("glib-W23", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
+                    diagnose("glib-W23", "no program 'Dots' has a uniform 'uA'")};
     reportUnknownUniforms(shotThatNames({"uK", "uKe", "Dots:uA"}), all);
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(
@@ -25,9 +25,9 @@ TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
 
 TEST(UnknownUniforms, OfDefaultsAndOfTheSceneStayWarnings) {
     const Diagnostics before{
-        warning("glib-W23", "no program of the scene has a uniform 'uDefault'"),
-        warning("glib-W23", "no shader of 'P' has a uniform 'uKe'", {"a.glib", 4, 1}),
-        warning("glib-W24", "uniform 'uKe' is declared but unused, so setting it has no effect")};
+        diagnose("glib-W23", "no program of the scene has a uniform 'uDefault'"),
+        diagnose("glib-W23", "no shader of 'P' has a uniform 'uKe'", {"a.glib", 4, 1}),
+        diagnose("glib-W24", "uniform 'uKe' is declared but unused, so setting it has no effect")};
     Diagnostics all = before;
     reportUnknownUniforms(shotThatNames({"uKe"}), all);
     ASSERT_EQ(all.size(), before.size());

@@ -22,7 +22,7 @@ class Verdicts : public testing::Test {
         store = *GoldenStore::open(suite);
         return {suite, store, family, "key", options};
     }
-    /// What a run would say of the picture: first() and, where it asks for it, second() with `again`.
+    /// The verdict of a run on the picture: first() and, if necessary, second() with `again`.
     Judged decide(const Shot& which, const image::Image& image, JudgeOptions options = {},
                   const std::optional<image::Image>& again = {}, const std::string& family = "llvmpipe") {
         const ShotJudge judge = this->judge(options, family);
@@ -30,7 +30,7 @@ class Verdicts : public testing::Test {
         if (std::optional<Judged> first = judge.first(attempt)) return *first;
         return judge.second(attempt, attemptAt(which, again ? *again : image));
     }
-    /// --update, and what it accepts goes to the side file.
+    /// Runs --update and adds the accepted pixels to the list.
     ShotResult accept(const Shot& which, const image::Image& image, JudgeOptions options = {}) {
         options.update = true;
         const Judged judged = decide(which, image, options);
@@ -68,7 +68,7 @@ TEST_F(Verdicts, UpdateMakesTheGoldenAndTheNextRunIsDecidedByTheHash) {
 }
 
 TEST_F(Verdicts, TheHashSavesOpeningTheGolden) {
-    // A golden that is no picture at all, with accepted pixels for exactly these bytes.
+    // A golden that is not a picture, with accepted pixels for exactly these bytes.
     writeText(folder / "goldens/a.png", "no picture");
     const Golden broken = *GoldenStore::open(suite)->find(shot, "llvmpipe");
     ASSERT_TRUE(acceptHashes(GoldenStore::open(suite)->hashFile(),
@@ -204,11 +204,11 @@ class Failures : public Verdicts {
         attempt.own.diagnostics = diagnostics;
         return judge().first(attempt)->result;
     }
-    const Diagnostic compile = error("glsl-E01", "'uColour' is not declared", {"a.frag", 7, 3});
+    const Diagnostic compile = diagnose("glsl-E01", "'uColour' is not declared", {"a.frag", 7, 3});
 };
 
-TEST_F(Failures, ASceneThatFailsIsToldByItsFirstError) {
-    const ShotResult result = fails({warning("glib-W04", "remark"), compile});
+TEST_F(Failures, ASceneWithErrorsIsReportedByItsFirstError) {
+    const ShotResult result = fails({diagnose("glib-W04", "remark"), compile});
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_EQ(result.reason, toString(compile));
     EXPECT_EQ(result.diagnostics.size(), 2U);
@@ -230,7 +230,7 @@ TEST_F(Failures, AnotherErrorThanTheExpectedOneFails) {
         EXPECT_EQ(fails({compile}).verdict, Verdict::failed) << toPhrase(expected);
     }
     shot.expectedError = ExpectedError{"glib-W04", "", 0};
-    EXPECT_EQ(fails({warning("glib-W04", "only a warning"), compile}).verdict, Verdict::failed);
+    EXPECT_EQ(fails({diagnose("glib-W04", "only a warning"), compile}).verdict, Verdict::failed);
 }
 
 TEST_F(Failures, AnExpectedErrorThatDoesNotComeFails) {
@@ -271,7 +271,7 @@ TEST_F(Pairs, APartnerThatFailsFailsThePair) {
     shot.golden = false;
     shot.match = "b";
     Attempt attempt = attemptAt(shot, gradient());
-    attempt.match.emplace().diagnostics.push_back(error("glib-E01", "unknown command"));
+    attempt.match.emplace().diagnostics.push_back(diagnose("glib-E01", "unknown command"));
     const ShotJudge judge = this->judge();
     ASSERT_FALSE(judge.first(attempt));
     const ShotResult result = judge.second(attempt, attempt).result;

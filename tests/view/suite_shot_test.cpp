@@ -10,7 +10,7 @@ namespace {
 
 using view::Session;
 
-/// What a suite's only shot gives, RGB.
+/// Renders the only shot of a suite to RGB.
 std::vector<std::byte> pictureOf(const std::filesystem::path& file, Diagnostics& problems) {
     const auto read = suite::readSuite(file);
     append(problems, read.diagnostics);
@@ -101,7 +101,7 @@ TEST(SuiteShot, IsAddedBelowWhatTheFileHasAndNeverTwiceUnderOneName) {
     EXPECT_EQ(folder.read("s.toml"), "[[shot]\n");
 }
 
-TEST(SuiteShot, SaysWhatOfTheScreenItLeavesOut) {
+TEST(SuiteShot, NamesWhatItLeavesOutOfTheScreen) {
     const SceneFolder folder("WindowSize 16 16\nSphere 1\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));

@@ -68,7 +68,7 @@ Result<DepthTarget> DepthTarget::create(const gpu::Capabilities& capabilities, G
     if (const GLenum code = gpu::takeError(); code != GL_NO_ERROR)
         return gpu::allocationError(code, "a depth buffer");
     if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return error("gpu-E05", "the driver cannot draw with a depth buffer of this format");
+        return diagnose("gpu-E05", "the driver cannot draw with a depth buffer of this format");
     return target;
 }
 

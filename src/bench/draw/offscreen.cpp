@@ -50,8 +50,8 @@ Result<gpu::Program> program(const gpu::Capabilities& capabilities, std::span<co
     gpu::BuildOutcome outcome =
         gpu::buildProgram(capabilities, {.stages = sources, .captured = std::move(captured)});
     if (!outcome.program)
-        return error("gpu-E02", fmt::format("the driver rejects a shader program of the benchmarks: {}",
-                                            logOf(outcome)));
+        return diagnose("gpu-E02", fmt::format("the driver rejects a shader program of the benchmarks: {}",
+                                               logOf(outcome)));
     return std::move(*outcome.program);
 }
 
@@ -157,8 +157,8 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     if (const GLenum code = gpu::takeError(); code != GL_NO_ERROR)
         return gpu::allocationError(code, "capturing vertices");
     if (generated != kept)
-        return error("gpu-E03", fmt::format("{} primitives were drawn, but the buffer has room for {}",
-                                            generated, kept));
+        return diagnose("gpu-E03", fmt::format("{} primitives were drawn, but the buffer has room for {}",
+                                               generated, kept));
     return result;
 }
 

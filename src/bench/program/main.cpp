@@ -5,15 +5,11 @@
 #include <exception>
 
 #include "bench/program/commands.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 
 namespace glibra::bench {
 namespace {
-
-void addDriver(CLI::App& app, Driver& driver) {
-    app.add_option("--driver", driver, "which OpenGL: auto, egl, egl-device, osmesa")
-        ->transform(CLI::CheckedTransformer(cli::kDriversByWord));
-}
 
 void addMeasure(CLI::App& app, MeasureArguments& to) {
     app.add_option("SUBJECT", to.subjects, "what to measure; all subjects if none is named");
@@ -34,7 +30,7 @@ void addMeasure(CLI::App& app, MeasureArguments& to) {
            "with --against: exit status 1 also if a median time grew by more than this factor and the "
            "spreads do not overlap")
         ->check(CLI::Range(1., 1e6));
-    addDriver(app, to.options.driver);
+    cli::addDriverOption(app, to.options.driver);
 }
 
 int run(int argc, char** argv) {
@@ -45,7 +41,7 @@ int run(int argc, char** argv) {
         "precision", "the error of GLSL's functions on this driver, as `glibra info --precision` prints it");
     Driver driver = Driver::automatic;
     bool asJson = false;
-    addDriver(*precision, driver);
+    cli::addDriverOption(*precision, driver);
     precision->add_flag("--json", asJson, "as JSON");
     try {
         app.parse(argc, argv);

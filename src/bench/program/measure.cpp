@@ -38,8 +38,8 @@ Result<std::vector<const Subject*>> choose(const std::vector<std::string>& names
     for (const std::string& each : names) {
         if (std::ranges::find(known, each) != known.end()) continue;
         const std::string near = glib::suggestion(each, known);
-        problems.push_back(error("bench-E01", fmt::format("unknown subject '{}'{}", each,
-                                                          near.empty() ? "; --list names them" : near)));
+        problems.push_back(diagnose("bench-E01", fmt::format("unknown subject '{}'{}", each,
+                                                             near.empty() ? "; --list names them" : near)));
     }
     if (!problems.empty()) return problems;
     std::vector<const Subject*> chosen;
@@ -79,8 +79,8 @@ Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
         std::error_code failure;
         std::filesystem::create_directories(folder, failure);
         if (failure)
-            return {error("file-E10", fmt::format("cannot make the folder '{}': {}", folder.string(),
-                                                  failure.message()))};
+            return {diagnose("file-E10", fmt::format("cannot make the folder '{}': {}", folder.string(),
+                                                     failure.message()))};
     }
     const auto write = [&](const std::string& named, const char* inFolder, const auto& text) {
         if (named.empty() && folder.empty()) return;

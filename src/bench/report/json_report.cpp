@@ -224,14 +224,15 @@ Result<Report> readJsonReport(std::string_view text, const std::string& file) {
     try {
         const Json json = Json::parse(text);
         if (!json.is_object() || json.value("format", "") != kFormat)
-            return error("bench-E02", "this is not a run of glibra bench; --against takes its bench.json",
-                         {file, 1, 1});
+            return diagnose("bench-E02", "this is not a run of glibra bench; --against takes its bench.json",
+                            {file, 1, 1});
         return reportOf(json);
     } catch (const Json::parse_error& problem) {
-        return error("bench-E02", "not valid JSON: " + plainText(problem),
-                     placeOfByte(text, problem.byte, file));
+        return diagnose("bench-E02", "not valid JSON: " + plainText(problem),
+                        placeOfByte(text, problem.byte, file));
     } catch (const Json::exception& problem) {
-        return error("bench-E02", "this is not a run of glibra bench: " + plainText(problem), {file, 1, 1});
+        return diagnose("bench-E02", "this is not a run of glibra bench: " + plainText(problem),
+                        {file, 1, 1});
     }
 }
 

@@ -148,7 +148,7 @@ Result<std::vector<Figure>> measureBudget(Bench& bench) {
             failures.push_back(
                 fmt::format("{} cannot be drawn: {}", scene.name, toString(row.diagnostics.front())));
     }
-    if (rows.empty()) return error("file-E01", "none of the scenes of the library can be drawn");
+    if (rows.empty()) return diagnose("file-E01", "none of the scenes of the library can be drawn");
     std::ranges::stable_sort(rows, std::ranges::greater(),
                              [](const SceneRow& each) { return each.byDefault.off; });
     Figure figure{.name = "bound",

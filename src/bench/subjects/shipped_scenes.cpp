@@ -70,7 +70,7 @@ Result<std::vector<ShippedScene>> shippedScenes() {
             scenes.push_back(std::move(scene));
         }
     if (scenes.empty())
-        return error(
+        return diagnose(
             "file-E01",
             "cannot find the scenes of the library: no folder with 'glib' and 'shaders' in GLIBRA_PATH, "
             "above the current folder or above the program");

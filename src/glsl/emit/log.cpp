@@ -90,7 +90,7 @@ bool isCandidate(std::string_view text) {
 }
 
 Diagnostic programNote(const TranslatedProgram& program, std::string id) {
-    return note(std::move(id), "in Program '" + program.name + "'", program.place);
+    return {Severity::note, std::move(id), "in Program '" + program.name + "'", program.place};
 }
 
 }  // namespace
@@ -114,11 +114,12 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         const Place place{file, std::max(1, lineOf(stage, file, line->line)), userColumn(stage, *line, file)};
         std::string text = inUserNames(program, line->text);
         if (candidates) text.resize(text.size() - kCandidates.size());
-        result.push_back(line->isWarning ? warning("", text, place) : error("glsl-E01", text, place));
+        result.push_back(line->isWarning ? withoutId(Severity::warning, text, place)
+                                         : diagnose("glsl-E01", text, place));
         failed = failed || !line->isWarning;
     }
     if (!rest.empty() && result.empty()) {
-        result.push_back(error("glsl-E01", rest, {stage.path, 1, 1}));
+        result.push_back(diagnose("glsl-E01", rest, {stage.path, 1, 1}));
         failed = true;
     }
     if (failed) result.push_back(programNote(program, "glsl-E01"));
@@ -156,19 +157,20 @@ Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view lo
             const std::string& file = fileOf(*stage, line->source);
             const Place place{file, std::max(1, lineOf(*stage, file, line->line)), 1};
             const std::string text = inUserNames(program, line->text);
-            result.push_back(line->isWarning ? warning("", text, place) : error("glsl-E02", text, place));
+            result.push_back(line->isWarning ? withoutId(Severity::warning, text, place)
+                                             : diagnose("glsl-E02", text, place));
             continue;
         }
         std::string_view text = line ? std::string_view(line->text) : each;
         const bool isWarning = stripSeverity(text);
         const std::string told = inUserNames(program, text);
         const std::string whole = told + places(told);
-        result.push_back(isWarning ? warning("", whole, programPlace)
-                                   : error("glsl-E02", whole, programPlace));
+        result.push_back(isWarning ? withoutId(Severity::warning, whole, programPlace)
+                                   : diagnose("glsl-E02", whole, programPlace));
     }
     if (result.empty())
         result.push_back(
-            error("glsl-E02", "the driver could not link the program and gives no reason", programPlace));
+            diagnose("glsl-E02", "the driver could not link the program and gives no reason", programPlace));
     return result;
 }
 

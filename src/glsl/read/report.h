@@ -11,18 +11,12 @@ namespace glibra::glsl {
 
 class Report {
   public:
-    void error(std::string id, std::string text, Place place) {
-        add({Severity::error, std::move(id), std::move(text), std::move(place)});
-    }
-    void warning(std::string id, std::string text, Place place) {
-        add({Severity::warning, std::move(id), std::move(text), std::move(place)});
+    void report(std::string id, std::string text, Place place) {
+        add(diagnose(std::move(id), std::move(text), std::move(place)));
     }
     /// Reports it only the first time for this `key`.
-    void warningOnce(const std::string& key, std::string id, std::string text, Place place) {
-        if (seen_.insert(id + key).second) warning(std::move(id), std::move(text), std::move(place));
-    }
-    void errorOnce(const std::string& key, std::string id, std::string text, Place place) {
-        if (seen_.insert(id + key).second) error(std::move(id), std::move(text), std::move(place));
+    void reportOnce(const std::string& key, std::string id, std::string text, Place place) {
+        if (seen_.insert(id + key).second) report(std::move(id), std::move(text), std::move(place));
     }
     [[nodiscard]] bool failed() const { return failed_; }
     Diagnostics take() { return std::move(diagnostics_); }

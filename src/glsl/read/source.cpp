@@ -39,7 +39,7 @@ class SourceReader {
         for (const std::uint32_t each : blanked_) stage_.edits.remove(each);
         for (auto& [token, text2] : replaced_) stage_.edits.replace(token, std::move(text2));
         if (!stage_.dialect.given && stage_.request->shim)
-            report_.warning("glsl-W01", "no #version, treated as 330 compatibility", stage_.start());
+            report_.report("glsl-W01", "no #version, treated as 330 compatibility", stage_.start());
     }
 
   private:
@@ -49,7 +49,7 @@ class SourceReader {
     }
 
     void tooLarge(const std::string& path) {
-        report_.error("file-E09", "'" + path + "' with its includes is larger than 4 MiB", stage_.start());
+        report_.report("file-E09", "'" + path + "' with its includes is larger than 4 MiB", stage_.start());
     }
 
     /// The first #version of the stage's own file decides, wherever it stands. It is read before all other
@@ -77,7 +77,7 @@ class SourceReader {
 
     void setVersion(std::span<const std::string_view> words, const Place& place, bool atTop) {
         stage_.dialect = readVersion(words, place, stage_.request->target.version, report_);
-        if (!atTop) report_.warning("glsl-W02", "#version moved to the top", place);
+        if (!atTop) report_.report("glsl-W02", "#version moved to the top", place);
     }
 
     void addFile(std::span<const Token> tokens, std::size_t file) {
@@ -123,7 +123,7 @@ class SourceReader {
             token.active = preprocessor_.active();
             token.directive = directive && each.kind != TokenKind::newline;
             if (each.droppedBackslash && shim())
-                report_.warning("glsl-W08", "backslash at the end of a comment dropped", placeOf(each));
+                report_.report("glsl-W08", "backslash at the end of a comment dropped", placeOf(each));
             const auto index = static_cast<std::uint32_t>(stage_.tokens.size());
             stage_.tokens.push_back(token);
             if (!directive && token.active && isSignificant(token.kind)) {
@@ -176,7 +176,7 @@ class SourceReader {
                 words.push_back(line.significant[i]->text);
             setVersion(words, place, false);
         } else if (!(stage_.dialect.place == place)) {
-            report_.warning("glsl-W02", "a second #version is ignored", place);
+            report_.report("glsl-W02", "a second #version is ignored", place);
         }
     }
 
@@ -201,14 +201,14 @@ class SourceReader {
         } else if (has) {
             pass();
         } else if (behaviour == "require") {
-            report_.error("glsl-E03",
-                          "extension " + name +
-                              " is required, but the driver does not have it; ask for it with 'enable' and "
-                              "put what needs it into '#ifdef " +
-                              name + "'",
-                          place);
+            report_.report("glsl-E03",
+                           "extension " + name +
+                               " is required, but the driver does not have it; ask for it with 'enable' and "
+                               "put what needs it into '#ifdef " +
+                               name + "'",
+                           place);
         } else {
-            report_.warning("glsl-W06", "extension " + name + " is unknown, ignored", place);
+            report_.report("glsl-W06", "extension " + name + " is unknown, ignored", place);
         }
     }
 
@@ -260,7 +260,7 @@ class SourceReader {
             found->path == stage_.path) {
             std::string names = stage_.path;
             for (const std::string& each : stack_) names += ", " + each;
-            report_.error("glsl-E04", "#include cycle: " + names + ", " + found->path, place);
+            report_.report("glsl-E04", "#include cycle: " + names + ", " + found->path, place);
             return end();
         }
         bytes_ += found->text.size();
@@ -269,11 +269,11 @@ class SourceReader {
             return end();
         }
         if (stack_.size() >= kDeepestInclude || ++included_ > kMostFiles) {
-            report_.errorOnce("limit", "file-E09",
-                              "'" + found->path + "': more than " +
-                                  (stack_.size() >= kDeepestInclude ? "32 includes inside each other"
-                                                                    : "256 included files"),
-                              place);
+            report_.reportOnce("limit", "file-E09",
+                               "'" + found->path + "': more than " +
+                                   (stack_.size() >= kDeepestInclude ? "32 includes inside each other"
+                                                                     : "256 included files"),
+                               place);
             return end();
         }
         enter(std::move(*found), hash.line);

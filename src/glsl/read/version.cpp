@@ -53,13 +53,13 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
     if (profile == "es" || number == 100) {
         dialect.version = number <= 100 ? 120 : (number < 310 ? 330 : (number < 320 ? 430 : 450));
         dialect.written = number;
-        report.warning("glsl-W03", "'" + joined(words) + "' treated as " + std::to_string(dialect.version),
-                       place);
+        report.report("glsl-W03", "'" + joined(words) + "' treated as " + std::to_string(dialect.version),
+                      place);
         return dialect;
     }
     if (number > kHighest) {
-        report.error("glsl-E07",
-                     "#version " + std::to_string(number) + " is not supported, 460 is the highest", place);
+        report.report("glsl-E07",
+                      "#version " + std::to_string(number) + " is not supported, 460 is the highest", place);
         return dialect;
     }
     const auto* const above = std::upper_bound(kKnown.begin(), kKnown.end(), number);
@@ -74,10 +74,10 @@ Dialect readVersion(std::span<const std::string_view> words, const Place& place,
     if (tolerated) {
         std::string reading = std::to_string(dialect.version);
         if (!dialect.profile.empty()) reading += " " + dialect.profile;
-        report.warning("glsl-W02", "'" + joined(words) + "' read as " + reading, place);
+        report.report("glsl-W02", "'" + joined(words) + "' read as " + reading, place);
     }
     if (dialect.version == kHighest && targetVersion < kHighest)
-        report.warning("glsl-W18", "#version 460 compiled as " + std::to_string(targetVersion), place);
+        report.report("glsl-W18", "#version 460 compiled as " + std::to_string(targetVersion), place);
     return dialect;
 }
 

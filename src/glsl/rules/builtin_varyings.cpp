@@ -266,8 +266,8 @@ class Varyings {
         warn(unit, std::string(unit.text(at)), at);
     }
     void warn(Unit& unit, const std::string& what, std::uint32_t at) {
-        program_.report.warningOnce(unit.path + what, "glsl-W13", what + " is written by no stage",
-                                    unit.place(at));
+        program_.report.reportOnce(unit.path + what, "glsl-W13", what + " is written by no stage",
+                                   unit.place(at));
     }
     static void currentColor(Unit& unit, Varying which) {
         if (which == frontColor || which == backColor) unit.declare("uniform vec4 glibra_CurrentColor;");
@@ -379,11 +379,11 @@ class Varyings {
         if (walk.text(open) == "[" && walk.match(open) != kNone) {
             read(index, unit, at, open, walk.match(open), which);
         } else if (unit.tokens[at].active && unit.stage == Stage::geometry) {
-            program_.report.error("glsl-E03",
-                                  std::string(walk.text(at)) +
-                                      " without a subscript cannot be emulated; write " +
-                                      std::string(walk.text(at)) + "[i]",
-                                  unit.placeOfToken(at));
+            program_.report.report("glsl-E03",
+                                   std::string(walk.text(at)) +
+                                       " without a subscript cannot be emulated; write " +
+                                       std::string(walk.text(at)) + "[i]",
+                                   unit.placeOfToken(at));
         }
     }
 
@@ -426,8 +426,8 @@ void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>&
         if (unit.stage == Stage::fragment || !unit.isUsed("gl_ClipVertex")) continue;
         unit.declare("vec4 glibra_ClipVertex;");
         unit.renames["gl_ClipVertex"] = "glibra_ClipVertex";
-        program.report.warning("glsl-W17", "gl_ClipVertex has no effect",
-                               unit.place(unit.uses["gl_ClipVertex"].front()));
+        program.report.report("glsl-W17", "gl_ClipVertex has no effect",
+                              unit.place(unit.uses["gl_ClipVertex"].front()));
     }
 }
 

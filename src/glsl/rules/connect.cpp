@@ -143,11 +143,11 @@ class Interface {
     }
     void mismatch(const Variable& output, const Variable& input) {
         const Place here = reader_.place(input.nameToken);
-        program_.report.error("glsl-E02",
-                              "'" + input.name + "' is " + described(output, writer_.stage) + " in " +
-                                  shortPlace(writer_.place(output.nameToken)) + " and " +
-                                  described(input, reader_.stage) + " in " + shortPlace(here),
-                              here);
+        program_.report.report("glsl-E02",
+                               "'" + input.name + "' is " + described(output, writer_.stage) + " in " +
+                                   shortPlace(writer_.place(output.nameToken)) + " and " +
+                                   described(input, reader_.stage) + " in " + shortPlace(here),
+                               here);
     }
 
     [[nodiscard]] int vertices() const {
@@ -158,9 +158,9 @@ class Interface {
     /// Turns the input into a variable with the value zero.
     void unwritten(Variable& input) {
         if (reader_.isUsed(input.name))
-            program_.report.warning("glsl-W11",
-                                    "'" + input.name + "' is written by no earlier stage, it reads 0",
-                                    reader_.place(input.nameToken));
+            program_.report.report("glsl-W11",
+                                   "'" + input.name + "' is written by no earlier stage, it reads 0",
+                                   reader_.place(input.nameToken));
         if (input.type.empty()) return;
         if (isPerVertex(reader_.stage, Storage::input, input.patch) && input.isArray()) {
             std::string& first = input.nameSizes.empty() ? input.typeSizes.front() : input.nameSizes.front();
@@ -185,9 +185,9 @@ class Interface {
                 writer_.text(each.name) == name)
                 return;
         if (const LayoutItem* location = input.qualifiers.item("location"); location) return;
-        program_.report.warning("glsl-W11",
-                                "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
-                                reader_.place(input.name));
+        program_.report.report("glsl-W11",
+                               "'" + std::string(name) + "' is written by no earlier stage, it reads 0",
+                               reader_.place(input.name));
         std::vector<std::uint32_t> head;
         if (!editableTokens(reader_, {input.tokens.first, input.body.first}, head)) return;
         for (const std::uint32_t each : head) reader_.edits.remove(each);

@@ -137,7 +137,7 @@ class FixedState {
         unit_.declare((point ? "" : "const ") + type + " " + emitted(row.user) + size + " = " + text + ";");
         unit_.renames[std::string(row.user)] = emitted(row.user);
         const auto use = unit_.uses.find(row.user);
-        report_.warningOnce(
+        report_.reportOnce(
             unit_.path + std::string(row.user), "glsl-W04",
             std::string(row.user) + " has GL's initial values; scenes define no " + what(row.user),
             use == unit_.uses.end() ? unit_.start() : unit_.place(use->second.front()));

@@ -44,7 +44,7 @@ class FragmentOutputs {
         return found == unit_.variables.end() ? nullptr : &*found;
     }
     void mixed(const std::string& first, const std::string& second, std::uint32_t at) {
-        program_.report.error("glsl-E10", first + " and " + second + " cannot be mixed", unit_.place(at));
+        program_.report.report("glsl-E10", first + " and " + second + " cannot be mixed", unit_.place(at));
     }
 
     /// Removes outputs that are never written, because they would take a target from gl_FragColor.

@@ -37,8 +37,9 @@ class OldNames {
         } else if (length && walk_.text(next) == "." && walk_.text(walk_.next(next)) == "length") {
             unit_.edits.replace(at, "gl_in");
         } else if (!subscriptedByMacro(at, name, member) && unit_.tokens[at].active) {
-            report_.error("glsl-E03", name + " without a subscript cannot be emulated; write " + name + "[i]",
-                          unit_.placeOfToken(at));
+            report_.report("glsl-E03",
+                           name + " without a subscript cannot be emulated; write " + name + "[i]",
+                           unit_.placeOfToken(at));
         }
     }
 
@@ -138,9 +139,9 @@ class Completion {
     void conflict(const std::string& command, const std::string& wanted, const std::string& written,
                   std::uint32_t at) {
         if (wanted.empty() || written.empty() || wanted == written) return;
-        program_.report.warning("glsl-W16",
-                                command + " " + wanted + " ignored, the shader's layout says " + written,
-                                unit_.place(at));
+        program_.report.report("glsl-W16",
+                               command + " " + wanted + " ignored, the shader's layout says " + written,
+                               unit_.place(at));
     }
 
     [[nodiscard]] int mostVertices(int components) const {
@@ -150,11 +151,11 @@ class Completion {
     }
 
     void lowered(long long value, int most, int components, const Place& place) {
-        program_.report.warning("glsl-W07",
-                                "max_vertices " + std::to_string(value) + " lowered to " +
-                                    std::to_string(most) + " (" + std::to_string(components) +
-                                    " components per vertex)",
-                                place);
+        program_.report.report("glsl-W07",
+                               "max_vertices " + std::to_string(value) + " lowered to " +
+                                   std::to_string(most) + " (" + std::to_string(components) +
+                                   " components per vertex)",
+                               place);
     }
 
     void vertices(int most, int components, std::string& output) {

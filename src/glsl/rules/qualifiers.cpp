@@ -122,7 +122,7 @@ void renameTakenWords(ProgramUnits& program) {
             if (at == kNone) continue;
             unit.wordRenames[word] = "glibra_" + word;
             program.result->userNames["glibra_" + word] = word;
-            program.report.warning("glsl-W05", "'" + word + "' is a reserved word, renamed", unit.place(at));
+            program.report.report("glsl-W05", "'" + word + "' is a reserved word, renamed", unit.place(at));
         }
         for (const std::string_view word : kEmitted) {
             // A macro of that name would replace the calls that the translation emits.
@@ -134,8 +134,8 @@ void renameTakenWords(ProgramUnits& program) {
             unit.renames[name] = "glibra_" + name;
             keepCalls(unit, word, at);
             program.result->userNames["glibra_" + name] = name;
-            program.report.warning("glsl-W05", "'" + name + "' is the name of a function, renamed",
-                                   unit.place(at));
+            program.report.report("glsl-W05", "'" + name + "' is the name of a function, renamed",
+                                  unit.place(at));
         }
     }
 }

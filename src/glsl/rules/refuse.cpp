@@ -67,9 +67,9 @@ class Refuser {
             if (unit_.view[i].kind == TokenKind::word) word(i);
         for (const Token& token : unit_.tokens)
             if (token.kind == TokenKind::word && token.text.starts_with("glibra_") && token.active)
-                report_.errorOnce(unit_.path + std::string(token.text), "glsl-E05",
-                                  "names beginning with 'glibra_' are reserved",
-                                  {unit_.files[token.file], token.line, token.column});
+                report_.reportOnce(unit_.path + std::string(token.text), "glsl-E05",
+                                   "names beginning with 'glibra_' are reserved",
+                                   {unit_.files[token.file], token.line, token.column});
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
         for (const LocalVariable& each : unit_.bodies.locals)
             if (each.type.arrayDepth > 1)
@@ -80,7 +80,7 @@ class Refuser {
     [[nodiscard]] const Target& target() const { return unit_.request->target; }
 
     void error(std::uint32_t at, const std::string& text) {
-        report_.errorOnce(unit_.path + text, "glsl-E03", text, unit_.place(at));
+        report_.reportOnce(unit_.path + text, "glsl-E03", text, unit_.place(at));
     }
 
     void word(std::uint32_t at) {
@@ -123,16 +123,16 @@ class Refuser {
         const bool storageBlock =
             each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
         if (storageBlock)
-            report_.error(
+            report_.report(
                 "glsl-E09",
                 "buffer block '" + std::string(unit_.text(each.name)) + "': scenes have no storage buffers",
                 unit_.place(each.name));
         if (each.kind == DeclarationKind::variable && each.type.name == "atomic_uint" &&
             !each.declarators.empty())
-            report_.error("glsl-E09",
-                          "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
-                              "': scenes have no counters",
-                          unit_.place(each.declarators[0].name));
+            report_.report("glsl-E09",
+                           "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
+                               "': scenes have no counters",
+                           unit_.place(each.declarators[0].name));
         for (const LayoutItem& item : each.qualifiers.layout) layoutItem(item);
         for (const Declarator& name : each.declarators)
             if (each.type.dimensions.size() + name.dimensions.size() > 1)

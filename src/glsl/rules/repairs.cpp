@@ -29,7 +29,7 @@ class Repairs {
             const ViewToken& token = unit_.view[each.tokens.first];
             if (token.text != ";" || token.body) continue;
             unit_.edits.remove(token.raw);
-            report_.warning("glsl-W09", "stray ';' removed", unit_.place(each.tokens.first));
+            report_.report("glsl-W09", "stray ';' removed", unit_.place(each.tokens.first));
         }
     }
 
@@ -43,10 +43,10 @@ class Repairs {
                 continue;
             each.removed = true;
             const Place place = unit_.place(each.nameToken);
-            report_.warning("glsl-W21",
-                            "uniform '" + each.name + "' declared again on line " +
-                                std::to_string(place.line) + ", ignored",
-                            place);
+            report_.report("glsl-W21",
+                           "uniform '" + each.name + "' declared again on line " +
+                               std::to_string(place.line) + ", ignored",
+                           place);
         }
     }
 
@@ -82,8 +82,8 @@ class Repairs {
                     other.storage = Storage::none;
                     other.changed = true;
                 }
-            report_.warning("glsl-W10", "'" + each.name + "' depends on a uniform, 'const' dropped",
-                            unit_.place(each.nameToken));
+            report_.report("glsl-W10", "'" + each.name + "' depends on a uniform, 'const' dropped",
+                           unit_.place(each.nameToken));
         }
     }
 
@@ -104,7 +104,7 @@ class Repairs {
                 if (walk_.text(next) != "(") continue;
             }
             unit_.edits.remove(i);
-            report_.warning("glsl-W20", "'const' inside an initialiser dropped", unit_.placeOfToken(i));
+            report_.report("glsl-W20", "'const' inside an initialiser dropped", unit_.placeOfToken(i));
         }
     }
 
@@ -130,8 +130,8 @@ class Repairs {
         input.after += " " + input.type + " " + copy + sizes + " = " + value + ";";
         unit_.renames[input.name] = copy;
         unit_.keptSpelling.insert(unit_.view[input.nameToken].raw);
-        report_.warning("glsl-W22", "input '" + input.name + "' is written to; a local copy is used",
-                        unit_.place(unit_.writes.find(input.name)->second.front()));
+        report_.report("glsl-W22", "input '" + input.name + "' is written to; a local copy is used",
+                       unit_.place(unit_.writes.find(input.name)->second.front()));
     }
 
     Unit& unit_;

@@ -65,9 +65,9 @@ void retype(ProgramUnits& program, const std::string& name, const std::string& s
     for (Unit& unit : program.units) {
         Variable* variable = unit.variable(name);
         if (!variable || !isNumber(*variable)) continue;
-        program.report.warning("glsl-W12",
-                               fmt::format("'{}' is {}, used as {}", name, variable->type, sampler),
-                               unit.place(variable->nameToken));
+        program.report.report("glsl-W12",
+                              fmt::format("'{}' is {}, used as {}", name, variable->type, sampler),
+                              unit.place(variable->nameToken));
         const Declarator& declarator =
             unit.syntax.declarations[variable->declaration].declarators[variable->declarator];
         const Range value = declarator.initializer;
@@ -103,13 +103,13 @@ void retypeSamplers(ProgramUnits& program) {
         std::string holds;
         for (const SamplerKind each : kinds)
             holds += (holds.empty() ? "" : " and ") + std::string(dimension(each));
-        program.report.error("glsl-E08",
-                             "'" + name + "' is a number but used as a texture; " +
-                                 (misused.conflicting ? "the functions name several kinds"
-                                  : holds.empty()     ? std::string("its unit holds no texture")
-                                                      : "its unit holds " + holds) +
-                                 ", declare the sampler",
-                             misused.place);
+        program.report.report("glsl-E08",
+                              "'" + name + "' is a number but used as a texture; " +
+                                  (misused.conflicting ? "the functions name several kinds"
+                                   : holds.empty()     ? std::string("its unit holds no texture")
+                                                       : "its unit holds " + holds) +
+                                  ", declare the sampler",
+                              misused.place);
     }
 }
 

@@ -53,10 +53,10 @@ class Subroutines {
         if (found == first_.end()) return;
         for (const Declarator& each : declaration.declarators) {
             const std::string name(unit_.text(each.name));
-            report_.warning("glsl-W19",
-                            "subroutine uniform '" + name + "' uses its first function '" +
-                                std::string(found->second) + "'",
-                            unit_.place(each.name));
+            report_.report("glsl-W19",
+                           "subroutine uniform '" + name + "' uses its first function '" +
+                               std::string(found->second) + "'",
+                           unit_.place(each.name));
             if (Variable* variable = unit_.variable(name)) variable->removed = true;
             for (const std::uint32_t use : unit_.uses[name]) {
                 unit_.edits.replace(unit_.view[use].site, std::string(found->second));

@@ -66,7 +66,7 @@ class Supply {
     void redeclared(const std::string& name, std::string_view emitted, const std::string& type) {
         const Variable* variable = unit_.variable(name);
         if (!variable || variable->type != type || variable->isArray() != isTextureMatrix(name))
-            report_.errorOnce(
+            report_.reportOnce(
                 unit_.path + name, "glsl-E03",
                 name + " is redeclared with another type than " + type + "; leave the declaration out",
                 unit_.place(unit_.declared.find(name)->second));
@@ -104,8 +104,8 @@ class Supply {
             const std::string copy = "glibra_copyOf" + name.substr(name.starts_with("gl_") ? 3 : 0);
             unit_.declare(type + " " + copy + " = " + emitted + ";");
             rename(name, copy);
-            report_.warning("glsl-W22", "input '" + name + "' is written to; a local copy is used",
-                            unit_.place(unit_.writes[name].front()));
+            report_.report("glsl-W22", "input '" + name + "' is written to; a local copy is used",
+                           unit_.place(unit_.writes[name].front()));
         }
     }
 
@@ -114,12 +114,12 @@ class Supply {
         variable.storage = Storage::input;
         variable.changed = true;
         variable.dropInitializer = true;
-        report_.warning("glsl-W15", "'" + name + "' declared uniform, treated as vertex input",
-                        unit_.place(variable.nameToken));
+        report_.report("glsl-W15", "'" + name + "' declared uniform, treated as vertex input",
+                       unit_.place(variable.nameToken));
     }
 
     void outside(const std::string& name, std::uint32_t at) {
-        report_.errorOnce(
+        report_.reportOnce(
             unit_.path + name, "glsl-E03",
             name +
                 " is a vertex input and only exists in the vertex stage; write it there to a varying of "

@@ -77,13 +77,13 @@ void checkTessellation(ProgramUnits& program) {
     const Unit* control = program.find(Stage::tessControl);
     const Unit* evaluation = program.find(Stage::tessEvaluation);
     if (control && !evaluation)
-        program.report.error("glsl-E06", "TessControl without TessEvaluation", program.request->place);
+        program.report.report("glsl-E06", "TessControl without TessEvaluation", program.request->place);
     if (control) readControl(*control, *program.result);
     if (evaluation) readEvaluation(*evaluation, *program.result);
     if (const Unit* vertex = program.find(Stage::vertex); vertex && !vertex->isWritten("gl_Position")) {
         const std::size_t slash = vertex->path.find_last_of("/\\");
         const std::string name = slash == std::string::npos ? vertex->path : vertex->path.substr(slash + 1);
-        program.report.warning("glsl-W14", name + " never writes gl_Position", vertex->start());
+        program.report.report("glsl-W14", name + " never writes gl_Position", vertex->start());
     }
     Unit* last = program.lastBeforeRaster();
     if (!last) return;

@@ -142,7 +142,7 @@ class Widener {
             unit_.edits.before(span.first, wish->type + "(");
             unit_.edits.after(span.second, ")");
             const Place place = unit_.place(wish->place);
-            report_.warningOnce(unit_.path + std::to_string(wish->place), "glsl-W23", wish->text, place);
+            report_.reportOnce(unit_.path + std::to_string(wish->place), "glsl-W23", wish->text, place);
         }
     }
 

@@ -13,14 +13,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 1'000'000;
 
-/// What one element of a pattern takes: how long the element is, and whether the character is in it.
+/// How one element of a pattern matches a character: the length of the element, and whether the character is
+/// in it.
 struct Element {
     std::size_t length = 1;
     bool fits = false;
 };
 
-/// The set that begins at `pattern[0] == '['`; nothing if it is not closed. A ']' directly after the opening
-/// is a member.
+/// The set that begins at `pattern[0] == '['`, or nothing if it has no closing ']'. A ']' right after the
+/// opening bracket is a member of the set.
 std::optional<Element> setElement(std::string_view pattern, char c) {
     std::size_t at = 1;
     const bool inverted = at < pattern.size() && (pattern[at] == '!' || pattern[at] == '^');
@@ -57,10 +58,10 @@ std::vector<std::string> parts(std::string_view pattern) {
     return result;
 }
 
-/// Looks at folders, counting what it looks at.
+/// Lists folders and counts the entries.
 class Walk {
   public:
-    /// The entries of a folder that fit one part; of "**" all.
+    /// The entries of a folder that match one part; all of them for "**".
     std::vector<fs::path> entries(const fs::path& folder, const std::string& part) {
         std::vector<fs::path> found;
         std::error_code failure;
@@ -102,8 +103,8 @@ bool isPattern(std::string_view text) {
 }
 
 bool fits(std::string_view pattern, std::string_view text) {
-    // Where the last '*' stands, and where the text begins that it does not take yet: only the last one needs
-    // to be tried again.
+    // The position of the last '*', and the start of the text after what it matches so far. Only the last '*'
+    // needs to be tried again.
     std::optional<std::size_t> star;
     std::size_t retry = 0;
     std::size_t p = 0;

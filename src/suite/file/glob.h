@@ -1,6 +1,7 @@
 #pragma once
-// Patterns as a shell has them: '*' any characters, '?' one character, "[a-z]" one of a set, "[!a-z]" one
-// that is not in it. A '[' that is never closed stands for itself. Bytes are compared; case counts.
+// Patterns of file names, as in a shell: "*" matches any characters, "?" one character, "[a-z]" one character
+// of a set, "[!a-z]" one that is not in the set. A "[" without "]" stands for itself. Patterns compare bytes,
+// and upper and lower case differ.
 
 #include <glibra/result.h>
 
@@ -11,22 +12,22 @@
 
 namespace glibra::suite {
 
-/// True if `text` has a '*', a '?' or a '[' in it.
+/// True if `text` contains "*", "?" or "[".
 bool isPattern(std::string_view text);
 
-/// True if the pattern fits all of `text`; '*' and '?' also stand for '/'. Takes at most
-/// pattern.size() * text.size() steps.
+/// True if the pattern matches all of `text`; "*" and "?" match "/" too. Takes at most pattern.size() *
+/// text.size() steps.
 bool fits(std::string_view pattern, std::string_view text);
 
-/// The ordinary files below `folder` whose paths fit the pattern, sorted by bytes, links to files followed,
-/// each in the form "folder/part/part". Here the pattern is taken part by part: '*' ends at a '/', the part
-/// "**" stands for any number of folders (links to folders are not followed), and neither fits a name that
-/// begins with '.'. An absolute pattern does not use `folder`. No value, and no diagnostics, if more than a
-/// million entries would have to be looked at; what cannot be read is not there.
+/// Returns the regular files below `folder` whose paths match the pattern, sorted by bytes, in the form
+/// "folder/part/part". Links to files are followed. The pattern is matched part by part: "*" ends at a "/",
+/// the part "**" stands for any number of folders (links to folders are not followed), and neither matches a
+/// name that begins with ".". An absolute pattern does not use `folder`. Folders that cannot be read are left
+/// out. No value and no diagnostics mean that the search would look at more than a million entries.
 Result<std::vector<std::filesystem::path>> filesThatFit(const std::filesystem::path& folder,
                                                         std::string_view pattern);
 
-/// The leading parts of a pattern without a wildcard, as a folder: "../glib" of "../glib/*/a*.glib"; "" of
+/// The leading parts of a pattern that have no wildcard, as a folder: "../glib" of "../glib/*/a*.glib", "" of
 /// "*.glib".
 std::string fixedFolder(std::string_view pattern);
 

@@ -1,13 +1,13 @@
 #pragma once
-// Folders that are not there.
+// Messages about folders that do not exist.
 
 #include <filesystem>
 #include <string>
 
 namespace glibra::suite {
 
-/// "there is no folder 'a/strat'; did you mean 'start'?" for the first part of `folder` that is no folder,
-/// the question only if a folder beside it has a name near to that. Empty if `folder` is there.
+/// Names the first part of `folder` that is not a folder: "there is no folder 'a/strat'; did you mean
+/// 'start'?". The question is left out if no folder beside it has a similar name. Empty if `folder` exists.
 std::string whyNoFolder(const std::filesystem::path& folder);
 
 }  // namespace glibra::suite

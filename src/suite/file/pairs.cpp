@@ -18,7 +18,7 @@ struct Edge {
     std::size_t to = 0;
     const PairRequest* request = nullptr;
 };
-using Edges = std::vector<std::vector<Edge>>;  // of every shot
+using Edges = std::vector<std::vector<Edge>>;  // one list per shot
 
 using Names = std::unordered_map<std::string_view, std::size_t>;
 
@@ -30,7 +30,7 @@ std::optional<std::size_t> find(const Names& names, const PairRequest& request) 
     return found->second;
 }
 
-/// A sweep's own name, or the nearest name.
+/// Suggests a shot of a sweep, or the nearest name.
 std::string hint(const Suite& suite, const std::string& wanted) {
     std::vector<std::string_view> names;
     for (const Shot& shot : suite.shots) {
@@ -41,8 +41,8 @@ std::string hint(const Suite& suite, const std::string& wanted) {
     return glib::suggestion(wanted, names);
 }
 
-/// "a, b, c, a"; of a long ring its beginning.
-std::string ringText(const Suite& suite, std::span<const std::size_t> path, std::size_t begin) {
+/// The names of a cycle: "a, b, c, a". Long cycles are cut.
+std::string cycleText(const Suite& suite, std::span<const std::size_t> path, std::size_t begin) {
     constexpr std::size_t kShown = 6;
     std::string text;
     for (std::size_t i = begin; i < path.size() && i < begin + kShown; ++i)
@@ -50,11 +50,11 @@ std::string ringText(const Suite& suite, std::span<const std::size_t> path, std:
     return text + (path.size() > begin + kShown ? "..., " : "") + suite.shots[path[begin]].name;
 }
 
-/// suite-E08 for every edge that leads back to where one came from.
-void reportRings(TomlReader& reader, const Suite& suite, const Edges& edges) {
+/// Reports suite-E08 for every edge that closes a cycle.
+void reportCycles(TomlReader& reader, const Suite& suite, const Edges& edges) {
     enum class State : char { unseen, onPath, done };
     std::vector<State> states(edges.size(), State::unseen);
-    std::vector<std::size_t> next(edges.size());  // the edge of each shot to follow
+    std::vector<std::size_t> next(edges.size());  // the next edge to follow, per shot
     for (std::size_t start = 0; start < edges.size(); ++start) {
         if (states[start] != State::unseen) continue;
         std::vector<std::size_t> path{start};
@@ -72,11 +72,11 @@ void reportRings(TomlReader& reader, const Suite& suite, const Edges& edges) {
                 path.push_back(edge.to);
             } else if (states[edge.to] == State::onPath) {
                 const auto begin = std::find(path.begin(), path.end(), edge.to) - path.begin();
-                reader.error("suite-E08",
-                             fmt::format("{}: the shots name each other in a ring: {}",
-                                         edge.request->isMatch ? "match" : "differ",
-                                         ringText(suite, path, static_cast<std::size_t>(begin))),
-                             edge.request->name.place);
+                reader.report("suite-E08",
+                              fmt::format("{}: the shots name each other in a cycle: {}",
+                                          edge.request->isMatch ? "match" : "differ",
+                                          cycleText(suite, path, static_cast<std::size_t>(begin))),
+                              edge.request->name.place);
             }
         }
     }
@@ -92,25 +92,25 @@ void resolvePairs(TomlReader& reader, std::span<const PairRequest> requests, Sui
         const char* word = request.isMatch ? "match" : "differ";
         const auto other = find(names, request);
         if (!other) {
-            reader.error("suite-E07",
-                         fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),
-                                     hint(suite, request.name.text)),
-                         request.name.place);
+            reader.report("suite-E07",
+                          fmt::format("{}: there is no shot {}{}", word, glib::inQuotes(request.name.text),
+                                      hint(suite, request.name.text)),
+                          request.name.place);
             continue;
         }
         Shot& shot = suite.shots[request.shot];
         if (suite.shots[*other].expectedError)
-            reader.error(
-                "suite-E12",
-                fmt::format("{}: '{}' has to fail and makes no picture", word, suite.shots[*other].name),
-                request.name.place);
+            reader.report("suite-E12",
+                          fmt::format("{}: '{}' expects an error, so it makes no picture", word,
+                                      suite.shots[*other].name),
+                          request.name.place);
         (request.isMatch ? shot.match : shot.differ) = suite.shots[*other].name;
         if (shot.match == shot.differ)
-            reader.error("suite-E12", fmt::format("match and differ both name '{}'", shot.match),
-                         request.name.place);
+            reader.report("suite-E12", fmt::format("match and differ both name '{}'", shot.match),
+                          request.name.place);
         edges[request.shot].push_back({*other, &request});
     }
-    reportRings(reader, suite, edges);
+    reportCycles(reader, suite, edges);
 }
 
 }  // namespace glibra::suite

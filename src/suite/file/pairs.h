@@ -1,5 +1,5 @@
 #pragma once
-// `match` and `differ`: which shot each name means.
+// Finds the shots that `match` and `differ` name.
 
 #include <cstddef>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace glibra::suite {
 
-/// What shot number `shot` of the suite asks for. `suffix` is that of its sweep and time.
+/// A `match` or `differ` of shot number `shot` of the suite. `suffix` is that of its sweep and time.
 struct PairRequest {
     std::size_t shot = 0;
     bool isMatch = true;
@@ -19,10 +19,10 @@ struct PairRequest {
     std::string suffix;
 };
 
-/// Fills in `match` and `differ`. A name means the shot of that name and the asking shot's own suffix, if
-/// there is one (so that two sweeps over the same values are compared one by one), else the shot of that name
-/// alone. Errors: suite-E07 no such shot, -E08 a ring of names, -E12 a shot that makes no picture to compare,
-/// or the same one named twice.
+/// Sets `match` and `differ` of the shots. A name stands for the shot with that name and the suffix of the
+/// shot that names it, if there is one, so that two sweeps over the same values are compared one by one;
+/// otherwise for the shot with exactly that name. Errors: suite-E07 there is no such shot; suite-E08 a cycle
+/// of names; suite-E12 the named shot makes no picture, or `match` and `differ` name the same shot.
 void resolvePairs(TomlReader& reader, std::span<const PairRequest> requests, Suite& suite);
 
 }  // namespace glibra::suite

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "scenes/../glib/a.glib" as "glib/a.glib", unless `scenes` is a link to somewhere else.
+/// Shortens "scenes/../glib/a.glib" to "glib/a.glib", unless `scenes` is a link to another place.
 fs::path shortened(const fs::path& path) {
     const fs::path shorter = path.lexically_normal();
     std::error_code failure;
@@ -42,7 +42,7 @@ class ScriptFinder {
                 missing(each);
         }
         if (found_.empty() && !excluded_.empty() && !reader_.hasErrors())
-            reader_.error("suite-E09", "script: 'except' leaves no file", shot_.scripts.front().place);
+            reader_.report("suite-E09", "script: 'except' excludes every file", shot_.scripts.front().place);
         return std::move(found_);
     }
 
@@ -55,23 +55,23 @@ class ScriptFinder {
     std::vector<fs::path> fitting(const PlacedText& pattern) {
         const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
         if (files) return *files;
-        reader_.error("suite-E11",
-                      fmt::format("{}: more than 1,000,000 files would have to be looked at",
-                                  glib::inQuotes(pattern.text)),
-                      pattern.place);
+        reader_.report("suite-E11",
+                       fmt::format("{}: the search would look at more than 1,000,000 files",
+                                   glib::inQuotes(pattern.text)),
+                       pattern.place);
         return {};
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
-        std::string text = fmt::format("{}: {} fits no file", key, glib::inQuotes(pattern.text));
+        std::string text = fmt::format("{}: no file matches {}", key, glib::inQuotes(pattern.text));
         if (const std::string why = whyNoFolder(folder_ / fixedFolder(pattern.text)); !why.empty())
             text += "; " + why;
         else if (const std::string near = nearEnding(pattern.text); !near.empty())
             text += fmt::format("; did you mean '{}'?", near);
-        reader_.error("suite-E09", std::move(text), pattern.place);
+        reader_.report("suite-E09", std::move(text), pattern.place);
     }
 
-    /// The pattern with the ending nearest to its own that makes it fit some file; empty if there is none.
+    /// The pattern with the most similar ending that matches a file, or empty.
     std::string nearEnding(const std::string& pattern) {
         const std::string ending = fs::path(pattern).extension().string();
         if (ending.empty() || isPattern(ending)) return {};
@@ -107,7 +107,7 @@ class ScriptFinder {
         if (isOneOfSeveral && shot_.name) name += '/';
         if (isOneOfSeveral || !shot_.name) name += nameOfScene(relative);
         if (const std::string why = whyNotAName(name); !why.empty())
-            reader_.error(
+            reader_.report(
                 "suite-E05",
                 fmt::format("shot {} of {} {}", glib::inQuotes(name), glib::inQuotes(script.string()), why),
                 place);
@@ -134,9 +134,9 @@ class ScriptFinder {
             else if (const std::string why = whyNoFolder(parent); !why.empty())
                 hint = "; " + why;
         }
-        reader_.error("suite-E10",
-                      fmt::format("script: cannot find {}{}", glib::inQuotes(path.string()), hint),
-                      script.place);
+        reader_.report("suite-E10",
+                       fmt::format("script: cannot find {}{}", glib::inQuotes(path.string()), hint),
+                       script.place);
     }
 
     TomlReader& reader_;

@@ -1,5 +1,5 @@
 #pragma once
-// The scene files that a [[shot]] means.
+// Finds the scene files of a [[shot]].
 
 #include <filesystem>
 #include <string>
@@ -12,15 +12,15 @@ namespace glibra::suite {
 
 struct FoundScript {
     std::filesystem::path path;
-    std::string name;  ///< of its shot, without sweeps and times; checked
-    Place place;       ///< of the text that found it
+    std::string name;  ///< name of its shot, without sweeps and times; valid
+    Place place;       ///< place of the text that matched it
 };
 
-/// The files, each once, in the order of the texts and sorted within a pattern, less the exceptions. A text
-/// that is the name of a file is that file; else one with wildcards is a pattern (filesThatFit). A single
-/// file is named by `name`, else by its own; several are named by their paths below the fixed part of their
-/// pattern, after `name` and a '/' if there is one. Errors: suite-E05, -E09 a pattern that fits nothing, -E10
-/// no such file.
+/// Returns the files, each once: in the order of the texts, sorted within a pattern, without the exceptions.
+/// A text that is the name of a file stands for that file. Any other text with wildcards is a pattern
+/// (filesThatFit). A single file is named by `name`, or else by its own name. Several files are named by
+/// their paths below the fixed part of their pattern, after `name` and a "/" if there is one. Errors:
+/// suite-E05 a bad name; suite-E09 a pattern that matches no file; suite-E10 there is no such file.
 std::vector<FoundScript> findScripts(TomlReader& reader, const std::filesystem::path& folder,
                                      const ShotTemplate& shot);
 

@@ -20,7 +20,7 @@ std::string_view beforeSweep(std::string_view name) {
     return name.substr(0, name.find('@'));
 }
 
-/// Marks what the marked shots name, until nothing is added.
+/// Marks the shots that marked shots name, until no more are added.
 void markNamed(const Suite& suite, std::vector<bool>& marked) {
     std::unordered_map<std::string_view, std::size_t> byName;
     for (std::size_t i = 0; i < suite.shots.size(); ++i) byName.emplace(suite.shots[i].name, i);
@@ -88,9 +88,9 @@ Diagnostics unmatchedPatterns(std::span<const Suite> suites, std::span<const std
         });
         if (meansAny) continue;
         const std::string near = nearest(suites, pattern);
-        problems.push_back(
-            error("suite-E15", fmt::format("--only {} means no shot{}", glib::inQuotes(pattern),
-                                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near))));
+        problems.push_back(diagnose(
+            "suite-E15", fmt::format("no shot matches --only {}{}", glib::inQuotes(pattern),
+                                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near))));
     }
     return problems;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which shots of a suite are run: --only and --shard.
+// Selects the shots of a suite to run: --only and --shard.
 
 #include <glibra/diagnostic.h>
 
@@ -13,17 +13,18 @@
 
 namespace glibra::suite {
 
-/// True if one pattern of --only means this shot. "tag:NAME" means a tag; anything else means the shot's
-/// name, or what stands before the first '@' of it, so that "oval" means all shots of its sweeps. Both may
-/// have wildcards (glob.h); '*' also stands for '/'.
+/// True if one pattern of --only matches this shot. "tag:NAME" matches a tag. Any other pattern matches the
+/// name of the shot, or the part of the name before its first "@", so that "oval" matches all shots of its
+/// sweeps. Both may have wildcards (glob.h); "*" matches "/" too.
 bool isMeant(const Shot& shot, std::string_view pattern);
 
-/// Indices of the shots to run, rising: those that any of the patterns means (all if there are none),
-/// `withNamed` those that they name by `match` and `differ` and so on, and of these the shard's.
+/// Returns the indices of the shots to run, in rising order: the shots that any pattern matches (all shots if
+/// there is no pattern); with `withNamed` also the shots that those name by `match` and `differ`, and so on;
+/// and of these only the shots of the shard.
 std::vector<std::size_t> select(const Suite& suite, std::span<const std::string> onlyPatterns, Shard shard,
                                 bool withNamed = true);
 
-/// suite-E15, with the nearest name or tag, for every pattern that means no shot of any of the suites.
+/// Reports suite-E15, with the nearest name or tag, for every pattern that matches no shot of any suite.
 Diagnostics unmatchedPatterns(std::span<const Suite> suites, std::span<const std::string> onlyPatterns);
 
 }  // namespace glibra::suite

@@ -62,9 +62,10 @@ Result<Shard> parseShard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos || !readWhole(text.substr(0, slash), shard.index) ||
         !readWhole(text.substr(slash + 1), shard.count))
-        return error("suite-E16", "--shard " + glib::inQuotes(text) + " is not I/N, as 2/8");
+        return diagnose("suite-E16", "--shard: expected I/N, as 2/8, found " + glib::inQuotes(text));
     if (shard.index < 1 || shard.count > kMostShards || shard.index > shard.count)
-        return error("suite-E16", "--shard " + std::string(text) + ": I/N needs 1 <= I <= N <= 1,000,000");
+        return diagnose("suite-E16",
+                        "--shard: expected I/N with 1 <= I <= N <= 1,000,000, found " + glib::inQuotes(text));
     return shard;
 }
 
@@ -88,7 +89,7 @@ std::vector<std::string_view> shardNames(const Suite& suite) {
     std::vector<std::string_view> names(suite.shots.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
         names[i] = ofGroup[groups.find(i)];
-        if (names[i].empty()) names[i] = suite.shots[i].name;  // a ring, which readSuite refuses
+        if (names[i].empty()) names[i] = suite.shots[i].name;  // a cycle, which readSuite reports
     }
     return names;
 }

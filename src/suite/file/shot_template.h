@@ -1,5 +1,5 @@
 #pragma once
-// What [defaults] and [[shot]] say, before scripts, sweeps and times make shots of it.
+// The keys of [defaults] and [[shot]], before scripts, sweeps and times make shots of them.
 
 #include <glibra/diagnostic.h>
 
@@ -15,32 +15,32 @@
 
 namespace glibra::suite {
 
-/// A text of the file with its place.
+/// A text in the file, with its place.
 struct PlacedText {
     std::string text;
     Place place;
 };
 
 struct ShotTemplate {
-    Shot shot;                           ///< all but name, script, time and uniforms
+    Shot shot;                           ///< everything but name, script, time and uniforms
     std::vector<PlacedText> scripts;     ///< files or patterns, as written
     bool isList = false;                 ///< scripts was a list
     std::vector<PlacedText> exceptions;  ///< patterns
     std::optional<PlacedText> name, match, differ;
     std::vector<double> times{0};
-    bool namesTimes = false;  ///< times was a list, so that they stand in the names
+    bool namesTimes = false;  ///< times was a list, so the names of the shots contain them
     std::vector<UniformValues> set, sweeps;
 };
 
-/// Applies the keys of a table to what `shot` holds already: uniforms and fields of the tolerance one by one,
-/// tags in addition, everything else in whole. Folders are relative to `folder`. With `isDefaults` only the
-/// keys that may stand in [defaults].
-void readTemplate(TomlReader& reader, const toml::table& table, const std::filesystem::path& folder,
+/// Applies the keys of a table to `shot`. Uniforms and fields of the tolerance are replaced one by one, tags
+/// are added, and every other key replaces its value. Folders are relative to `folder`. With `isDefaults`,
+/// only the keys of [defaults] are allowed.
+void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesystem::path& folder,
                   bool isDefaults, ShotTemplate& shot);
 
 /// True for a key of [[shot]].
 bool isShotKey(std::string_view key);
-/// True for one that may stand in [defaults] too.
+/// True for a key that [defaults] may have too.
 bool isDefaultsKey(std::string_view key);
 
 }  // namespace glibra::suite

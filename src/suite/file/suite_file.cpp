@@ -38,17 +38,18 @@ class SuiteBuilder {
   public:
     SuiteBuilder(TomlReader& reader, Suite& suite) : reader_(reader), suite_(suite) {}
 
-    void add(const toml::table& table, const fs::path& folder, const ShotTemplate& defaults) {
+    void add(const TomlValue& value, const TomlTable& table, const fs::path& folder,
+             const ShotTemplate& defaults) {
         const std::size_t errorsBefore = reader_.errorCount();
         ShotTemplate shot = defaults;
-        shot.shot.place = reader_.placeOf(table);
+        shot.shot.place = reader_.placeOf(value);
         readTemplate(reader_, table, folder, false, shot);
-        if (!table.contains("script")) reader_.error("suite-E12", "the shot has no script", shot.shot.place);
+        if (!hasKey(table, "script")) reader_.report("suite-E12", "the shot has no script", shot.shot.place);
         checkAgreement(shot);
         dropSwept(shot, defaults);
         if (shot.scripts.empty()) return;
         const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);
-        // What is wrong itself would only give wrong messages about others.
+        // Later messages about a wrong shot would only confuse.
         if (reader_.errorCount() > errorsBefore || !isFewEnough(shot, scripts.size())) return;
         if (scripts.size() == 1) nameOwnUniforms(shot, defaults);
         const std::vector<Combination> all = combinations(shot.sweeps);
@@ -63,13 +64,13 @@ class SuiteBuilder {
     }
 
   private:
-    /// A scene that has to fail makes no picture, and a warning alone fails none.
+    /// A scene with an expected error makes no picture, and a warning alone is not an error.
     void checkAgreement(const ShotTemplate& shot) {
         if (!shot.shot.expectedError) return;
         const glib::CatalogueRow* row = glib::findDiagnostic(shot.shot.expectedError->id);
         if (row && row->severity() != Severity::error &&
             !(row->severity() == Severity::warning && shot.shot.options.strict))
-            reader_.error(
+            reader_.report(
                 "suite-E12",
                 fmt::format(
                     "expect-error: {} is a {}, which fails {}", row->id, name(row->severity()),
@@ -77,13 +78,13 @@ class SuiteBuilder {
                 shot.shot.place);
         for (const auto* each : {&shot.match, &shot.differ})
             if (*each)
-                reader_.error("suite-E12",
-                              "a shot with expect-error makes no picture that could match or differ",
-                              (*each)->place);
+                reader_.report("suite-E12",
+                               "a shot with expect-error makes no picture that could match or differ",
+                               (*each)->place);
     }
 
-    /// What a sweep gives is not set besides: an error if the shot says both, while one of [defaults] gives
-    /// way.
+    /// A uniform in a sweep is not in `set`: it is an error if the shot states both, and the sweep replaces a
+    /// value of [defaults].
     void dropSwept(ShotTemplate& shot, const ShotTemplate& defaults) {
         for (const UniformValues& sweep : shot.sweeps) {
             const auto isIt = [&](const UniformValues& each) { return each.name == sweep.name; };
@@ -91,8 +92,8 @@ class SuiteBuilder {
             if (set == shot.set.end()) continue;
             const auto old = std::find_if(defaults.set.begin(), defaults.set.end(), isIt);
             if (old == defaults.set.end() || old->place != set->place)
-                reader_.error("suite-E12", fmt::format("'{}' stands in set and in sweep", sweep.name),
-                              sweep.place);
+                reader_.report("suite-E12", fmt::format("'{}' is in both set and sweep", sweep.name),
+                               sweep.place);
             shot.set.erase(set);
         }
     }
@@ -113,7 +114,7 @@ class SuiteBuilder {
         const std::uint64_t each = combinationCount(shot.sweeps);
         if (each <= left && each * shot.times.size() <= left && each * shot.times.size() * scripts <= left)
             return true;
-        reader_.error(
+        reader_.report(
             "suite-E11",
             fmt::format("{} scripts, {} sweep values and {} times are too many shots; a suite has at most {}",
                         scripts, each, shot.times.size(), glib::groupedText(kMostShots)),
@@ -136,12 +137,12 @@ class SuiteBuilder {
         const Place place = from.name ? from.name->place : script.place;
         if (const auto [old, isNew] = byName_.emplace(shot.name, place); !isNew) {
             const std::string name = glib::inQuotes(shot.name);
-            reader_.error("suite-E06",
-                          old->second == place
-                              ? fmt::format("this makes two shots {}", name)
-                              : fmt::format("there are two shots {}; the other one is on line {}", name,
-                                            old->second.line),
-                          place);
+            reader_.report("suite-E06",
+                           old->second == place
+                               ? fmt::format("this makes two shots {}", name)
+                               : fmt::format("there are two shots {}; the other one is on line {}", name,
+                                             old->second.line),
+                           place);
             return;
         }
         const std::size_t index = suite_.shots.size();
@@ -150,16 +151,16 @@ class SuiteBuilder {
         suite_.shots.push_back(std::move(shot));
     }
 
-    /// The golden of a shot "teapot.nvidia" would be taken for the variant of the shot "teapot" for that
+    /// The golden of a shot "teapot.nvidia" would be taken for the golden of the shot "teapot" for that
     /// driver.
     void checkVariants() {
         for (const Shot& shot : suite_.shots) {
             const auto other = byName_.find(std::string(shotOfVariant(shot.name)));
             if (other != byName_.end())
-                reader_.error("suite-E06",
-                              fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
-                                          glib::inQuotes(shot.name), other->first, other->second.line),
-                              byName_.at(shot.name));
+                reader_.report("suite-E06",
+                               fmt::format("the golden of {} would be a variant of that of '{}' on line {}",
+                                           glib::inQuotes(shot.name), other->first, other->second.line),
+                               byName_.at(shot.name));
         }
     }
 
@@ -169,26 +170,26 @@ class SuiteBuilder {
     std::vector<PairRequest> requests_;
 };
 
-/// The top level of the file; the shots are left to the caller.
-const toml::array* readTopLevel(TomlReader& reader, const toml::table& root, const fs::path& folder,
-                                Suite& suite, ShotTemplate& defaults) {
+/// Reads the top level of the file and returns the list of shots.
+const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs::path& folder, Suite& suite,
+                             ShotTemplate& defaults) {
     static constexpr std::array<std::string_view, 3> kKeys{"goldens", "defaults", "shot"};
-    const toml::array* shots = nullptr;
-    for (const TomlEntry& entry : reader.entries(root)) {
+    const TomlList* shots = nullptr;
+    for (const TomlEntry& entry : root) {
         if (entry.key == "goldens") {
-            if (const auto text = reader.text(*entry.value, "goldens"))
+            if (const auto text = reader.text(entry.value, "goldens"))
                 suite.goldens = (folder / *text).lexically_normal();
         } else if (entry.key == "defaults") {
-            if (const toml::table* table = reader.table(*entry.value, "defaults"))
+            if (const TomlTable* table = reader.table(entry.value, "defaults"))
                 readTemplate(reader, *table, folder, true, defaults);
         } else if (entry.key == "shot") {
-            shots = entry.value->as_array();
-            if (!shots) reader.wrongType(*entry.value, "shot", "[[shot]]");
+            shots = entry.value.as<TomlList>();
+            if (!shots) reader.wrongType(entry.value, "shot", "[[shot]]");
         } else if (isShotKey(entry.key)) {
-            reader.error("suite-E02",
-                         fmt::format("'{}' belongs under {}[[shot]]", entry.key,
-                                     isDefaultsKey(entry.key) ? "[defaults] or " : ""),
-                         entry.keyPlace);
+            reader.report("suite-E02",
+                          fmt::format("'{}' belongs under {}[[shot]]", entry.key,
+                                      isDefaultsKey(entry.key) ? "[defaults] or " : ""),
+                          reader.placeOf(entry.position));
         } else {
             reader.unknownKey(entry, "at the top of the file", kKeys);
         }
@@ -207,11 +208,11 @@ Result<Suite> readFolder(const fs::path& folder) {
     const Place place{folder.string(), 1, 1};
     const Result<std::vector<fs::path>> scenes = filesThatFit(folder, "**/*.[gG][lL][iI][bB]");
     if (!scenes || scenes->size() > kMostShots)
-        return error("suite-E11",
-                     fmt::format("the folder is too large for a suite; that has at most {} scenes",
-                                 glib::groupedText(kMostShots)),
-                     place);
-    if (scenes->empty()) return error("suite-E14", "there is no .glib file in the folder", place);
+        return diagnose("suite-E11",
+                        fmt::format("the folder is too large for a suite; that has at most {} scenes",
+                                    glib::groupedText(kMostShots)),
+                        place);
+    if (scenes->empty()) return diagnose("suite-E14", "there is no .glib file in the folder", place);
     Diagnostics problems;
     std::unordered_map<std::string, std::string> byName;
     for (const fs::path& script : *scenes) {
@@ -223,30 +224,30 @@ Result<Suite> readFolder(const fs::path& folder) {
         const std::string why = whyNotAName(shot.name);
         if (!isNew)
             problems.push_back(
-                error("suite-E06",
-                      fmt::format("{} and {} would both be the shot '{}'; rename one",
-                                  glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
-                      place));
+                diagnose("suite-E06",
+                         fmt::format("{} and {} would both be the shot '{}'; rename one",
+                                     glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name),
+                         place));
         else if (!why.empty())
-            problems.push_back(error("suite-E05",
-                                     fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
-                                                 glib::inQuotes(script.string()), why),
-                                     place));
+            problems.push_back(diagnose("suite-E05",
+                                        fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
+                                                    glib::inQuotes(script.string()), why),
+                                        place));
         else
             suite.shots.push_back(std::move(shot));
     }
     for (const Shot& shot : suite.shots)
         if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
             problems.push_back(
-                error("suite-E06",
-                      fmt::format("the golden of {} would be a variant of that of {}; rename one",
-                                  glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
-                      place));
+                diagnose("suite-E06",
+                         fmt::format("the golden of {} would be a variant of that of {}; rename one",
+                                     glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)),
+                         place));
     if (hasError(problems)) return problems;
     return suite;
 }
 
-/// The name beside a file that is not there which comes nearest to it, or nothing.
+/// The most similar name of a file in the same folder, or empty.
 std::string nearestFile(const fs::path& file) {
     const fs::path folder = file.parent_path();
     scene::FolderListings listings;
@@ -264,21 +265,21 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
     suite.goldens = folder / "golden" / suite.name;
 
     TomlReader reader(file.string(), text);
-    const toml::table* root = reader.root();
+    const TomlValue* root = reader.root();
     if (!root) return reader.take();
     ShotTemplate defaults;
-    const toml::array* shots = readTopLevel(reader, *root, folder, suite, defaults);
+    const TomlList* shots = readTopLevel(reader, *root->as<TomlTable>(), folder, suite, defaults);
     SuiteBuilder builder(reader, suite);
     if (shots)
-        for (const toml::node& each : *shots) {
-            if (const toml::table* table = each.as_table())
-                builder.add(*table, folder, defaults);
+        for (const TomlValue& each : *shots) {
+            if (const auto* table = each.as<TomlTable>())
+                builder.add(each, *table, folder, defaults);
             else
                 reader.wrongType(each, "shot", "a table under [[shot]]");
         }
     if (!shots || shots->empty()) {
         if (!reader.hasErrors())
-            reader.error("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
+            reader.report("suite-E14", "the suite has no [[shot]]", {file.string(), 1, 1});
     }
     if (!reader.hasErrors()) builder.finish();
     if (reader.hasErrors()) return reader.take();
@@ -290,7 +291,7 @@ Result<Suite> readSuite(const fs::path& fileOrFolder) {
     std::error_code failure;
     if (fs::is_directory(fileOrFolder, failure)) return readFolder(fileOrFolder);
     if (glib::sameWord(fileOrFolder.extension().string(), ".glib"))
-        return error("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
+        return diagnose("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
     auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestFile);
     if (!bytes) {
         if (const std::string near = nearestFile(fileOrFolder);

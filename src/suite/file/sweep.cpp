@@ -61,16 +61,16 @@ class UniformReader {
   public:
     UniformReader(TomlReader& reader, UniformTable kind) : reader_(reader), kind_(kind) {}
 
-    void read(const toml::table& table, const std::string& prefix) {
-        for (const TomlEntry& entry : reader_.entries(table)) {
+    void read(const TomlTable& table, const std::string& prefix) {
+        for (const TomlEntry& entry : table) {
             const std::string name = prefix + entry.key;
-            if (const toml::table* part = entry.value->as_table()) {
+            if (const auto* part = entry.value.as<TomlTable>()) {
                 read(*part, name + '.');
             } else if (!isUniformName(name)) {
-                reader_.error(
+                reader_.report(
                     "suite-E05",
                     fmt::format("{}: {} is not the name of a uniform", word(), glib::inQuotes(name)),
-                    entry.keyPlace);
+                    reader_.placeOf(entry.position));
             } else {
                 readOne(name, entry);
             }
@@ -83,31 +83,31 @@ class UniformReader {
     [[nodiscard]] std::string_view word() const { return kind_ == UniformTable::set ? "set" : "sweep"; }
 
     void readOne(const std::string& name, const TomlEntry& entry) {
-        UniformValues uniform{name, {}, entry.keyPlace};
+        UniformValues uniform{name, {}, reader_.placeOf(entry.position)};
         const std::string called = fmt::format("{}.{}", word(), name);
         if (kind_ == UniformTable::set) {
-            if (auto one = value(*entry.value, name, called, 0)) {
+            if (auto one = value(entry.value, name, called, 0)) {
                 uniform.values.push_back(std::move(*one));
                 all_.push_back(std::move(uniform));
             }
             return;
         }
-        const toml::array* list = entry.value->as_array();
-        if (!list) return reader_.wrongType(*entry.value, called, "a list of values, as [0, 0.1, 0.2],");
+        const auto* list = entry.value.as<TomlList>();
+        if (!list) return reader_.wrongType(entry.value, called, "a list of values, as [0, 0.1, 0.2]");
         if (list->empty())
-            return reader_.error("suite-E04", called + ": the list is empty", reader_.placeOf(*list));
+            return reader_.report("suite-E04", called + ": the list is empty", reader_.placeOf(entry.value));
         for (std::size_t i = 0; i < list->size(); ++i)
-            if (auto one = value(*list->get(i), name, called, i)) uniform.values.push_back(std::move(*one));
+            if (auto one = value((*list)[i], name, called, i)) uniform.values.push_back(std::move(*one));
         if (uniform.values.size() == list->size()) all_.push_back(std::move(uniform));
     }
 
     /// A value at position `index` of a sweep, or of `set`.
-    std::optional<UniformValue> value(const toml::node& node, const std::string& name,
+    std::optional<UniformValue> value(const TomlValue& node, const std::string& name,
                                       const std::string& called, std::size_t index) {
         std::optional<std::string> text;
-        if (const toml::array* list = node.as_array()) {
-            text = listText(*list, called);
-        } else if (node.is_string()) {
+        if (const auto* list = node.as<TomlList>()) {
+            text = listText(node, *list, called);
+        } else if (node.as<std::string>()) {
             text = reader_.text(node, called);
         } else {
             text = scalarText(node, called, "a number, true, false, a list of numbers or a text");
@@ -119,30 +119,31 @@ class UniformReader {
             std::string why = parsed.diagnostics.empty() ? "not a value" : parsed.diagnostics.front().text;
             const std::string given = fmt::format("--set {}={}: ", name, *text);
             if (why.starts_with(given)) why.erase(0, given.size());
-            reader_.error("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
-                          reader_.placeOf(node));
+            reader_.report("suite-E04", fmt::format("{}: {}: {}", called, glib::inQuotes(*text), why),
+                           reader_.placeOf(node));
             return std::nullopt;
         }
         return UniformValue{std::move(*text), labelOf(*parsed, index)};
     }
 
-    std::optional<std::string> listText(const toml::array& list, const std::string& called) {
+    std::optional<std::string> listText(const TomlValue& node, const TomlList& list,
+                                        const std::string& called) {
         if (list.empty() || list.size() > kMostNumbers) {
-            reader_.error("suite-E04",
-                          list.empty() ? called + ": the list is empty"
-                                       : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
-                                                     kMostNumbers),
-                          reader_.placeOf(list));
+            reader_.report("suite-E04",
+                           list.empty() ? called + ": the list is empty"
+                                        : fmt::format("{}: {} numbers; the limit is {}", called, list.size(),
+                                                      kMostNumbers),
+                           reader_.placeOf(node));
             return std::nullopt;
         }
         std::string text;
-        for (const toml::node& each : list) {
-            if (each.is_array() && kind_ == UniformTable::set) {
-                reader_.error("suite-E03",
-                              called +
-                                  ": one value is wanted, not a list of lists; a list of values belongs "
-                                  "in sweep",
-                              reader_.placeOf(each));
+        for (const TomlValue& each : list) {
+            if (each.as<TomlList>() && kind_ == UniformTable::set) {
+                reader_.report("suite-E03",
+                               called +
+                                   ": expected one value, found a list of lists; a list of values belongs "
+                                   "in sweep",
+                               reader_.placeOf(each));
                 return std::nullopt;
             }
             const auto one = scalarText(each, called, "a number in the list");
@@ -153,17 +154,17 @@ class UniformReader {
         return text;
     }
 
-    std::optional<std::string> scalarText(const toml::node& node, const std::string& called,
-                                          std::string_view wanted) {
-        if (const auto* truth = node.as_boolean()) return **truth ? "true" : "false";
-        if (!node.is_number()) {
-            reader_.wrongType(node, called, wanted);
+    std::optional<std::string> scalarText(const TomlValue& node, const std::string& called,
+                                          std::string_view expected) {
+        if (const auto* truth = node.as<bool>()) return *truth ? "true" : "false";
+        if (const auto* whole = node.as<std::int64_t>()) return std::to_string(*whole);
+        if (!node.as<double>()) {
+            reader_.wrongType(node, called, expected);
             return std::nullopt;
         }
-        if (const auto* integer = node.as_integer()) return std::to_string(**integer);
-        const double number = **node.as_floating_point();
+        const double number = *node.as<double>();
         if (!std::isfinite(static_cast<float>(number))) {
-            reader_.error(
+            reader_.report(
                 "suite-E04",
                 fmt::format("{}: {} is not a finite 32-bit number", called, glib::numberText(number)),
                 reader_.placeOf(node));
@@ -179,7 +180,7 @@ class UniformReader {
 
 }  // namespace
 
-std::vector<UniformValues> readUniforms(TomlReader& reader, const toml::table& table, UniformTable kind) {
+std::vector<UniformValues> readUniforms(TomlReader& reader, const TomlTable& table, UniformTable kind) {
     UniformReader uniforms(reader, kind);
     uniforms.read(table, "");
     return uniforms.take();

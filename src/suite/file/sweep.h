@@ -1,8 +1,8 @@
 #pragma once
-// Values of uniforms in a suite. In `set` a key has one value: a number, true or false, a list of numbers (a
-// vector, an array or a matrix, column by column), or a text as after "NAME=" of --set. In `sweep` a key has
-// a list of such values, and every combination makes a shot. So [0, 0.1, 0.2] is one vec3 in `set` and three
-// floats in `sweep`.
+// Values of uniform variables in a suite. In `set` a key has one value: a number, true or false, a list of
+// numbers (a vector, an array or a matrix, column by column), or a text as after "NAME=" of --set. In `sweep`
+// a key has a list of such values, and every combination makes a shot. So [0, 0.1, 0.2] is one vec3 in `set`
+// and three floats in `sweep`.
 
 #include <glibra/diagnostic.h>
 
@@ -15,10 +15,11 @@
 
 namespace glibra::suite {
 
-/// A value: as --set takes it, and as it stands in the name of a shot.
+/// A value as --set takes it, and as it appears in the name of a shot.
 struct UniformValue {
-    std::string text;   ///< "0.1", "1,0.5,0", "true", "{1 .5 0}"
-    std::string label;  ///< "0.1", "1,0.5,0", "true"; of more than four numbers "v2", its place in the sweep
+    std::string text;  ///< "0.1", "1,0.5,0", "true", "{1 .5 0}"
+    std::string
+        label;  ///< "0.1", "1,0.5,0", "true"; "v2" (the second value) if it has more than four numbers
 };
 
 /// A uniform and its values: one in `set`, one or more in `sweep`.
@@ -30,8 +31,9 @@ struct UniformValues {
 
 enum class UniformTable { set, sweep };
 
-/// Reads one of the tables. A table in it is a structure: { light = { color = [1, 1, 1] } } is "light.color".
-std::vector<UniformValues> readUniforms(TomlReader& reader, const toml::table& table, UniformTable kind);
+/// Reads one of the tables. A table inside it is a structure: { light = { color = [1, 1, 1] } } sets
+/// "light.color".
+std::vector<UniformValues> readUniforms(TomlReader& reader, const TomlTable& table, UniformTable kind);
 
 /// One combination of the values of all sweeps.
 struct Combination {
@@ -39,10 +41,10 @@ struct Combination {
     std::vector<std::string> set;  ///< "uTol=0.1", "uAd=2"
 };
 
-/// The number of combinations, 1 without sweeps; UINT64_MAX if it is larger than that.
+/// The number of combinations; 1 without sweeps, UINT64_MAX if it is larger than that.
 std::uint64_t combinationCount(std::span<const UniformValues> sweeps);
 
-/// All combinations; the values of the last sweep change fastest. Their number is the caller's to check.
+/// All combinations. The values of the last sweep change fastest. The caller checks their number first.
 std::vector<Combination> combinations(std::span<const UniformValues> sweeps);
 
 }  // namespace glibra::suite

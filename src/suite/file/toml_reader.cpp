@@ -1,6 +1,8 @@
 #include "suite/file/toml_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +26,8 @@ bool beginsCharacter(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
 }
 
-/// The key nearest to a word, or that one of both continues: "max" for "maximum", "fraction" for "frac".
+/// The key most similar to a word, or a key that continues the word or begins it: "max" for "maximum",
+/// "fraction" for "frac".
 std::string nearestKey(std::string_view word, std::span<const std::string_view> keys) {
     constexpr std::size_t kLeast = 3;
     if (std::string near = glib::nearestName(word, keys); !near.empty()) return near;
@@ -34,29 +37,55 @@ std::string nearestKey(std::string_view word, std::span<const std::string_view> 
     return {};
 }
 
+TomlPosition positionOf(const toml::source_region& source) {
+    return {source.begin.line, source.begin.column};
+}
+
+/// The library limits how deep values are nested; endlessKey limits the keys.
+TomlValue valueOf(const toml::node& node) {
+    TomlValue value{{}, positionOf(node.source())};
+    if (const auto* text = node.as_string()) {
+        value.content = **text;
+    } else if (const auto* whole = node.as_integer()) {
+        value.content = **whole;
+    } else if (const auto* number = node.as_floating_point()) {
+        value.content = **number;
+    } else if (const auto* truth = node.as_boolean()) {
+        value.content = **truth;
+    } else if (const auto* list = node.as_array()) {
+        TomlList items;
+        items.reserve(list->size());
+        for (const toml::node& each : *list) items.push_back(valueOf(each));
+        value.content = std::move(items);
+    } else if (const auto* table = node.as_table()) {
+        TomlTable entries;
+        entries.reserve(table->size());
+        for (const auto& [key, each] : *table)
+            entries.push_back({std::string(key.str()), positionOf(key.source()), valueOf(each)});
+        std::stable_sort(entries.begin(), entries.end(),
+                         [](const TomlEntry& a, const TomlEntry& b) { return a.position < b.position; });
+        value.content = std::move(entries);
+    }
+    return value;
+}
+
 }  // namespace
 
-std::string described(const toml::node& node) {
-    switch (node.type()) {
-        case toml::node_type::string:
-            return "the text " + glib::inQuotes(**node.as_string());
-        case toml::node_type::integer:
-            return fmt::format("the number {}", **node.as_integer());
-        case toml::node_type::floating_point:
-            return "the number " + glib::numberText(**node.as_floating_point());
-        case toml::node_type::boolean:
-            return **node.as_boolean() ? "true" : "false";
-        case toml::node_type::array:
-            return "a list";
-        case toml::node_type::table:
-            return "a table";
-        default:
-            return "a date or time";
-    }
+bool hasKey(const TomlTable& table, std::string_view key) {
+    return std::any_of(table.begin(), table.end(), [&](const TomlEntry& each) { return each.key == key; });
+}
+
+std::string described(const TomlValue& value) {
+    if (const auto* text = value.as<std::string>()) return "the text " + glib::inQuotes(*text);
+    if (const auto* whole = value.as<std::int64_t>()) return fmt::format("the number {}", *whole);
+    if (const auto* number = value.as<double>()) return "the number " + glib::numberText(*number);
+    if (const auto* truth = value.as<bool>()) return *truth ? "true" : "false";
+    if (value.as<TomlList>()) return "a list";
+    return value.as<TomlTable>() ? "a table" : "a date or time";
 }
 
 TomlReader::TomlReader(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
-    // A byte order mark counts in no column.
+    // A byte order mark is not part of any column.
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     lines_.push_back(0);
     std::size_t characters = 0;
@@ -75,8 +104,8 @@ std::size_t TomlReader::charactersBefore(std::size_t offset) const {
            static_cast<std::size_t>(std::count_if(rest.begin(), rest.end(), beginsCharacter));
 }
 
-Place TomlReader::place(const toml::source_position& position) const {
-    // The library counts characters, we count bytes; what it makes itself has no place.
+Place TomlReader::placeOf(const TomlPosition& position) const {
+    // The library counts characters, we count bytes. Tables that it makes itself have no place.
     if (position.line == 0) return {path_, 1, 1};
     const std::size_t line = std::min<std::size_t>(position.line, lines_.size());
     const std::size_t begin = lines_[line - 1];
@@ -90,131 +119,126 @@ Place TomlReader::place(const toml::source_position& position) const {
     return {path_, static_cast<int>(line), static_cast<int>(std::min(at, end) - begin) + 1};
 }
 
-const toml::table* TomlReader::root() {
+const TomlValue* TomlReader::root() {
     if (const auto offset = endlessKey(text_)) {
         const auto line = std::upper_bound(lines_.begin(), lines_.end(), *offset) - lines_.begin();
         const std::size_t column = *offset - lines_[static_cast<std::size_t>(line) - 1] + 1;
-        error("suite-E01", "a key has too many parts",
-              {path_, static_cast<int>(line), static_cast<int>(column)});
+        report("suite-E01", "a key has too many parts",
+               {path_, static_cast<int>(line), static_cast<int>(column)});
         return nullptr;
     }
     try {
-        root_ = toml::parse(text_, path_);
+        root_ = valueOf(toml::parse(text_, path_));
     } catch (const toml::parse_error& wrong) {
-        const Place where = place(wrong.source().begin);
+        const Place where = placeOf(positionOf(wrong.source()));
         const std::size_t at =
             lines_.at(static_cast<std::size_t>(where.line) - 1) + static_cast<std::size_t>(where.column) - 1;
-        error("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
+        report("suite-E01", syntaxMessage(wrong.description(), text_, std::min(at, text_.size())), where);
     }
     return root_ ? &*root_ : nullptr;
 }
 
-std::vector<TomlEntry> TomlReader::entries(const toml::table& table) const {
-    std::vector<TomlEntry> all;
-    for (const auto& [key, value] : table)
-        all.push_back({std::string(key.str()), place(key.source().begin), &value});
-    std::stable_sort(all.begin(), all.end(), [](const TomlEntry& a, const TomlEntry& b) {
-        return std::tie(a.keyPlace.line, a.keyPlace.column) < std::tie(b.keyPlace.line, b.keyPlace.column);
-    });
-    return all;
-}
-
-std::optional<bool> TomlReader::truth(const toml::node& node, std::string_view name) {
-    if (const auto* value = node.as_boolean()) return **value;
-    wrongType(node, name, "true or false");
+std::optional<bool> TomlReader::truth(const TomlValue& value, std::string_view name) {
+    if (const auto* truth = value.as<bool>()) return *truth;
+    wrongType(value, name, "true or false");
     return std::nullopt;
 }
 
-std::optional<double> TomlReader::number(const toml::node& node, std::string_view name, double low,
+std::optional<double> TomlReader::number(const TomlValue& value, std::string_view name, double low,
                                          double high) {
-    const auto value = node.value<double>();
-    if (!value || !node.is_number()) {
-        wrongType(node, name, "a number");
+    std::optional<double> number;
+    if (const auto* whole = value.as<std::int64_t>()) number = static_cast<double>(*whole);
+    if (const auto* real = value.as<double>()) number = *real;
+    if (!number) {
+        wrongType(value, name, "a number");
         return std::nullopt;
     }
-    if (*value >= low && *value <= high) return value;
+    if (*number >= low && *number <= high) return number;
     const std::string range =
         high < std::numeric_limits<double>::max()
             ? fmt::format("between {} and {}", glib::numberText(low), glib::numberText(high))
             : fmt::format("a finite number from {} upwards", glib::numberText(low));
-    error("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*value), range), placeOf(node));
+    report("suite-E04", fmt::format("{}: {} is not {}", name, glib::numberText(*number), range),
+           placeOf(value));
     return std::nullopt;
 }
 
-std::optional<int> TomlReader::whole(const toml::node& node, std::string_view name, int low, int high) {
-    const auto* value = node.as_integer();
-    if (!value) {
-        wrongType(node, name, "a whole number");
+std::optional<int> TomlReader::whole(const TomlValue& value, std::string_view name, int low, int high) {
+    const auto* number = value.as<std::int64_t>();
+    if (!number) {
+        wrongType(value, name, "a whole number");
         return std::nullopt;
     }
-    if (**value >= low && **value <= high) return static_cast<int>(**value);
-    error("suite-E04", fmt::format("{}: {} is not between {} and {}", name, **value, low, high),
-          placeOf(node));
+    if (*number >= low && *number <= high) return static_cast<int>(*number);
+    report("suite-E04", fmt::format("{}: {} is not between {} and {}", name, *number, low, high),
+           placeOf(value));
     return std::nullopt;
 }
 
-std::optional<std::string> TomlReader::text(const toml::node& node, std::string_view name) {
-    const auto* value = node.as_string();
-    if (!value) {
-        wrongType(node, name, "a text between quotes");
+std::optional<std::string> TomlReader::text(const TomlValue& value, std::string_view name) {
+    const auto* found = value.as<std::string>();
+    if (!found) {
+        wrongType(value, name, "a text between quotes");
         return std::nullopt;
     }
-    const std::string& characters = **value;
+    const std::string& characters = *found;
     if (characters.empty() || characters.find('\0') != std::string::npos) {
-        error("suite-E04",
-              fmt::format("{}: {}", name,
-                          characters.empty() ? "the text is empty" : "the text has a zero byte"),
-              placeOf(node));
+        report("suite-E04",
+               fmt::format("{}: {}", name,
+                           characters.empty() ? "the text is empty" : "the text has a zero byte"),
+               placeOf(value));
         return std::nullopt;
     }
     return characters;
 }
 
-std::optional<std::vector<std::string>> TomlReader::texts(const toml::node& node, std::string_view name) {
-    const toml::array* list = node.as_array();
+std::optional<std::vector<std::string>> TomlReader::texts(const TomlValue& value, std::string_view name) {
+    const auto* list = value.as<TomlList>();
     if (!list) {
-        if (!node.is_string()) {
-            wrongType(node, name, "a text between quotes, or a list of such,");
+        if (!value.as<std::string>()) {
+            wrongType(value, name, "a text between quotes, or a list of such");
             return std::nullopt;
         }
-        auto one = text(node, name);
+        auto one = text(value, name);
         if (!one) return std::nullopt;
         return std::vector<std::string>{std::move(*one)};
     }
     if (list->empty()) {
-        error("suite-E04", fmt::format("{}: the list is empty", name), placeOf(node));
+        report("suite-E04", fmt::format("{}: the list is empty", name), placeOf(value));
         return std::nullopt;
     }
     std::vector<std::string> all;
-    for (const toml::node& each : *list)
+    for (const TomlValue& each : *list)
         if (auto one = text(each, name)) all.push_back(std::move(*one));
     if (all.size() < list->size()) return std::nullopt;
     return all;
 }
 
-const toml::table* TomlReader::table(const toml::node& node, std::string_view name) {
-    if (!node.is_table()) wrongType(node, name, "a table, as { key = value },");
-    return node.as_table();
+const TomlTable* TomlReader::table(const TomlValue& value, std::string_view name) {
+    const auto* table = value.as<TomlTable>();
+    if (!table) wrongType(value, name, "a table, as { key = value }");
+    return table;
 }
 
 void TomlReader::unknownKey(const TomlEntry& entry, std::string_view where,
                             std::span<const std::string_view> keys) {
     const std::string near = nearestKey(entry.key, keys);
-    error("suite-E02",
-          fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
-                      near.empty() ? fmt::format("it has the keys {}", fmt::join(keys, ", "))
-                                   : fmt::format("did you mean '{}'?", near)),
-          entry.keyPlace);
+    report("suite-E02",
+           fmt::format("unknown key {} {}; {}", glib::inQuotes(entry.key), where,
+                       near.empty() ? fmt::format("the keys are {}", fmt::join(keys, ", "))
+                                    : fmt::format("did you mean '{}'?", near)),
+           placeOf(entry.position));
 }
 
-void TomlReader::wrongType(const toml::node& node, std::string_view name, std::string_view wanted) {
-    error("suite-E03", fmt::format("{}: {} is wanted, not {}", name, wanted, described(node)), placeOf(node));
+void TomlReader::wrongType(const TomlValue& value, std::string_view name, std::string_view expected) {
+    report("suite-E03", fmt::format("{}: expected {}, found {}", name, expected, described(value)),
+           placeOf(value));
 }
 
-void TomlReader::error(const char* id, std::string text, Place place) {
+void TomlReader::report(const char* id, std::string text, Place place) {
     ++count_;
     if (problems_.size() < kMostMessages)
-        problems_.push_back(glibra::error(id, std::move(text), std::move(place)));
+        problems_.push_back(diagnose(id, std::move(text), std::move(place)));
 }
 
 Diagnostics TomlReader::take() {
@@ -222,8 +246,9 @@ Diagnostics TomlReader::take() {
         return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
     });
     if (count_ > problems_.size())
-        problems_.push_back(
-            note("", fmt::format("{} more errors are not shown", count_ - problems_.size()), {path_, 1, 1}));
+        problems_.push_back(withoutId(Severity::note,
+                                      fmt::format("{} more errors are not shown", count_ - problems_.size()),
+                                      {path_, 1, 1}));
     return std::exchange(problems_, {});
 }
 

@@ -10,8 +10,7 @@
 namespace glibra::suite {
 namespace {
 
-/// What people who write scenes get wrong most; empty where it is something else. `said` is what the parser
-/// found at `offset`.
+/// Hints for the most common mistakes; empty for others. `said` is the message of the parser about `offset`.
 std::string_view syntaxHint(std::string_view said, std::string_view text, std::size_t offset) {
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     const std::string_view rest = text.substr(offset);
@@ -37,7 +36,8 @@ std::string_view syntaxHint(std::string_view said, std::string_view text, std::s
     return {};
 }
 
-/// The offset after the string that begins at `begin`: of one line, or of several between three quotes.
+/// Returns the offset after the string that begins at `begin`: of one line, or of several lines between three
+/// quotes.
 std::size_t endOfString(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     const std::string three(3, quote);

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a text that is not TOML, in words for those who wrote it.
+// Explains why a text is not TOML.
 
 #include <cstddef>
 #include <optional>
@@ -8,13 +8,12 @@
 
 namespace glibra::suite {
 
-/// What toml++ said is wrong at that offset of the text, without its preamble; and what to write instead,
-/// where it is one of the mistakes that people make.
+/// Returns the message of toml++ about that offset of the text, without its preamble, and what to write
+/// instead if it is a common mistake.
 std::string syntaxMessage(std::string_view said, std::string_view text, std::size_t offset);
 
-/// The offset of the first key with more parts ("a.b.c") than anybody needs, if there is one. The parser
-/// makes a table of each part and is done with them by recursion, which a key of 100,000 parts would not
-/// survive.
+/// Returns the offset of the first key with too many parts ("a.b.c"), or nothing. The parser makes a table of
+/// each part and destroys them recursively, so a key of 100,000 parts would overflow the stack.
 std::optional<std::size_t> endlessKey(std::string_view text);
 
 }  // namespace glibra::suite

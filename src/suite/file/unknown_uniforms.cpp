@@ -19,14 +19,14 @@ std::string_view withoutProgram(std::string_view name) {
 
 void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
     for (Diagnostic& each : diagnostics) {
-        // That of a pair in the scene has a place there.
+        // A pair in the scene has its own place there.
         if (each.id != "glib-W23" || !each.place.file.empty()) continue;
         const auto isAbout = [&](const PlacedUniform& uniform) {
             return each.text.find("a uniform " + glib::inQuotes(withoutProgram(uniform.name))) !=
                    std::string::npos;
         };
         const auto found = std::find_if(shot.ownUniforms.begin(), shot.ownUniforms.end(), isAbout);
-        if (found != shot.ownUniforms.end()) each = error("suite-E19", each.text, found->place);
+        if (found != shot.ownUniforms.end()) each = diagnose("suite-E19", each.text, found->place);
     }
 }
 

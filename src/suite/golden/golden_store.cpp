@@ -14,10 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Goldens are written once and kept for years in a repository: they may take longer and be smaller.
+/// A golden is written once and kept for years in a repository, so it may take longer to write and should be
+/// small.
 constexpr int kCompression = 9;
 
-/// Pixels are accepted for one golden under one tolerance: a narrower one has to be measured anew.
+/// Pixels are accepted for one golden and one tolerance. Another tolerance needs another comparison.
 Hash identityOf(std::span<const std::byte> bytes, const image::Tolerance& tolerance) {
     const Hash content = hashOf(bytes);
     const std::string all =
@@ -75,7 +76,7 @@ const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
 Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
                                     const image::Image& picture) const {
     const fs::path path = file(shot, variant);
-    std::error_code ignored;  // a folder that cannot be made is reported with the file that cannot be written
+    std::error_code ignored;  // reported with the file that cannot be written
     fs::create_directories(path.parent_path(), ignored);
     image::WriteOptions options;
     options.png.level = kCompression;

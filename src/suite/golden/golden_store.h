@@ -1,6 +1,6 @@
 #pragma once
-// Where a suite's golden pictures lie: SHOT.png for everybody, SHOT.llvmpipe.png for one family of drivers
-// (float pictures: .exr), and beside them SUITE.hashes.
+// The golden pictures of a suite: SHOT.png for all drivers, SHOT.llvmpipe.png for one family of drivers (.exr
+// for float pictures), and SUITE.hashes beside them.
 
 #include <glibra/result.h>
 
@@ -16,32 +16,32 @@
 
 namespace glibra::suite {
 
-/// A golden's file as it stands on the disk.
+/// The file of a golden.
 struct Golden {
     std::filesystem::path file;
-    std::string variant;  ///< empty: for everybody
+    std::string variant;  ///< empty: for all drivers
     std::vector<std::byte> bytes;
-    Hash identity;  ///< of the bytes and the shot's tolerance
+    Hash identity;  ///< hash of the bytes and of the shot's tolerance
 };
 
 class GoldenStore {
   public:
-    /// Reads the list of accepted pixels. `folder` instead of the suite's own, unless it is empty.
+    /// Reads the list of accepted pixels. `folder` replaces the folder of the suite unless it is empty.
     static Result<GoldenStore> open(const Suite& suite, const std::filesystem::path& folder = {});
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] std::filesystem::path hashFile() const;
     [[nodiscard]] std::filesystem::path file(const Shot& shot, std::string_view variant) const;
 
-    /// The nearest golden for a family of drivers; nothing, without diagnostics, if there is none, and with
-    /// the reason if it cannot be read.
+    /// Returns the nearest golden for a family of drivers. Nothing without diagnostics means that there is
+    /// none; nothing with diagnostics, that it cannot be read.
     [[nodiscard]] Result<Golden> find(const Shot& shot, std::string_view family) const;
-    /// The pixels accepted with that driver for this golden, or null.
+    /// The pixels that were accepted for this golden with that driver, or null.
     [[nodiscard]] const Hash* acceptedPixels(const Shot& shot, const Golden& golden,
                                              const std::string& key) const;
 
-    /// Makes the picture the golden of that variant, or leaves everything as it was: its file is replaced
-    /// when the new one is whole. The result is the new golden.
+    /// Makes the picture the golden of that variant and returns the new golden. The file is replaced when the
+    /// new one is whole; an error leaves everything as it was.
     [[nodiscard]] Result<Golden> replace(const Shot& shot, std::string_view variant,
                                          const image::Image& picture) const;
 
@@ -51,7 +51,7 @@ class GoldenStore {
     HashList accepted_;
 };
 
-/// The pixels of a golden. Errors name its file, and what to do.
+/// The pixels of a golden. Errors name its file and say what to do.
 Result<image::Image> decode(const Golden& golden);
 
 }  // namespace glibra::suite

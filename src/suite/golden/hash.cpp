@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-// Compiled in: a library of its own would be loaded at every start of the program.
+// Compiled in, because a shared library would be loaded at every start of the program.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

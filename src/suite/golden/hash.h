@@ -1,6 +1,6 @@
 #pragma once
-// Exact identity of pixels and of files: XXH3, 128 bits (Yann Collet). It tells pictures apart, it does not
-// withstand anybody who wants two to collide.
+// Hashes of pixels and files: XXH3 with 128 bits (Yann Collet). They are not cryptographic: somebody can make
+// two files with one hash on purpose.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +18,10 @@ struct Hash {
     friend bool operator==(const Hash&, const Hash&) = default;
 };
 
-/// Of the size, the component count, the component type and all pixels: equal for equal pictures only, on
-/// every machine of the same byte order.
+/// Hash of the size, the component count, the component type and all pixels. It is the same on all machines
+/// with the same byte order.
 Hash hashOf(const image::Image& picture);
-/// Of a file's bytes.
+/// Hash of the bytes of a file.
 Hash hashOf(std::span<const std::byte> bytes);
 
 /// 32 hexadecimal digits, and back.

@@ -12,15 +12,15 @@
 namespace glibra::suite {
 namespace {
 
-/// Those that change how floating point is computed, in the words of /proc/cpuinfo.
+/// Processor features that change how floating point is computed, as /proc/cpuinfo names them.
 constexpr std::array<std::string_view, 12> kFeatures{"sse4_1", "avx",     "avx2",     "fma",
                                                      "f16c",   "avx512f", "avx512dq", "avx512bw",
                                                      "asimd",  "asimdhp", "sve",      "vsx"};
-/// Mesa's switches for the code it makes.
+/// Environment variables that change the code that Mesa generates.
 constexpr std::array<const char*, 4> kSwitches{"GALLIUM_OVERRIDE_CPU_CAPS", "LP_NATIVE_VECTOR_WIDTH",
                                                "GALLIVM_PERF", "LP_PERF"};
 
-/// The value of the first line "name : value" of /proc/cpuinfo; empty where there is none.
+/// The value of the first line "name : value" of /proc/cpuinfo, or empty.
 std::string processorFact(std::string_view name) {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
@@ -47,7 +47,7 @@ std::string processor() {
     return words;
 }
 
-/// A line may hold no line ends.
+/// Replaces line ends by blanks.
 std::string oneLine(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');

@@ -22,8 +22,8 @@ constexpr std::string_view kHeading =
     "# Written by glibra test --update. Lines may be deleted at any time.\n";
 constexpr std::uint64_t kLargestFile = 256ULL << 20;
 
-/// Holds a folder for one process at a time, as far as the file system can; it goes with the object. The
-/// folder itself is locked, so that no lock file is left among the goldens.
+/// Locks a folder for one process, if the file system has locks, as long as the object lives. The folder
+/// itself is locked, so that no lock file is left among the goldens.
 class FolderLock {
   public:
     explicit FolderLock(const fs::path& folder)
@@ -58,7 +58,7 @@ Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
     const std::optional<Hash> golden = parseHash(words[2]);
     const std::optional<Hash> pixels = parseHash(words[3]);
     if (!golden || !pixels || rest.empty())
-        return warning("suite-W01", "no line of accepted pixels; it is ignored", place);
+        return diagnose("suite-W01", "this is not a line of accepted pixels; it is ignored", place);
     return AcceptedHash{std::string(words[0]), words[1] == "-" ? "" : std::string(words[1]), *golden, *pixels,
                         std::string(rest)};
 }

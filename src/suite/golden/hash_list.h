@@ -1,11 +1,12 @@
 #pragma once
-// The side file of a suite's goldens: which exact pixels were accepted, by driver. A text file of sorted
-// lines, one a shot and driver, so that git merges it; a lost line costs time and nothing else.
+// The list of the exact pixels that were accepted, per driver, in a file beside the goldens of a suite. It is
+// a text file of sorted lines, one per shot and driver, so that git can merge it. A lost line costs time and
+// nothing else.
 //
 //     teapot - 0f3c...golden 9a41...pixels llvmpipe (LLVM 15.0.6, 256 bits); 4.5 ...
 //
-// A line holds only together with the very golden file that stood beside it and the tolerance that then was
-// asked for: whoever replaces a golden by hand, merges two branches or narrows a tolerance voids its lines.
+// A line is valid only for the golden file and the tolerance that it was written for. So replacing a golden
+// by hand, merging two branches or changing a tolerance invalidates its lines.
 
 #include <glibra/result.h>
 
@@ -21,27 +22,28 @@ namespace glibra::suite {
 
 struct AcceptedHash {
     std::string shot;
-    std::string variant;  ///< of the golden; empty: the one for everybody
-    Hash golden;          ///< of the golden's file and the shot's tolerance
-    Hash pixels;          ///< of the picture that was rendered
+    std::string variant;  ///< variant of the golden; empty: the one for all drivers
+    Hash golden;          ///< hash of the golden's file and the shot's tolerance
+    Hash pixels;          ///< hash of the rendered picture
     std::string key;      ///< driverKey()
 };
 
-/// One line without line end, and back.
+/// Writes and reads one line without its line end.
 std::string toLine(const AcceptedHash& accepted);
 Result<AcceptedHash> parseLine(std::string_view line, const Place& place);
 
 class HashList {
   public:
     HashList() = default;
-    /// A file that is not there is an empty list. Lines that cannot be read are left out and reported as
-    /// suite-W01; an unreadable file is an empty list with the reason as a warning.
+    /// Reads the list. A missing file is an empty list. Lines that cannot be read are left out and reported
+    /// as suite-W01. A file that cannot be read is an empty list with the reason as a warning.
     static Result<HashList> read(const std::filesystem::path& file);
 
-    /// The pixels accepted with that driver for the golden of that content, or null.
+    /// The pixels that were accepted with that driver for the golden of that content, or null.
     [[nodiscard]] const Hash* find(const std::string& shot, const std::string& variant, const Hash& golden,
                                    const std::string& key) const;
-    /// Adds lines; those they replace go, and those of other content of the same golden.
+    /// Adds lines. They replace lines of the same shot, variant and driver, and lines for other content of
+    /// the same golden.
     void accept(std::span<const AcceptedHash> accepted);
     [[nodiscard]] std::string toText() const;
 
@@ -49,7 +51,7 @@ class HashList {
     std::map<std::string, std::vector<AcceptedHash>> ofShot_;
 };
 
-/// Adds lines to the file, which other processes may be changing at the same time. Empty if that worked.
+/// Adds lines to the file, which other processes may change at the same time. Returns nothing if that worked.
 Diagnostics acceptHashes(const std::filesystem::path& file, std::span<const AcceptedHash> accepted);
 
 }  // namespace glibra::suite

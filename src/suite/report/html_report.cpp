@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON that may stand in a <script> element: without '<' nothing can close or open an element.
+/// JSON for a <script> element. Without '<' nothing in it can close or open an element.
 std::string inScript(const Json& json) {
     std::string text;
     for (const char each : json.dump(-1, ' ', false, Json::error_handler_t::replace))
@@ -83,7 +83,7 @@ struct Slot {
     std::string text;
 };
 
-/// The template with {{name}} replaced. What is put in is not looked through again.
+/// Returns the template with each {{name}} replaced. Replaced text is not searched again.
 std::string filled(std::string_view page, std::span<const Slot> slots) {
     std::string text;
     while (true) {
@@ -100,6 +100,9 @@ std::string filled(std::string_view page, std::span<const Slot> slots) {
 std::string headline(const RunResult& run) {
     const auto failures = std::count_if(run.shots.begin(), run.shots.end(),
                                         [](const ShotResult& shot) { return isFailure(shot.verdict); });
+    if (const std::size_t missing = missingShots(run).size(); missing > 0)
+        return fmt::format("{} of {} shots failed, {} of {} planned shots have no verdict", failures,
+                           run.shots.size(), missing, plannedCount(run));
     if (failures > 0) return fmt::format("{} of {} shots failed", failures, run.shots.size());
     return run.shots.empty() ? "No shots" : fmt::format("None of {} shots failed", run.shots.size());
 }

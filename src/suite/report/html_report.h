@@ -1,5 +1,5 @@
 #pragma once
-// The report for a browser: a folder that needs no network and no server.
+// The report for a browser: a folder that needs neither network nor server.
 
 #include <glibra/diagnostic.h>
 
@@ -9,13 +9,14 @@
 
 namespace glibra::suite {
 
-/// Writes REPORT/index.html, REPORT/pictures (copies; what a browser cannot show, as PNG) and REPORT/pixels
-/// (for every shot that is not a plain pass, the values of its pixels as a script, because a page may not
-/// read the pixels of picture files). The folder is made if need be; pictures and pixels that an earlier
-/// report left there are removed. The page appears last, when all it needs is there.
+/// Writes REPORT/index.html, REPORT/pictures (copies, as PNG where a browser cannot show the format) and
+/// REPORT/pixels. The latter has, for every shot that is not a plain pass, the values of its pixels as a
+/// script, because a page may not read the pixels of picture files. The folder is made if it does not exist.
+/// Pictures and pixels of an earlier report are removed. The page is written last, when everything that it
+/// needs exists.
 ///
 /// The warning result-W02 names a picture or a scene that cannot be read (at most 20 of them); the report
-/// says so too. Errors: file-E10.
+/// mentions it too. Errors: file-E10.
 Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
                             const std::filesystem::path& reportFolder);
 

@@ -110,6 +110,16 @@ std::string toJunit(const RunResult& run) {
         for (const ShotResult* shot : shots) putShot(inside, *shot);
         inside += "  </testsuite>\n";
     }
+    if (const std::string missing = shortfall(run); !missing.empty()) {
+        ++all.tests;
+        ++all.errors;
+        inside += fmt::format(
+            "  <testsuite name=\"glibra\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "
+            "time=\"0.000\">\n"
+            "    <testcase name=\"every planned shot has a verdict\" classname=\"glibra\" time=\"0.000\">\n"
+            "      <error message=\"{0}\" type=\"incomplete\">{0}</error>\n    </testcase>\n  </testsuite>\n",
+            escapeXml(missing));
+    }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<testsuites name=\"glibra\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "

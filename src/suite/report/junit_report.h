@@ -1,5 +1,5 @@
 #pragma once
-// JUnit XML, which Jenkins, GitLab and GitHub's readers show.
+// JUnit XML, which the test reports of Jenkins, GitLab and GitHub show.
 
 #include <string>
 
@@ -7,7 +7,11 @@
 
 namespace glibra::suite {
 
-/// One <testsuite> a suite, one <testcase> a shot. What did not draw at all (crashed, timed-out) is an
+/// Returns one <testsuite> per suite and one <testcase> per shot. A shot without a picture (crashed,
+/// timed-out) is an <error>. Other failures are a <failure> whose text has the figures, the paths of the
+/// pictures and the commands. Diagnostics of the scene are in <system-out>. If planned shots have no verdict,
+/// one more test case is an <error>. The text is UTF-8 and valid XML 1.0 for all strings. Schema:
+/// junit-10.xsd of the xUnit plugin of Jenkins.
 /// <error>, other failures are a <failure> whose text holds the figures, the pictures' paths and the
 /// commands; diagnostics of the scene are in <system-out>. UTF-8, fit for XML 1.0 whatever the strings hold.
 /// Form: the schema junit-10.xsd of Jenkins' xUnit plugin.

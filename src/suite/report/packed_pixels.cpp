@@ -45,7 +45,7 @@ std::vector<std::byte> rowsMinusAbove(const image::Image& picture) {
     return bytes;
 }
 
-/// The colours alone if alpha is 1 everywhere, else nothing.
+/// The colours without alpha if alpha is 1 everywhere, or nothing.
 std::optional<image::Image> withoutAlpha(const image::Image& picture) {
     if (picture.components != 4) return std::nullopt;
     const std::size_t valueBytes = image::bytesOf(picture.type), colorBytes = 3 * valueBytes;
@@ -78,7 +78,7 @@ const char* typeName(image::Component type) {
 
 std::string packedPixels(const image::Image& picture) {
     if (const std::optional<image::Image> opaque = withoutAlpha(picture)) return packedPixels(*opaque);
-    constexpr int kLevel = 1;  // a report of hundreds of failures is written in the time of few drawings
+    constexpr int kLevel = 1;  // fast: a report may have hundreds of failures
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(kLevel));
     const std::vector<std::byte> bytes = rowsMinusAbove(picture);

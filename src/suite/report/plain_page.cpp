@@ -23,7 +23,7 @@ std::string picture(std::string_view title, const std::string& file) {
         title, file);
 }
 
-/// The lines of a file, each with its diagnostics under it.
+/// The lines of a file, each with its diagnostics below it.
 std::string listing(const Source& source, const Diagnostics& diagnostics) {
     std::string html =
         fmt::format("<details><summary>{}</summary><div class=\"source\"><ol>", escapeXml(source.file));

@@ -1,5 +1,5 @@
 #pragma once
-// What a browser without scripts shows of a report.
+// The part of a report for browsers without scripts.
 
 #include <span>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace glibra::suite {
 
-/// HTML for the inside of <noscript>: each shot that is not plain with its pictures, figures, commands and
-/// scene, in the order of concern; then the names of the others.
+/// HTML for the inside of <noscript>: every shot that is not a plain pass, with its pictures, figures,
+/// commands and scene, the most urgent first; then the names of the others.
 std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
                       std::span<const Source> sources);
 

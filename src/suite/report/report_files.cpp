@@ -23,19 +23,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostWarnings = 20;
 constexpr std::uint64_t kLargestSource = std::uint64_t{1} << 20;
-// Beyond it unpacking takes seconds and hundreds of megabytes in a browser.
+// Unpacking more than this takes a browser seconds and hundreds of megabytes.
 constexpr std::int64_t kMostPixels = std::int64_t{4096} * 4096;
 
 const char* const kFolders[] = {"pictures", "pixels"};
 
-/// "00012-5f0c82aa": number and content. A new report's files stand beside those of an old one, whose page
-/// stays whole until the new page takes its place.
+/// "00012-5f0c82aa": number and content. The files of a new report stand beside those of an old one, whose
+/// page stays valid until the new page replaces it.
 std::string nameOf(std::size_t number, std::span<const std::byte> content) {
     constexpr std::size_t kDigits = 8;
     return fmt::format("{:05}-{}", number, toText(hashOf(content)).substr(0, kDigits));
 }
 
-/// "00012-5f0c82aa.got.png", "00012.js": names that only a report has given.
+/// True for "00012-5f0c82aa.got.png" and "00012.js": names that only a report gives.
 bool isOurs(std::string_view name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == std::string_view::npos || digits < 5) return false;
@@ -64,13 +64,13 @@ bool isPlain(const ShotResult& shot) {
 ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder)
     : resultsFolder_(std::move(resultsFolder)), reportFolder_(std::move(reportFolder)) {
     for (const char* folder : kFolders) {
-        std::error_code ignored;  // told with the first file that cannot be written
+        std::error_code ignored;  // reported with the first file that cannot be written
         fs::create_directories(reportFolder_ / folder, ignored);
     }
 }
 
 bool ReportFiles::write(const std::string& name, std::span<const std::byte> bytes) {
-    if (hasError(problems_)) return false;  // a full disk is told once
+    if (hasError(problems_)) return false;  // a full disk is reported once
     Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes);
     const bool good = problems.empty();
     append(problems_, std::move(problems));
@@ -82,7 +82,7 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
     shown.remarks.push_back(text);
     if (problems_.size() < kMostWarnings)
         problems_.push_back(
-            warning("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
+            diagnose("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
 ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
@@ -136,7 +136,7 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
     if (known == sourceOf_.end()) {
         const Result<std::vector<std::byte>> bytes =
             image::readFile(located(path, resultsFolder_), {file, {}}, kLargestSource);
-        // The diagnostics say what is wrong with a scene that cannot be read; they are shown without it.
+        // The diagnostics say why a scene cannot be read. The shot is shown without its text.
         if (!bytes) return;
         const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
         if (text.find('\0') != std::string_view::npos) return;
@@ -170,7 +170,7 @@ ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
 
 void ReportFiles::removeOthers() const {
     for (const char* folder : kFolders) {
-        std::error_code ignored;  // what stays is only in the way of nobody
+        std::error_code ignored;  // a file that stays does no harm
         for (const fs::directory_entry& each : fs::directory_iterator(reportFolder_ / folder, ignored)) {
             const std::string name = each.path().filename().string();
             if (isOurs(name) && !written_.contains(std::string(folder) + "/" + name))

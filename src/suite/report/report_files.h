@@ -15,11 +15,12 @@
 
 namespace glibra::suite {
 
-/// What the page shows of a shot besides its result. Paths are relative to the page; empty: there is none.
+/// What the page shows of a shot besides its result. Paths are relative to the page; an empty path means that
+/// there is no file.
 struct ShownShot {
     std::string expected, got, difference;
     std::string pixels;                ///< script with the values of `expected` and `got`
-    std::vector<std::size_t> sources;  ///< of ReportFiles::sources()
+    std::vector<std::size_t> sources;  ///< indices into ReportFiles::sources()
     std::vector<std::string> remarks;  ///< what could not be shown, and why
 };
 
@@ -29,8 +30,7 @@ struct Source {
     std::string text;  ///< UTF-8
 };
 
-/// True for what is shown as a small picture only: a pass that is as it always was, or a shot that was not
-/// run.
+/// True for a shot that is shown as a small picture only: a pass without changes, or a shot that was not run.
 bool isPlain(const ShotResult& shot);
 
 class ReportFiles {
@@ -40,15 +40,15 @@ class ReportFiles {
     /// Writes the pictures and pixels of a shot. `number` counts from 1 and names its files.
     ShownShot add(const ShotResult& shot, std::size_t number);
 
-    /// Removes what an earlier report left in the folders.
+    /// Removes the files of an earlier report from the folders.
     void removeOthers() const;
 
-    /// Texts of the scenes and shaders of all shots that are not plain, each once.
+    /// The texts of the scenes and shaders of all shots that are not plain, each once.
     [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
 
   private:
-    /// A picture in the report; `pixels` is there where it was asked for or had to be decoded.
+    /// A picture in the report. `pixels` is set if it was asked for or had to be decoded.
     struct Copy {
         std::string file;
         image::Image pixels;
@@ -67,8 +67,8 @@ class ReportFiles {
     Diagnostics problems_;
 };
 
-/// A JSON object of the picture's values: width, height, components, type and data, which is each row minus
-/// the one above it (bytes modulo 256), compressed as zlib, as base64.
+/// A JSON object with width, height, components, type and data of a picture. The data is each row minus the
+/// row above it (bytes modulo 256), compressed as zlib, in base64.
 std::string packedPixels(const image::Image& picture);
 
 }  // namespace glibra::suite

@@ -12,16 +12,16 @@
 namespace glibra::suite {
 namespace {
 
-constexpr int kMostRows = 16;  // of characters
+constexpr int kMostRows = 16;  // characters
 
 using Color = std::array<std::uint8_t, 3>;
 
-/// Rec. 709 weights on the values as they are, in 10000ths: enough to tell bright from dark.
+/// Rec. 709 weights in 10000ths, applied to the values as they are. That is enough to tell bright from dark.
 int brightness(const Color& color) {
     return 2126 * color[0] + 7152 * color[1] + 722 * color[2];
 }
 
-/// Cells of a picture, each as its brightest pixel.
+/// The cells of a picture; the value of a cell is that of its brightest pixel.
 struct Grid {
     int columns, rows;
     std::vector<Color> cells;
@@ -89,7 +89,7 @@ std::string shadeRow(const Grid& grid, int row) {
 std::vector<std::string> smallHeatMap(const image::Image& difference, int columns, bool color) {
     if (!image::isConsistent(difference) || columns < 1) return {};
     const image::Image picture = image::withType(image::withComponents(difference, 3), image::Component::u8);
-    // A character is about twice as high as wide.
+    // A character is about twice as high as it is wide.
     const double rowsPerColumn = 0.5 * picture.height / picture.width;
     columns = std::min(columns, picture.width);
     int rows = static_cast<int>(std::lround(columns * rowsPerColumn));

@@ -36,18 +36,18 @@ class Text {
     }
     /// Warnings of shots that do not fail, each text once.
     void warnings(const RunResult& run) {
-        struct Told {
+        struct Repeated {
             const Diagnostic* warning = nullptr;
             const ShotResult *first = nullptr, *last = nullptr;
             std::size_t shots = 0;
         };
-        std::vector<Told> all;
+        std::vector<Repeated> all;
         for (const ShotResult& shot : run.shots) {
             if (isFailure(shot.verdict)) continue;
             for (const Diagnostic& each : shot.diagnostics) {
                 if (each.severity != Severity::warning) continue;
-                const auto known = std::find_if(all.begin(), all.end(), [&](const Told& told) {
-                    return told.warning->id == each.id && told.warning->text == each.text;
+                const auto known = std::find_if(all.begin(), all.end(), [&](const Repeated& other) {
+                    return other.warning->id == each.id && other.warning->text == each.text;
                 });
                 if (known == all.end()) {
                     all.push_back({&each, &shot, &shot, 1});
@@ -96,7 +96,7 @@ class Text {
         if (options_.mapColumns < 1 || shot.difference.empty()) return;
         const Result<image::Image> picture =
             image::readImage(located(shot.difference, options_.resultsFolder));
-        if (!picture) return;  // its path is told below
+        if (!picture) return;  // its path is printed below
         for (const std::string& row : smallHeatMap(*picture, options_.mapColumns, options_.color))
             line(options_.color ? "    " + row : "    |" + row + "|");
     }
@@ -110,7 +110,7 @@ class Text {
 std::string toText(const RunResult& run, const TextOptions& options) {
     Text text(options);
     int failures = 0, changed = 0;
-    // Failures stand last, next to the summary.
+    // Failures are last, next to the summary.
     for (const bool failing : {false, true})
         for (const ShotResult& shot : run.shots) {
             if (isFailure(shot.verdict) != failing || shot.verdict == Verdict::skipped) continue;
@@ -121,15 +121,18 @@ std::string toText(const RunResult& run, const TextOptions& options) {
         }
     text.warnings(run);
     if (failures > options.mostDetails)
-        text.line(fmt::format("the first {} failures are told in full, {} more in a line each",
+        text.line(fmt::format("the first {} failures are shown in full, {} more with one line each",
                               options.mostDetails, failures - options.mostDetails));
+    if (const std::string missing = shortfall(run); !missing.empty())
+        text.line(text.painted("incomplete: " + printableText(missing), kRed));
     std::string summary = counts(run);
     if (changed > 0)
-        summary += fmt::format(" ({} not bit for bit as once on this driver and processor)", changed);
+        summary +=
+            fmt::format(" ({} differ in bits from an earlier run on this driver and processor)", changed);
     summary += fmt::format("; {} in {}", glib::counted(run.shots.size(), "shot"), readableTime(run.seconds));
     if (!run.driver.empty()) summary += ", " + printableText(run.driver);
     if (!run.shard.empty()) summary += ", shard " + printableText(run.shard);
-    text.line(text.painted(summary, failures > 0 ? kRed : kGreen));
+    text.line(text.painted(summary, failures > 0 || !shortfall(run).empty() ? kRed : kGreen));
     return text.take();
 }
 

@@ -1,6 +1,7 @@
 #include "suite/results/merge.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -24,7 +25,7 @@ struct Run {
     RunResult results;
 };
 
-/// A shot and the run it is of.
+/// A shot and its run.
 struct Source {
     ShotResult* shot;
     const Run* run;
@@ -41,7 +42,7 @@ std::optional<std::pair<int, int>> shardOf(const std::string& text) {
     return shard;
 }
 
-/// Whether all parts of a divided suite are there.
+/// result-E03 and result-E04: whether all shards of a run are there, and only those.
 Diagnostics checkShards(const std::vector<Run>& runs) {
     std::map<int, std::set<int>> parts;  // by count
     bool undivided = false;
@@ -56,7 +57,7 @@ Diagnostics checkShards(const std::vector<Run>& runs) {
         std::string list;
         for (const auto& [count, ignored] : parts)
             list += fmt::format("{}{}", list.empty() ? "" : ", ", count);
-        problems.push_back(error(
+        problems.push_back(diagnose(
             "result-E04",
             fmt::format("these runs do not belong together: shards of {}{}; give the folders of one run",
                         list, undivided ? " and a whole run" : "")));
@@ -71,10 +72,50 @@ Diagnostics checkShards(const std::vector<Run>& runs) {
             absent += fmt::format("{}{}/{}", absent.empty() ? "" : ", ", part, count);
     if (absentCount > kMostNames) absent += ", ...";
     if (absentCount > 0)
-        problems.push_back(error(
+        problems.push_back(diagnose(
             "result-E03", fmt::format("{} of {} shards are missing: {}; their shots are not in this result",
                                       static_cast<std::size_t>(count) - present.size(), count, absent)));
     return problems;
+}
+
+/// result-E03 for every run with planned shots that have no verdict. A run that was killed falls short unless
+/// runs that reached their end have verdicts on all of its shots.
+Diagnostics checkPlans(const std::vector<Run>& runs) {
+    std::set<ShotKey> judged;
+    for (const Run& run : runs)
+        for (const ShotResult& shot : run.results.shots)
+            if (run.results.complete && shot.verdict != Verdict::skipped)
+                judged.emplace(shot.suite, shot.shot);
+    Diagnostics problems;
+    const auto report = [&](const Run& run, const std::string& why) {
+        problems.push_back(
+            diagnose("result-E03", fmt::format("results in '{}': {}", run.folder.string(), why)));
+    };
+    for (const Run& run : runs) {
+        if (!run.results.planned) {
+            report(run, "the file does not say which shots were planned; run the suite again");
+            continue;
+        }
+        bool isCovered = true;
+        for (const PlannedShots& suite : *run.results.planned)
+            for (const std::string& shot : suite.shots) isCovered &= judged.contains({suite.suite, shot});
+        if (isCovered) continue;
+        const std::string why = shortfall(run.results);
+        report(run, (why.empty() ? "the run did not reach its end" : why) + "; continue it with --resume");
+    }
+    return problems;
+}
+
+/// All that the runs planned, each shot once.
+std::vector<PlannedShots> joinedPlans(std::span<const Run> runs) {
+    std::map<std::string, std::set<std::string>> bySuite;
+    for (const Run& run : runs)
+        if (run.results.planned)
+            for (const PlannedShots& suite : *run.results.planned)
+                bySuite[suite.suite].insert(suite.shots.begin(), suite.shots.end());
+    std::vector<PlannedShots> planned;
+    for (const auto& [suite, shots] : bySuite) planned.push_back({suite, {shots.begin(), shots.end()}});
+    return planned;
 }
 
 /// Of two verdicts the heavier counts.
@@ -84,8 +125,8 @@ std::ptrdiff_t weight(Verdict verdict) {
            std::find(std::begin(kVerdictsByConcern), std::end(kVerdictsByConcern), verdict);
 }
 
-/// One source a shot, and what was told differently.
-Diagnostics choose(std::vector<Run>& runs, std::map<std::pair<std::string, std::string>, Source>& chosen) {
+/// Chooses one source per shot; the warnings name those on which runs differ.
+Diagnostics choose(std::vector<Run>& runs, std::map<ShotKey, Source>& chosen) {
     Diagnostics remarks;
     for (Run& run : runs)
         for (ShotResult& shot : run.results.shots) {
@@ -95,11 +136,11 @@ Diagnostics choose(std::vector<Run>& runs, std::map<std::pair<std::string, std::
             const Verdict before = old.shot->verdict;
             const bool takes = weight(shot.verdict) > weight(before);
             if (before != shot.verdict && before != Verdict::skipped && shot.verdict != Verdict::skipped)
-                remarks.push_back(
-                    warning("result-W01",
-                            fmt::format("'{}/{}' is {} in '{}' and {} in '{}'; it counts as {}", shot.suite,
-                                        shot.shot, name(before), old.run->folder.string(), name(shot.verdict),
-                                        run.folder.string(), name(takes ? shot.verdict : before))));
+                remarks.push_back(diagnose(
+                    "result-W01",
+                    fmt::format("'{}/{}' is {} in '{}' and {} in '{}'; it counts as {}", shot.suite,
+                                shot.shot, name(before), old.run->folder.string(), name(shot.verdict),
+                                run.folder.string(), name(takes ? shot.verdict : before))));
             if (takes) old = {&shot, &run};
         }
     return remarks;
@@ -110,7 +151,7 @@ class PictureCopier {
   public:
     PictureCopier(const fs::path& into, std::span<const Run> runs) : into_(into), runs_(runs) {}
 
-    /// Gives the path relative to the new folder; pictures that are not in the run's folder keep theirs.
+    /// Returns the path relative to the new folder. Pictures outside the folder of the run keep their path.
     Result<fs::path> copy(const fs::path& picture, const Run& run) {
         const fs::path relative = picture.lexically_normal();
         std::error_code failed;
@@ -146,21 +187,18 @@ class PictureCopier {
 
     const fs::path& into_;
     std::span<const Run> runs_;
-    std::map<fs::path, fs::path> sources_;  ///< by name in the new folder
+    std::map<fs::path, fs::path> sources_;  ///< key: the name in the new folder
 };
 
-/// What all runs say, or each of their sayings once.
+/// The values of a member in all runs, each once.
 std::string joined(std::span<const Run> runs, std::string RunResult::*member, std::string_view between) {
-    std::vector<std::string_view> sayings;
-    std::string text;
+    std::vector<std::string_view> values;
     for (const Run& run : runs) {
-        const std::string& saying = run.results.*member;
-        if (saying.empty() || std::find(sayings.begin(), sayings.end(), saying) != sayings.end()) continue;
-        if (!sayings.empty()) text += between;
-        text += saying;
-        sayings.push_back(saying);
+        const std::string& value = run.results.*member;
+        if (!value.empty() && std::find(values.begin(), values.end(), value) == values.end())
+            values.push_back(value);
     }
-    return text;
+    return fmt::format("{}", fmt::join(values, between));
 }
 
 RunResult header(std::span<const Run> runs) {
@@ -179,7 +217,7 @@ RunResult header(std::span<const Run> runs) {
 }  // namespace
 
 Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path& into) {
-    if (folders.empty()) return error("result-E05", "no folder of results is given");
+    if (folders.empty()) return diagnose("result-E05", "no folder of results is given");
     Diagnostics remarks;
     std::vector<Run> runs;
     for (const fs::path& folder : folders) {
@@ -193,9 +231,13 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     if (runs.empty()) return remarks;
 
     append(remarks, checkShards(runs));
-    std::map<std::pair<std::string, std::string>, Source> chosen;
+    append(remarks, checkPlans(runs));
+    const bool isWhole = !hasError(remarks);
+    std::map<ShotKey, Source> chosen;
     append(remarks, choose(runs, chosen));
     RunResult merged = header(runs);
+    merged.planned = joinedPlans(runs);
+    merged.complete = isWhole;
     PictureCopier copier(into, runs);
     for (const auto& [key, source] : chosen) {
         ShotResult shot = std::move(*source.shot);

@@ -1,7 +1,10 @@
 #include "suite/results/results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 namespace glibra::suite {
 namespace {
@@ -23,7 +26,7 @@ constexpr VerdictRow kVerdicts[] = {
 const VerdictRow& rowOf(Verdict verdict) {
     const auto* row = std::find_if(std::begin(kVerdicts), std::end(kVerdicts),
                                    [&](const VerdictRow& each) { return each.verdict == verdict; });
-    return row != std::end(kVerdicts) ? *row : kVerdicts[1];  // what has no row is no pass
+    return row != std::end(kVerdicts) ? *row : kVerdicts[1];  // a verdict without a row counts as failed
 }
 
 }  // namespace
@@ -40,6 +43,39 @@ std::optional<Verdict> verdictOf(std::string_view word) {
 
 bool isFailure(Verdict verdict) {
     return rowOf(verdict).failure;
+}
+
+std::vector<ShotKey> missingShots(const RunResult& run) {
+    std::set<ShotKey> judged;
+    for (const ShotResult& each : run.shots)
+        if (each.verdict != Verdict::skipped) judged.emplace(each.suite, each.shot);
+    std::vector<ShotKey> missing;
+    if (run.planned)
+        for (const PlannedShots& suite : *run.planned)
+            for (const std::string& shot : suite.shots)
+                if (!judged.contains({suite.suite, shot})) missing.emplace_back(suite.suite, shot);
+    return missing;
+}
+
+std::string shortfall(const RunResult& run) {
+    return shortfall(missingShots(run), plannedCount(run));
+}
+
+std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned) {
+    if (missing.empty()) return {};
+    constexpr std::size_t kMostNames = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostNames); ++i)
+        names += fmt::format("{}{}/{}", i == 0 ? "" : ", ", missing[i].first, missing[i].second);
+    return fmt::format("{} of {} planned shots have no verdict: {}{}", missing.size(), planned, names,
+                       missing.size() > kMostNames ? ", ..." : "");
+}
+
+std::size_t plannedCount(const RunResult& run) {
+    std::size_t count = 0;
+    if (run.planned)
+        for (const PlannedShots& each : *run.planned) count += each.shots.size();
+    return count;
 }
 
 }  // namespace glibra::suite

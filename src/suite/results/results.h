@@ -1,5 +1,5 @@
 #pragma once
-// What became of the shots of a run: the value that every report is made from, and its JSON lines.
+// The results of a run, from which every report is made, and their JSON lines.
 
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "image/compare/judge.h"
@@ -15,71 +16,96 @@
 namespace glibra::suite {
 
 enum class Verdict {
-    passed,    ///< the picture is the golden one, or within the tolerance; or the expected error came
-    failed,    ///< the picture differs, the scene fails, or an expected error did not come
+    passed,    ///< the picture is equal to the golden or within the tolerance; or the expected error occurred
+    failed,    ///< the picture differs, the scene has errors, or an expected error did not occur
     missing,   ///< there is no golden yet
     unstable,  ///< two renderings on this machine differ
     updated,   ///< --update wrote the golden
     refused,   ///< --update would have written a blank, one-coloured or non-finite picture
-    crashed,   ///< the worker that drew it ended
+    crashed,   ///< the worker process that drew it ended
     timedOut,  ///< not drawn within its time
-    skipped    ///< not run: another machine's part, or the run was stopped
+    skipped    ///< not run, because the run was stopped
 };
 
-/// All verdicts, in the order of reports: what needs a look first.
+/// All verdicts in the order of reports, the most urgent first.
 inline constexpr Verdict kVerdictsByConcern[] = {Verdict::failed,   Verdict::crashed, Verdict::timedOut,
                                                  Verdict::unstable, Verdict::refused, Verdict::missing,
                                                  Verdict::updated,  Verdict::skipped, Verdict::passed};
 
 /// All words of Verdict: "passed", ..., "timed-out", "skipped".
 const char* name(Verdict verdict);
-/// The verdict of such a word.
+/// The verdict of such a word, or nothing.
 std::optional<Verdict> verdictOf(std::string_view word);
-/// True for what makes a run fail (exit status 1): all but passed, updated and skipped.
+/// True for verdicts that make a run fail (exit status 1): all but passed, updated and skipped.
 bool isFailure(Verdict verdict);
 
-/// One shot's outcome. Paths are relative to the results folder unless they are outside of it.
+/// The result of one shot. Paths are relative to the results folder unless they are outside of it.
 struct ShotResult {
     std::string suite, shot;
     Verdict verdict = Verdict::skipped;
     std::string reason;  ///< one sentence; empty for a plain pass
     std::filesystem::path script;
-    std::filesystem::path got, expected, difference;  ///< pictures; empty where there is none
-    std::string goldenVariant;  ///< "" for the one for everybody, else "llvmpipe", "nvidia"
-    bool exact = false;         ///< decided by the exact hash or equal bytes
-    bool changed = false;       ///< passed, but this very driver and processor once gave other bytes
+    std::filesystem::path got, expected, difference;  ///< pictures; empty if there is none
+    std::string goldenVariant;  ///< "llvmpipe", "nvidia"; empty for the golden for all drivers
+    bool exact = false;         ///< decided by equal hashes or equal bytes
+    bool changed = false;       ///< passed, but the same driver and processor gave other bytes before
     int width = 0, height = 0;
-    image::Judgement judgement;  ///< filled where pictures were compared
-    Diagnostics diagnostics;     ///< of the scene
+    image::Judgement judgement;  ///< set if pictures were compared
+    Diagnostics diagnostics;     ///< messages about the scene
     double milliseconds = 0;     ///< load, draw, read back and compare
     std::string reproduce;       ///< the command line that renders this shot again
     std::string accept;          ///< the command line that makes the picture the new golden
-    image::Tolerance tolerance;  ///< that the pictures were judged by
-    std::string driver{};        ///< where it is not the run's: runs of several machines joined
+    image::Tolerance tolerance;  ///< the tolerance that was applied
+    std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
+};
+
+/// Shots of one suite that a run was to judge.
+struct PlannedShots {
+    std::string suite;
+    std::vector<std::string> shots;
+    friend bool operator==(const PlannedShots&, const PlannedShots&) = default;
 };
 
 struct RunResult {
     std::string driver;             ///< GL_RENDERER and GL_VERSION
     std::string machine;            ///< processor model and system
     std::string shard;              ///< "2/8", or empty
-    std::string command;            ///< as it was given
+    std::string command;            ///< the command line
     double seconds = 0;             ///< wall time
-    std::string began{};            ///< UTC as "2026-01-31T12:00:00Z"; empty if nobody looked
+    std::string began{};            ///< UTC as "2026-01-31T12:00:00Z"; empty if unknown
     std::vector<ShotResult> shots;  ///< in the order of the suites
+    /// What the run set out to judge; nothing for a value that no run wrote.
+    std::optional<std::vector<PlannedShots>> planned{};
+    bool complete = false;  ///< the run reached its end, with a verdict on every planned shot
 };
 
-/// One line of JSON a shot, without line end. parseJsonLine gives back the same value, whatever bytes the
-/// strings hold and also where a figure is no finite number: a string that is not UTF-8 is written as
-/// {"bytes": ...} with a character U+0000..U+00FF a byte, a figure that is not finite as "inf", "-inf" or
-/// "nan".
+/// A shot's suite and name.
+using ShotKey = std::pair<std::string, std::string>;
+/// The planned shots without a verdict (or skipped), in their order; empty if no plan is known.
+std::vector<ShotKey> missingShots(const RunResult& run);
+/// "2 of 8 planned shots have no verdict: s/a, s/b"; empty if nothing is missing or no plan is known.
+std::string shortfall(const RunResult& run);
+/// The same sentence for shots that were found to be missing.
+std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned);
+/// The number of planned shots.
+std::size_t plannedCount(const RunResult& run);
+
+/// One line of JSON for a shot, without its line end. parseJsonLine gives back the same value for any bytes
+/// in the strings and any numbers. A string that is not UTF-8 is written as {"bytes": ...} with one character
+/// U+0000..U+00FF per byte; a number that is not finite is written as "inf", "-inf" or "nan".
 std::string toJsonLine(const ShotResult& shot);
 
-/// Reads such a line back. `suite`, `shot` and `verdict` have to be there; other members that are missing
-/// keep their defaults, unknown ones are passed over. Errors: result-E01, with `place` moved to the column.
+/// Reads such a line. `suite`, `shot` and `verdict` are required. Other members that are missing keep their
+/// defaults; unknown members are ignored. Error: result-E01 at `place`.
 Result<ShotResult> parseJsonLine(std::string_view line, const Place& place);
 
-/// The same for all of a run but its shots: {"run": {...}}.
+/// The same for a run without its shots and its end: {"run": {...}}.
 std::string toJsonLine(const RunResult& run);
 Result<RunResult> parseRunLine(std::string_view line, const Place& place);
+
+/// The line that ends the results of a run that is complete: {"end": {"shots": 8}}.
+std::string endLine(std::size_t shots);
+/// The number of shots in such a line; nothing if it is another line.
+std::optional<std::size_t> parseEndLine(std::string_view line);
 
 }  // namespace glibra::suite

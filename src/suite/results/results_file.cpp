@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <map>
 #include <span>
@@ -24,8 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostMistakes = 20;
 
 Diagnostic cannotWrite(const fs::path& path, int problem) {
-    return error("file-E10", fmt::format("cannot write '{}': {}", path.string(),
-                                         std::generic_category().message(problem)));
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(),
+                                            std::generic_category().message(problem)));
 }
 
 Diagnostics makeFolder(const fs::path& folder) {
@@ -35,22 +34,7 @@ Diagnostics makeFolder(const fs::path& folder) {
     return {};
 }
 
-/// Where the last whole line ends, as a length of the file; -1 if it cannot be read.
-off_t wholeLength(int file) {
-    off_t end = ::lseek(file, 0, SEEK_END);
-    std::array<char, 65536> block{};
-    while (end > 0) {
-        const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(block.size()));
-        const auto length = static_cast<std::size_t>(end - begin);
-        if (::pread(file, block.data(), length, begin) != static_cast<ssize_t>(length)) return -1;
-        const std::size_t at = std::string_view(block.data(), length).rfind('\n');
-        if (at != std::string_view::npos) return begin + static_cast<off_t>(at) + 1;
-        end = begin;
-    }
-    return end;
-}
-
-/// Appends in one piece; 0 or the reason why it failed, and then the file is as before.
+/// Appends in one piece. Returns 0, or the error number; the file is then as before.
 int appendLine(int file, std::string_view line) {
     const off_t before = ::lseek(file, 0, SEEK_END);
     while (!line.empty()) {
@@ -64,6 +48,13 @@ int appendLine(int file, std::string_view line) {
         line.remove_prefix(static_cast<std::size_t>(count));
     }
     return 0;
+}
+
+Diagnostics writeWhole(const RunResult& run, const fs::path& file) {
+    std::string text = toJsonLine(run) + '\n';
+    for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
+    if (run.complete) text += endLine(run.shots.size()) + '\n';
+    return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 
 /// The lines of a file with their numbers, one after the other.
@@ -108,9 +99,7 @@ fs::path located(const fs::path& path, const fs::path& resultsFolder) {
 
 Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
-    std::string text = toJsonLine(run) + '\n';
-    for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
-    return image::writeFileAtomically(resultsFile(folder), std::as_bytes(std::span(text)));
+    return writeWhole(run, resultsFile(folder));
 }
 
 Result<RunResult> readResults(const fs::path& folder) {
@@ -128,10 +117,25 @@ Result<RunResult> readResults(const fs::path& folder) {
             result.value = std::move(run.value);
             continue;
         }
+        if (result->complete) {
+            result.diagnostics.push_back(
+                diagnose("result-E01", "this line stands after the end line", place));
+            break;
+        }
+        if (const std::optional<std::size_t> count = parseEndLine(lines.line())) {
+            result->complete = true;
+            if (*count != result->shots.size())
+                result.diagnostics.push_back(
+                    diagnose("result-E01",
+                             fmt::format("the end line counts {} shots, but the file has {}", *count,
+                                         result->shots.size()),
+                             place));
+            continue;
+        }
         Result<ShotResult> shot = parseJsonLine(lines.line(), place);
         if (!shot && lines.torn()) {
             result.diagnostics.push_back(
-                note("result-N01", "the last line is torn, its shot is not counted", place));
+                diagnose("result-N01", "the last line is torn, so its shot is not counted", place));
         } else if (!shot) {
             append(result.diagnostics, std::move(shot.diagnostics));
         } else {
@@ -151,29 +155,24 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
     const fs::path path = resultsFile(folder);
     ResultsWriter writer(path, ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), -1);
-    // Only a lock that somebody has is a reason to stop; some file systems have no locks.
+    // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
     if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return error(
+        return diagnose(
             "result-E02",
             fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
                         folder.string()));
+    RunResult beginning = run;
+    beginning.shots.clear();
+    beginning.complete = false;
     std::error_code failed;
-    const bool resumes = start == Start::resumed && fs::exists(path, failed);
-    if (!resumes) {
-        const std::string line = toJsonLine(run) + '\n';
-        if (Diagnostics problems = image::writeFileAtomically(path, std::as_bytes(std::span(line)));
-            !problems.empty())
-            return problems;
+    if (start == Start::resumed && fs::exists(path, failed) && fs::file_size(path, failed) > 0) {
+        Result<RunResult> earlier = readResults(path);
+        if (!earlier) return earlier.diagnostics;
+        beginning.shots = std::move(earlier->shots);
     }
+    if (Diagnostics problems = writeWhole(beginning, path); !problems.empty()) return problems;
     writer.file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
     if (writer.file_ < 0) return cannotWrite(path, errno);
-    if (resumes) {
-        const off_t length = wholeLength(writer.file_);
-        if (length < 0 || ::ftruncate(writer.file_, length) != 0) return cannotWrite(path, errno);
-        if (length == 0)
-            if (const int problem = appendLine(writer.file_, toJsonLine(run) + '\n'); problem != 0)
-                return cannotWrite(path, problem);
-    }
     return writer;
 }
 
@@ -203,8 +202,8 @@ ResultsWriter& ResultsWriter::operator=(ResultsWriter&& other) noexcept {
 ResultsWriter::~ResultsWriter() {
     if (file_ >= 0) ::close(file_);
     if (folder_ < 0) return;
-    // A process forked meanwhile shares the lock: closing alone would leave it with that one, and that one
-    // must not give it away.
+    // A process that was forked meanwhile shares the lock. Closing alone would leave the lock with it, and
+    // that process must not release it.
     if (::getpid() == owner_) ::flock(folder_, LOCK_UN);
     ::close(folder_);
 }

@@ -96,58 +96,54 @@ struct Writer {
     }
 };
 
-/// What is wrong in a line, with the byte it is at.
+/// What is wrong in a line.
 struct Mistake {
     std::string text;
-    std::size_t column;
+    bool isNamed = false;  ///< the text names the member
 };
 
-/// Fills a structure from a JSON object. Throws the first Mistake; its column is found by looking for the
-/// members' names in the line, one after the other.
+/// Fills a structure from a JSON object. Throws the first Mistake.
 struct Reader {
     const Json& object;
-    std::string_view line;
-    std::size_t at;  ///< byte of the line behind which the object's members are
 
-    [[noreturn]] void fail(const std::string& what) const { throw Mistake{what, at + 1}; }
+    [[noreturn]] static void fail(std::string what) { throw Mistake{std::move(what)}; }
 
-    static void read(const Json& json, std::string& to, const Reader& here) {
+    static void read(const Json& json, std::string& to) {
         if (json.is_string()) {
             to = json.get_ref<const std::string&>();
             return;
         }
         const auto bytes = json.is_object() ? json.find("bytes") : json.end();
-        if (!json.is_object() || bytes == json.end() || !bytes->is_string())
-            here.fail("a string is expected");
+        if (!json.is_object() || bytes == json.end() || !bytes->is_string()) fail("expected a string");
         to.clear();
         std::string_view rest = bytes->get_ref<const std::string&>();
         while (!rest.empty()) {
             const Character next = firstCharacter(rest);
-            if (next.code > 0xFF) here.fail("\"bytes\" holds a character that is no byte");
+            if (next.code > 0xFF) fail("\"bytes\" holds a character above U+00FF");
             to += static_cast<char>(next.code);
             rest.remove_prefix(next.bytes);
         }
     }
-    static void read(const Json& json, std::filesystem::path& to, const Reader& here) {
+    static void read(const Json& json, std::filesystem::path& to) {
         std::string text;
-        read(json, text, here);
+        read(json, text);
         to = text;
     }
-    static void read(const Json& json, bool& to, const Reader& here) {
-        if (!json.is_boolean()) here.fail("true or false is expected");
+    static void read(const Json& json, bool& to) {
+        if (!json.is_boolean()) fail("expected true or false");
         to = json.get<bool>();
     }
     template <Integer Number>
-    static void read(const Json& json, Number& to, const Reader& here) {
+    static void read(const Json& json, Number& to) {
         bool fits = false;
         if (json.is_number_unsigned())
             fits = std::in_range<Number>(json.get<std::uint64_t>());
         else if (json.is_number_integer())
             fits = std::in_range<Number>(json.get<std::int64_t>());
-        if (!fits) here.fail("a whole number in its range is expected");
+        if (!fits) fail("expected a whole number in its range");
         to = json.get<Number>();
     }
-    static void read(const Json& json, double& to, const Reader& here) {
+    static void read(const Json& json, double& to) {
         if (json.is_number())
             to = json.get<double>();
         else if (json == "inf")
@@ -157,53 +153,53 @@ struct Reader {
         else if (json == "nan")
             to = std::numeric_limits<double>::quiet_NaN();
         else
-            here.fail("a number is expected");
+            fail("expected a number");
     }
-    static void read(const Json& json, Verdict& to, const Reader& here) {
+    static void read(const Json& json, Verdict& to) {
         std::string word;
-        read(json, word, here);
+        read(json, word);
         const std::optional<Verdict> verdict = verdictOf(word);
-        if (!verdict) here.fail(fmt::format("no verdict is called '{}'", word));
+        if (!verdict) fail(fmt::format("there is no verdict '{}'", word));
         to = *verdict;
     }
-    static void read(const Json& json, Severity& to, const Reader& here) {
+    static void read(const Json& json, Severity& to) {
         std::string word;
-        read(json, word, here);
+        read(json, word);
         for (const Severity each : {Severity::note, Severity::warning, Severity::error})
             if (word == name(each)) {
                 to = each;
                 return;
             }
-        here.fail(fmt::format("no severity is called '{}'", word));
+        fail(fmt::format("there is no severity '{}'", word));
     }
-    static void read(const Json& json, image::Rung& to, const Reader& here) {
+    static void read(const Json& json, image::Rung& to) {
         std::string word;
-        read(json, word, here);
+        read(json, word);
         for (const auto& [each, known] : kRungs)
             if (word == known) {
                 to = each;
                 return;
             }
-        here.fail(fmt::format("no rung of the comparison is called '{}'", word));
+        fail(fmt::format("the comparison has no rung '{}'", word));
     }
     template <class Value>
-    static void read(const Json& json, std::optional<Value>& to, const Reader& here) {
+    static void read(const Json& json, std::optional<Value>& to) {
         if (json.is_null())
             to.reset();
         else
-            read(json, to.emplace(), here);
+            read(json, to.emplace());
     }
     template <class Value>
-    static void read(const Json& json, std::vector<Value>& to, const Reader& here) {
-        if (!json.is_array()) here.fail("a list is expected");
+    static void read(const Json& json, std::vector<Value>& to) {
+        if (!json.is_array()) fail("expected a list");
         to.clear();
-        for (const Json& each : json) read(each, to.emplace_back(), here);
+        for (const Json& each : json) read(each, to.emplace_back());
     }
     template <class Value>
     requires std::is_class_v<Value>
-    static void read(const Json& json, Value& to, const Reader& here) {
-        if (!json.is_object()) here.fail("an object is expected");
-        Reader inner{json, here.line, here.at};
+    static void read(const Json& json, Value& to) {
+        if (!json.is_object()) fail("expected an object");
+        Reader inner{json};
         members(inner, to);
     }
 
@@ -211,19 +207,16 @@ struct Reader {
     void operator()(const char* key, Value& value) {
         const auto member = object.find(key);
         if (member == object.end()) return;
-        const std::size_t found = line.find(fmt::format("\"{}\"", key), at);
-        const Reader here{object, line, found == std::string_view::npos ? at : found};
         try {
-            read(*member, value, here);
+            read(*member, value);
         } catch (Mistake& mistake) {
-            if (mistake.column == here.at + 1 && !mistake.text.starts_with('\''))
-                mistake.text = fmt::format("'{}': {}", key, mistake.text);
+            if (!mistake.isNamed) mistake = {fmt::format("'{}': {}", key, mistake.text), true};
             throw;
         }
     }
     template <class Value>
     void needed(const char* key, Value& value) {
-        if (!object.contains(key)) fail(fmt::format("member '{}' is missing", key));
+        if (!object.contains(key)) fail(fmt::format("the member '{}' is missing", key));
         (*this)(key, value);
     }
 };
@@ -295,6 +288,9 @@ void members(Archive& archive, Value& value) {
         archive("driver", value.driver);
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
+    } else if constexpr (std::is_same_v<Type, PlannedShots>) {
+        archive.needed("suite", value.suite);
+        archive.needed("shots", value.shots);
     } else {
         static_assert(std::is_same_v<Type, RunResult>);
         archive("driver", value.driver);
@@ -303,33 +299,25 @@ void members(Archive& archive, Value& value) {
         archive("command", value.command);
         archive("seconds", value.seconds);
         archive("began", value.began);
+        archive("planned", value.planned);
     }
 }
 
 template <class Value>
 Result<Value> parseObject(std::string_view line, const Place& place, const char* inside) {
-    Place where = place;
     try {
         const Json json = Json::parse(line);
-        const Reader outer{json, line, 0};
-        if (!json.is_object()) outer.fail("an object is expected");
+        if (!json.is_object()) Reader::fail("expected an object");
+        if (inside && !json.contains(inside)) Reader::fail(fmt::format("the member '{}' is missing", inside));
         Value value;
-        if (inside) {
-            if (!json.contains(inside)) outer.fail(fmt::format("member '{}' is missing", inside));
-            Reader::read(json.at(inside), value, outer);
-        } else {
-            Reader::read(json, value, outer);
-        }
+        Reader::read(inside ? json.at(inside) : json, value);
         return value;
-    } catch (const Json::parse_error& failed) {
-        where.column = static_cast<int>(std::clamp<std::size_t>(failed.byte, 1, line.size() + 1));
-        return error("result-E01", line.empty() ? "this line is empty" : "this line is no JSON from here on",
-                     where);
-    } catch (const Json::exception&) {  // a number that is too large for any type; its place is not told
-        return error("result-E01", "this line holds a number beyond all limits", where);
+    } catch (const Json::parse_error&) {
+        return diagnose("result-E01", line.empty() ? "this line is empty" : "this line is not JSON", place);
+    } catch (const Json::exception&) {  // a number that is too large for any type
+        return diagnose("result-E01", "this line holds a number that is too large", place);
     } catch (const Mistake& mistake) {
-        where.column = static_cast<int>(mistake.column);
-        return error("result-E01", "this is no line of results: " + mistake.text, where);
+        return diagnose("result-E01", "this is not a line of results: " + mistake.text, place);
     }
 }
 
@@ -349,6 +337,19 @@ Result<ShotResult> parseJsonLine(std::string_view line, const Place& place) {
 
 Result<RunResult> parseRunLine(std::string_view line, const Place& place) {
     return parseObject<RunResult>(line, place, "run");
+}
+
+std::string endLine(std::size_t shots) {
+    return Json{{"end", {{"shots", shots}}}}.dump();
+}
+
+std::optional<std::size_t> parseEndLine(std::string_view line) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || json.size() != 1 || !json.contains("end")) return std::nullopt;
+    const Json& end = json.at("end");
+    if (!end.is_object() || !end.contains("shots") || !end.at("shots").is_number_unsigned())
+        return std::nullopt;
+    return end.at("shots").get<std::size_t>();
 }
 
 }  // namespace glibra::suite

@@ -1,10 +1,11 @@
 #pragma once
-// Work beside the thread with the GL context.
+// Work that runs beside the thread with the GL context.
 
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -12,16 +13,17 @@
 
 namespace glibra::suite {
 
-/// Does jobs in order on a thread of its own.
+/// Does jobs in order on a thread of its own. If a job throws, the jobs after it are done all the same, and
+/// the next call of wait() or finish() throws the first exception.
 class Background {
   public:
     Background() : thread_([this] { run(); }) {}
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
-    ~Background() { finish(); }
+    ~Background() { join(); }
 
-    /// Waits while there are too many jobs, or while those that wait hold too many bytes. Gives the job's
-    /// number.
+    /// Adds a job and returns its number. Blocks while too many jobs wait, or while they hold too many bytes;
+    /// `bytes` is what this one holds.
     std::uint64_t add(std::function<void()> job, std::size_t bytes = 0) {
         constexpr std::size_t kMostJobs = 16, kMostBytes = std::size_t{64} << 20U;
         std::unique_lock lock(mutex_);
@@ -33,14 +35,27 @@ class Background {
         changed_.notify_all();
         return ++added_;
     }
-    /// Until that job is done.
+    /// Blocks until that job is done.
     void wait(std::uint64_t number) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return done_ >= number; });
+        rethrow();
     }
-    /// Until all that was added is done.
+    /// Blocks until all jobs are done.
     void wait() { wait(added_); }
+    /// Does what is left and ends the thread. No job can be added afterwards.
     void finish() {
+        join();
+        rethrow();
+    }
+
+  private:
+    struct Job {
+        std::function<void()> work;
+        std::size_t bytes = 0;
+    };
+
+    void join() {
         {
             const std::scoped_lock lock(mutex_);
             closed_ = true;
@@ -49,11 +64,9 @@ class Background {
         if (thread_.joinable()) thread_.join();
     }
 
-  private:
-    struct Job {
-        std::function<void()> work;
-        std::size_t bytes = 0;
-    };
+    void rethrow() {
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    }
 
     void run() {
         while (true) {
@@ -67,8 +80,14 @@ class Background {
                 bytes_ -= job.bytes;
                 changed_.notify_all();
             }
-            job.work();
+            std::exception_ptr failure;
+            try {
+                job.work();
+            } catch (...) {
+                failure = std::current_exception();
+            }
             const std::scoped_lock lock(mutex_);
+            if (!failure_) failure_ = failure;
             ++done_;
             changed_.notify_all();
         }
@@ -77,8 +96,9 @@ class Background {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;
-    std::size_t bytes_ = 0;  ///< of the jobs that wait
+    std::size_t bytes_ = 0;  ///< held by the jobs that wait
     std::uint64_t added_ = 0, done_ = 0;
+    std::exception_ptr failure_;  ///< the first that no caller has received yet
     bool closed_ = false;
     std::thread thread_;
 };

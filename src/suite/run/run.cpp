@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using End = render::Outcome::End;
 
-/// The parent's side: gives out pieces, hears what became of them, and gives out again what a worker took
-/// with it when it ended.
+/// The parent process of a run. It gives out pieces, collects their results, and gives out again what a
+/// worker had not finished when it ended.
 class Run {
   public:
     Run(std::span<const Suite> suites, const RunOptions& options, const RunEvents& events)
@@ -108,14 +108,14 @@ class Run {
         if (outcome.end == End::finished) {
             if (outcome.answer.empty() || end_.noDriver) return;
             end_.noDriver = true;
-            end_.diagnostics.push_back(error("gpu-E01", outcome.answer));
+            end_.diagnostics.push_back(diagnose("gpu-E01", outcome.answer));
             return;
         }
         const auto& shots = plan_.pieces[piece];
         removeLeftovers(shots, outcome.process);
         if (outcome.end == End::stopped) return;
-        // What was being drawn is to blame. Shots that were waiting for their verdict or their turn are given
-        // out again; so are all if none was begun, but not for ever.
+        // The shot that was being drawn is to blame. Shots that waited for their verdict or their turn are
+        // given out again. If no shot was begun, all are given out again, a limited number of times.
         std::optional<ShotReference> blamed = begun_[piece];
         if (blamed && done_.contains(*blamed)) blamed.reset();
         if (!blamed) {
@@ -127,7 +127,7 @@ class Run {
             blamed = *first;
         }
         ShotResult result = endedBy(*blamed, outcome);
-        // A shot that hangs cannot be one of the next: none waits for it.
+        // Only the drawn shot can be late, because nothing waits for the prepared ones.
         std::vector<ShotReference> prepared;
         if (outcome.end == End::crashed) prepared = preparedBeside(*blamed, shots);
         if (prepared.empty())
@@ -156,7 +156,7 @@ class Run {
                                               late ? Verdict::timedOut : Verdict::crashed, reason);
         result.accept.clear();
         result.diagnostics.push_back(
-            error(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
+            diagnose(late ? "draw-E07" : "draw-E06", reason, {result.script.string(), 1, 1}));
         return result;
     }
 
@@ -177,7 +177,7 @@ class Run {
         }
     }
 
-    /// What a worker had half written when it ended.
+    /// Removes the files that a worker was writing when it ended.
     void removeLeftovers(const std::vector<ShotReference>& shots, int process) const {
         std::set<fs::path> folders;
         for (const ShotReference& each : shots) {
@@ -201,9 +201,9 @@ class Run {
     int jobs_ = 1;
     std::set<ShotReference> done_;
     Suspicions suspicions_;
-    std::map<ShotReference, int> unexplained_;         ///< ends of workers that began nothing
-    std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, a piece each
-    std::vector<std::vector<AcceptedHash>> accepted_;  ///< a suite each
+    std::map<ShotReference, int> unexplained_;  ///< number of workers that ended before they began a shot
+    std::vector<std::optional<ShotReference>> begun_;  ///< last shot begun, per piece
+    std::vector<std::vector<AcceptedHash>> accepted_;  ///< per suite
 };
 
 }  // namespace
@@ -217,7 +217,7 @@ void shareProcessors(int jobs, std::size_t pieces) {
     const auto workers = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(jobs), pieces));
     if (workers <= 1) return;
     const int threads = defaultJobs() / workers;
-    // 0: the caller rasterises. With one thread it would hand over to that and wait.
+    // 0: the caller rasterises. With one thread it would only wait for that thread.
     ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a worker tells its parent while it works on a piece: one line of text a message.
+// Messages of a worker to its parent process during a piece: one line of text each.
 
 #include <optional>
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace glibra::suite {
 
-/// Which driver the worker has, once.
+/// The driver of the worker; sent once.
 struct DriverIs {
     std::string words;
 };
-/// A shot is begun; its time begins.
+/// The worker begins a shot. Its time limit begins now.
 struct Begins {
     ShotReference shot;
 };
-/// A shot is done.
+/// A shot has a verdict.
 struct Done {
     ShotReference shot;
     ShotResult result;
@@ -28,7 +28,7 @@ struct Done {
 using Message = std::variant<DriverIs, Begins, Done>;
 
 std::string toText(const Message& message);
-/// Nothing if it is no message: the worker is out of its mind.
+/// The message, or nothing if the text is not a message.
 std::optional<Message> parseMessage(const std::string& text);
 
 }  // namespace glibra::suite

@@ -6,7 +6,7 @@ namespace glibra::suite {
 
 std::vector<std::vector<std::size_t>> planPieces(std::size_t count, int workers,
                                                  const std::function<bool(std::size_t)>& joins) {
-    // Guided self-scheduling (Polychronopoulos and Kuck, 1987): each piece is a share of what is left.
+    // Guided self-scheduling (Polychronopoulos and Kuck, 1987): each piece is a share of what remains.
     constexpr std::size_t kLongest = 16;
     constexpr std::size_t kShares = 3;
     const std::size_t share = kShares * static_cast<std::size_t>(std::max(1, workers));

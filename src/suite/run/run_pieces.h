@@ -1,5 +1,5 @@
 #pragma once
-// How a run is cut into pieces for its workers.
+// Divides a run into pieces for its workers.
 
 #include <cstddef>
 #include <functional>
@@ -7,9 +7,10 @@
 
 namespace glibra::suite {
 
-/// Pieces of consecutive items of 0..count-1: long ones first, so that a worker can overlap drawing one shot
-/// with judging another and reuse what it loaded, single ones last, so that all workers end together. One
-/// worker gets as long ones as may be. `joins(i)`: item i may be in one piece with item i - 1.
+/// Returns pieces of consecutive items of 0..count-1. Long pieces are first, so that a worker can overlap
+/// drawing one shot with judging another and reuse what it loaded. Single items are last, so that all workers
+/// end together. One worker gets pieces as long as possible. `joins(i)`: item i may be in the same piece as
+/// item i - 1.
 std::vector<std::vector<std::size_t>> planPieces(std::size_t count, int workers,
                                                  const std::function<bool(std::size_t)>& joins);
 

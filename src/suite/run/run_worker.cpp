@@ -6,6 +6,7 @@
 #include <chrono>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <system_error>
 
 #include "image/write.h"
@@ -22,7 +23,7 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Hands shots that have to be rendered once more from the judging thread to the one with the context.
+/// Passes shots that must be rendered again from the judging thread to the thread with the context.
 class Recalls {
   public:
     struct Recall {
@@ -120,25 +121,47 @@ Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) 
     return judged;
 }
 
+std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const Attempt& drawn,
+                                        const Attempt* again) const {
+    const auto fail = [&](const char* id, const std::string& text) {
+        Judged judged{ShotJudge::broken(plan_.suites[reference.suite], *drawn.shot, Verdict::failed, text),
+                      std::nullopt};
+        judged.result.diagnostics.push_back(diagnose(id, text, {drawn.shot->script.string(), 1, 1}));
+        return judged;
+    };
+    try {
+        if (judges_.empty()) return keep(reference, drawn);
+        const ShotJudge& judge = judges_[reference.suite];
+        return again ? judge.second(drawn, *again) : judge.first(drawn);
+    } catch (const std::bad_alloc&) {
+        return fail("draw-E05", "out of memory while the picture was compared");
+    } catch (const std::exception& failure) {
+        return fail("draw-E06", failure.what());
+    }
+}
+
 std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) {
-    std::mutex talking;
-    const auto tell = [&](const Message& message) {
-        const std::scoped_lock lock(talking);
+    std::mutex sending;
+    const auto send = [&](const Message& message) {
+        const std::scoped_lock lock(sending);
         step(toText(message));
     };
-    const auto report = [&](const ShotReference& reference, Judged judged, Clock::time_point judging) {
-        judged.result.milliseconds += millisecondsSince(judging);
-        tell(Done{reference, std::move(judged.result), std::move(judged.accepted)});
-    };
     Recalls recalls;
+    /// Sends the verdict, or asks for a second rendering.
+    const auto report = [&](const ShotReference& reference, const std::shared_ptr<const Attempt>& drawn,
+                            const Attempt* again) {
+        const Clock::time_point start = Clock::now();
+        std::optional<Judged> judged = judge(reference, *drawn, again);
+        if (!judged) return recalls.add({reference, drawn});
+        judged->result.milliseconds += millisecondsSince(start);
+        send(Done{reference, std::move(judged->result), std::move(judged->accepted)});
+    };
     const auto renderRecalled = [&] {
         while (const std::optional<Recalls::Recall> recall = recalls.next()) {
-            tell(Begins{recall->reference});
+            send(Begins{recall->reference});
             renderer_->forget();
             const Attempt again = attempt(recall->reference, {});
-            const Clock::time_point start = Clock::now();
-            report(recall->reference, judges_[recall->reference.suite].second(*recall->attempt, again),
-                   start);
+            report(recall->reference, recall->attempt, &again);
         }
     };
 
@@ -146,25 +169,16 @@ std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) 
     const std::vector<ShotReference>& shots = plan_.pieces[piece];
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const ShotReference reference = shots[i];
-        tell(Begins{reference});
+        send(Begins{reference});
         const bool first = !context_;
         if (std::string problem = openContext(); !problem.empty()) return problem;
-        if (first) tell(DriverIs{driver_});
+        if (first) send(DriverIs{driver_});
         std::vector<const Shot*> coming;
         for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
             coming.push_back(&shotOf(shots[next]));
         auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
         const std::size_t bytes = bytesOf(*drawn);
-        auto judge = [this, reference, drawn, &report, &recalls] {
-            const Clock::time_point start = Clock::now();
-            if (judges_.empty())
-                report(reference, keep(reference, *drawn), start);
-            else if (std::optional<Judged> judged = judges_[reference.suite].first(*drawn))
-                report(reference, std::move(*judged), start);
-            else
-                recalls.add({reference, drawn});
-        };
-        judging.add(std::move(judge), bytes);
+        judging.add([reference, drawn, &report] { report(reference, drawn, nullptr); }, bytes);
         drawn.reset();
         renderRecalled();
     }

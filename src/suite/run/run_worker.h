@@ -1,6 +1,6 @@
 #pragma once
-// The work of one worker process: it keeps its GL context from piece to piece and overlaps drawing one shot
-// with judging those before and preparing those after.
+// The work of one worker process. It keeps its GL context from piece to piece, and overlaps drawing a shot
+// with judging the shots before it and preparing the shots after it.
 
 #include <memory>
 #include <optional>
@@ -17,10 +17,10 @@
 
 namespace glibra::suite {
 
-/// What all workers of a run know; it outlives them.
+/// What all workers of a run share. It outlives them.
 struct RunPlan {
     std::span<const Suite> suites;
-    std::vector<GoldenStore> goldens;  ///< one a suite; empty if the run only renders
+    std::vector<GoldenStore> goldens;  ///< one per suite; empty if the run only renders
     const RunOptions& options;
     std::vector<std::vector<ShotReference>> pieces;
     int jobs = 1;
@@ -30,14 +30,18 @@ class ShotWorker {
   public:
     explicit ShotWorker(const RunPlan& plan) : plan_(plan) {}
 
-    /// Does a piece, telling each step. The answer is empty, or says why there is no driver.
+    /// Does a piece and sends a message per step. The answer is empty, or says why there is no driver.
     std::string operator()(std::size_t piece, const render::Step& step);
 
   private:
-    /// Empty if there is a context.
+    /// Opens the context. Returns nothing, or why there is none.
     std::string openContext();
     /// `coming` are the shots that follow.
     Attempt attempt(const ShotReference& reference, std::span<const Shot* const> coming);
+    /// The verdict; nothing if the shot has to be rendered once more, which `again` then holds.
+    std::optional<Judged> judge(const ShotReference& reference, const Attempt& drawn,
+                                const Attempt* again) const;
+    /// Writes the picture of a run that only renders.
     Judged keep(const ShotReference& reference, const Attempt& attempt) const;
     [[nodiscard]] const Shot& shotOf(const ShotReference& reference) const;
 
@@ -45,7 +49,7 @@ class ShotWorker {
     std::optional<gpu::Context> context_;
     std::string driver_;
     std::vector<ShotJudge> judges_;
-    std::optional<ShotRenderer> renderer_;  ///< after the context: it has to go first
+    std::optional<ShotRenderer> renderer_;  ///< after the context, because it must be destroyed first
 };
 
 }  // namespace glibra::suite

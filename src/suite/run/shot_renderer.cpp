@@ -39,7 +39,7 @@ void ShotRenderer::beginPreparation(Source source) {
             begun.scene = render::SceneRenderer::prepare(context_, begun.source.script, begun.source.options,
                                                          *begun.stats, &*shared_);
         } catch (const std::exception&) {
-            // Several scenes at once may have been too much for the memory: load() tries it by itself.
+            // Several scenes at once may need too much memory. load() tries this one alone.
             begun.scene.reset();
         }
     });
@@ -51,7 +51,7 @@ void ShotRenderer::dropPreparationsFrom(std::size_t first) {
     while (preparations_.size() > first) preparations_.pop_back();
 }
 
-/// Leaves loaded_ with the scene, or empty for the reasons given.
+/// Sets loaded_ to the scene, or resets it and returns the errors.
 Diagnostics ShotRenderer::load(const Source& source, std::span<const Shot* const> coming) {
     loaded_.reset();
     auto stats = std::make_unique<render::Stats>();
@@ -99,13 +99,13 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
     return rendering;
 }
 
-/// Draws with the scene that is loaded, or gives its last picture once more.
+/// Draws the loaded scene, or returns its last picture again.
 Result<image::Image> ShotRenderer::draw(double time) {
     const std::optional<render::Moment> moment = skip_ ? loaded_->renderer.momentOf(time) : std::nullopt;
     if (moment && loaded_->picture && loaded_->moment == *moment) return *loaded_->picture;
     Result<image::Image> picture = loaded_->renderer.draw(time, *loaded_->stats);
     loaded_->picture.reset();
-    // A picture with remarks is drawn again: the next shot is to hear them too.
+    // A picture with diagnostics is not kept, so that every shot reports them.
     if (moment && picture && picture.diagnostics.empty()) {
         loaded_->picture = *picture;
         loaded_->moment = *moment;
@@ -126,7 +126,7 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
     const auto fail = [&](const char* id, const char* text) {
         forget();
         rendering = {};
-        rendering.diagnostics.push_back(error(id, text, {shot.script.string(), 1, 1}));
+        rendering.diagnostics.push_back(diagnose(id, text, {shot.script.string(), 1, 1}));
     };
     try {
         rendering = tryRender(shot, coming);

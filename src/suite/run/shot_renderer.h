@@ -1,6 +1,6 @@
 #pragma once
-// Shots to pictures with one context, one after another. What they have in common is made once; while one is
-// drawn, what the next ones need and needs no GL is made on a thread of its own.
+// Renders shots with one context, one after another. What they share is made once. While one is drawn,
+// another thread prepares the parts of the next ones that need no GL.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,23 +21,22 @@
 
 namespace glibra::suite {
 
-/// Shots that are prepared beside the one that is drawn, at most.
+/// The largest number of shots that are prepared while one is drawn.
 inline constexpr std::size_t kShotsAhead = 2;
 
 class ShotRenderer {
   public:
-    /// The context must outlive it. `skip`: RunOptions::skip.
+    /// The context must outlive the object. `skip` is RunOptions::skip.
     ShotRenderer(gpu::Context& context, bool skip) : context_(context), skip_(skip), shared_(std::in_place) {}
 
-    /// Errors are in the result, running out of memory among them (draw-E05). `coming`, at most kShotsAhead
-    /// shots, are prepared meanwhile for the calls that are for them; the picture is the same with them or
-    /// without.
+    /// Errors are in the result, including draw-E05 if memory runs out. `coming`, at most kShotsAhead shots,
+    /// are prepared meanwhile for the calls that render them. The picture does not depend on them.
     Rendering render(const Shot& shot, std::span<const Shot* const> coming = {});
-    /// The next shot is made from nothing.
+    /// Forgets everything, so that the next shot is loaded anew.
     void forget();
 
   private:
-    /// What a shot is loaded from; shots that have it in common differ in their time alone.
+    /// What a shot is loaded from. Shots with the same source differ only in their time.
     struct Source {
         std::filesystem::path script;
         RenderOptions options;  ///< without the time
@@ -45,12 +44,12 @@ class ShotRenderer {
     };
     struct Loaded {
         Source source;
-        std::unique_ptr<render::Stats> stats;  ///< the renderer writes to it as long as it lives
+        std::unique_ptr<render::Stats> stats;  ///< the renderer writes to it while it exists
         render::SceneRenderer renderer;
         Diagnostics diagnostics;
-        /// The picture drawn last, if others may be the same.
+        /// The picture drawn last, if other times may give the same.
         std::optional<image::Image> picture;
-        render::Moment moment;  ///< of that picture
+        render::Moment moment;  ///< the moment of that picture
     };
     struct Preparation {
         Source source;
@@ -72,7 +71,7 @@ class ShotRenderer {
     std::optional<render::SharedParts> shared_;
     std::optional<Loaded> loaded_;
     std::deque<Preparation> preparations_;  ///< in the order of the shots
-    Background background_;                 ///< last: it has to end before what it works on goes
+    Background background_;  ///< last, because it must end before the objects that it works on are destroyed
 };
 
 }  // namespace glibra::suite

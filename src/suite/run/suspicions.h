@@ -1,5 +1,5 @@
 #pragma once
-// Which shot ended a worker that drew one and prepared the next ones.
+// Finds the shot that ended a worker which drew one shot and prepared the next ones.
 
 #include <optional>
 #include <vector>
@@ -9,24 +9,26 @@
 
 namespace glibra::suite {
 
-/// All of them are drawn once more, each by itself; the one that ends its worker again is to blame. If none
-/// does, the one that was being drawn is: an end without a reason is not passed over.
+/// All of these shots are drawn again, each by itself. The one that ends its worker again is to blame. If
+/// none does, it is the one that was being drawn, because an end without a reason must be reported.
 class Suspicions {
   public:
-    /// `ended` is what is told of `drawn` if none does it again. A shot is under one suspicion at most.
+    /// `ended` is the result of `drawn` if no shot ends its worker again. A shot is under at most one
+    /// suspicion.
     void add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended);
-    /// True for a shot that is to be drawn by itself, now and later.
+    /// True for a shot that must be drawn by itself from now on.
     [[nodiscard]] bool isUnder(const ShotReference& shot) const;
-    /// What can be told now that the shot has come to this result: nothing if it depends on the others.
+    /// Takes the result of a shot that was drawn by itself, and returns the results that are final now: none
+    /// if the shot depends on others.
     std::vector<ShotResult> settle(const ShotReference& shot, const ShotResult& result);
 
   private:
     struct Suspicion {
         ShotReference drawn;
-        std::vector<ShotReference> open;  ///< prepared ones that are still to be drawn by themselves
+        std::vector<ShotReference> open;  ///< prepared shots that have not been drawn by themselves yet
         ShotResult ended;
-        std::optional<ShotResult> result;  ///< of `drawn`, by itself
-        bool isOtherGuilty = false;        ///< a prepared one ended its worker by itself
+        std::optional<ShotResult> result;  ///< of `drawn`, drawn by itself
+        bool isOtherGuilty = false;        ///< a prepared shot ended its worker
     };
     static bool concerns(const Suspicion& suspicion, const ShotReference& shot);
 

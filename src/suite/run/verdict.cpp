@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first error, without its place where that is the whole scene.
+/// The first error. Its place is left out if it is the whole scene.
 std::string firstError(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics)
         if (each.severity == Severity::error) return toString(each);
@@ -61,7 +61,8 @@ std::string toPhrase(const ExpectedError& expected) {
     return phrase;
 }
 
-/// What one rendering shows. `golden` without a `picture` could not be decoded: `problems` say why.
+/// The findings about one rendering. If `golden` has no `picture`, it could not be decoded and `problems` say
+/// why.
 struct ShotJudge::Findings {
     std::optional<Golden> golden;
     std::optional<image::Image> picture;
@@ -72,7 +73,7 @@ struct ShotJudge::Findings {
     std::string relation;  ///< why `match` or `differ` does not hold; empty if they do
     const Rendering* partner = nullptr;
     bool partnerFails = false;
-    std::optional<Hash> pixels;  ///< of the rendering, where it was asked for
+    std::optional<Hash> pixels;  ///< hash of the rendering, if it was needed
 };
 
 ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string family, std::string key,
@@ -140,7 +141,7 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         const char* word = same ? "match" : "differ from";
         if (!partner->picture) {
             found.partnerFails = true;
-            found.relation = fmt::format("the shot '{}' that it has to {} fails: {}", name, word,
+            found.relation = fmt::format("the shot '{}', which it has to {}, has errors: {}", name, word,
                                          firstError(partner->diagnostics));
             return;
         }
@@ -167,7 +168,7 @@ Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
     if (!found.golden) return judged;
     result.expected = found.golden->file;
     result.goldenVariant = found.golden->variant;
-    // Without a decoded picture it was the hash that decided: that is on the list already.
+    // If no picture was decoded, the hash decided, so it is in the list already.
     if (options_.update && found.picture)
         judged.accepted = AcceptedHash{attempt.shot->name, found.golden->variant, found.golden->identity,
                                        *found.pixels, key_};
@@ -179,13 +180,13 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     if (shot.expectedError) {
         Judged judged{begin(attempt), std::nullopt};
         if (attempt.own.picture)
-            judged.result.reason =
-                fmt::format("{} did not come: the scene was drawn", toPhrase(*shot.expectedError));
+            judged.result.reason = fmt::format("expected {}, but the scene rendered without errors",
+                                               toPhrase(*shot.expectedError));
         else if (contains(attempt.own.diagnostics, *shot.expectedError))
             judged.result.verdict = Verdict::passed;
         else
             judged.result.reason =
-                fmt::format("{} did not come; the scene fails otherwise: {}", toPhrase(*shot.expectedError),
+                fmt::format("expected {}, found another error: {}", toPhrase(*shot.expectedError),
                             firstError(attempt.own.diagnostics));
         return judged;
     }
@@ -205,7 +206,7 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
         fs::path(suite_.name) /
         fmt::format("{}.{}{}", shot.name, what, picture.type == image::Component::f32 ? ".exr" : ".png");
     const fs::path file = options_.results / name;
-    std::error_code ignored;  // a folder that cannot be made is reported with the file that cannot be written
+    std::error_code ignored;  // reported with the file that cannot be written
     fs::create_directories(file.parent_path(), ignored);
     Diagnostics problems = image::writeImage(picture, file);
     const bool bad = hasError(problems);
@@ -219,7 +220,7 @@ void ShotJudge::showDifference(const Shot& shot, const image::Image& expected, c
         result.difference = write(shot, "difference", image::differenceHeatMap(expected, got), result);
 }
 
-/// Copies of what a report shows beside each other, so that a results folder can be carried elsewhere.
+/// Copies the pictures that a report shows, so that a results folder can be moved.
 void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image::Image& got,
                            ShotResult& result) const {
     if (!found.golden) return;
@@ -267,7 +268,7 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     const bool oldIsNoBetter = found.picture && !whyNoGolden(*found.picture).empty();
     if (!why.empty() && !oldIsNoBetter && !options_.force) {
         result.verdict = Verdict::refused;
-        result.reason = fmt::format("not made the golden: {}; --force makes it one", why);
+        result.reason = fmt::format("not accepted as the golden: {}; --force accepts it", why);
         return;
     }
     const std::string variant = options_.variant ? family_ : found.golden ? found.golden->variant : "";
@@ -316,7 +317,7 @@ Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
         update(attempt, found, judged);
     else
         fail(attempt, found, result);
-    // A golden may be new while the pair it belongs to is still wrong.
+    // A golden can be new while the pair of the shot is still wrong.
     if (!found.relation.empty() && !found.goldenHolds && !isFailure(result.verdict)) {
         result.verdict = Verdict::failed;
         result.reason += "; " + found.relation;

@@ -1,6 +1,6 @@
 #pragma once
-// From a rendering to a verdict: what was accepted before, the golden, the tolerance, a second rendering, and
-// what --update does instead. No GL here.
+// Judges renderings: by hashes accepted before, by the golden and the tolerance, by a second rendering; and
+// replaces goldens for --update. No GL here.
 
 #include <optional>
 
@@ -11,18 +11,18 @@
 
 namespace glibra::suite {
 
-/// One attempt at a shot: its picture, or what prevented it.
+/// One rendering of a shot: its picture, or the errors.
 struct Rendering {
     std::optional<image::Image> picture;
     Diagnostics diagnostics;
     double milliseconds = 0;  ///< load, draw and read back
 };
 
-/// A shot with all that its verdict needs.
+/// A shot with everything that its verdict needs.
 struct Attempt {
     const Shot* shot = nullptr;
     Rendering own;
-    std::optional<Rendering> match, differ;  ///< of the shots that it has to match or to differ from
+    std::optional<Rendering> match, differ;  ///< the shots that it must match or differ from
 };
 
 struct JudgeOptions {
@@ -43,13 +43,13 @@ class ShotJudge {
     ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string family, std::string key,
               JudgeOptions options);
 
-    /// The verdict, if one rendering is enough for it; nothing if the shot has to be rendered once more.
+    /// The verdict, or nothing if the shot has to be rendered again.
     std::optional<Judged> first(const Attempt& attempt) const;
-    /// The verdict after a second rendering in a fresh load. Writes the pictures that explain it into the
+    /// The verdict after a second rendering from a new load. Writes the pictures that explain it to the
     /// results folder, or the new golden.
     Judged second(const Attempt& attempt, const Attempt& again) const;
 
-    /// The verdict on a shot whose process ended or was ended.
+    /// The verdict on a shot that has no picture to judge.
     static ShotResult broken(const Suite& suite, const Shot& shot, Verdict verdict, std::string reason);
 
   private:
@@ -59,7 +59,8 @@ class ShotJudge {
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
-    /// Writes into the results folder; the path is relative to it, empty if it could not be written.
+    /// Writes a picture into the results folder. Returns its path relative to that folder, or an empty path
+    /// if it could not be written.
     std::filesystem::path write(const Shot& shot, std::string_view what, const image::Image& picture,
                                 ShotResult& result) const;
     void showDifference(const Shot& shot, const image::Image& expected, const image::Image& got,
@@ -73,7 +74,7 @@ class ShotJudge {
     JudgeOptions options_;
 };
 
-/// Why a picture should not become a golden: one colour, NaN, nothing but transparency. Empty if it may.
+/// Returns why a picture should not become a golden (one colour, NaN, all transparent), or nothing if it may.
 std::string whyNoGolden(const image::Image& picture);
 /// True if one of the errors is the expected one.
 bool contains(const Diagnostics& diagnostics, const ExpectedError& expected);

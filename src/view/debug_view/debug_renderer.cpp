@@ -97,7 +97,7 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
         const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
                               ? "its stages pass no vST to the fragment stage"
                               : "the driver cannot link its stages with those of the debug view";
-        remarks_.push_back(warning(
+        remarks_.push_back(diagnose(
             "view-W01",
             fmt::format("{} is left out of the debug view '{}': {}", draw.draw->word, nameOf(kind), why),
             draw.draw->place));

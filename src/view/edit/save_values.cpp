@@ -51,7 +51,7 @@ Result<std::string> withValues(std::string_view text, std::span<const Knob> knob
         const auto begin = offsetOf(text, each.place);
         const auto end = begin ? valueEnd(text, *begin) : std::nullopt;
         if (!end)
-            return error(
+            return diagnose(
                 "view-E01",
                 fmt::format("the value of '{}' is no longer at this place; reload the scene", each.tag),
                 each.place);

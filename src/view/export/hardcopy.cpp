@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "suite/report/verdict_commands.h"
+#include "suite/options/option_words.h"
 
 namespace glibra::view {
 std::string setArguments(const Session& session) {
@@ -19,18 +19,14 @@ std::string setArguments(const Session& session) {
 }
 
 std::string renderCommand(const Session& session, const Hardcopy& wanted) {
-    const RenderOptions options = session.renderOptions(wanted.width, wanted.height);
-    std::string text =
-        fmt::format("glibra render {} -o {} --size {}x{}", suite::shellWord(session.path().string()),
-                    suite::shellWord(wanted.file.string()), options.width, options.height);
-    if (options.time != 0 && session.live().isAnimated()) text += fmt::format(" --time {}", options.time);
+    suite::Shot shot;
+    shot.options = session.renderOptions(wanted.width, wanted.height);
+    if (!session.live().isAnimated()) shot.options.time = 0;
+    std::string text = fmt::format("glibra render {} -o {}", suite::shellWord(session.path().string()),
+                                   suite::shellWord(wanted.file.string()));
     if (wanted.frames > 1)
         text += fmt::format(" --frames {} --fps {}", wanted.frames, wanted.framesPerSecond);
-    if (options.view == ViewPolicy::glman) text += " --view glman";
-    if (options.axes) text += " --axes";
-    if (!options.shim) text += " --no-shim";
-    for (const std::string& each : options.set) text += " --set " + suite::shellWord(each);
-    return text + suite::viewArguments(options.viewState);
+    return text + suite::optionArguments(shot);
 }
 
 bool isVideo(const std::filesystem::path& file) {

@@ -37,7 +37,7 @@ struct HardcopyJob::State {
     bool failed = false;
 
     [[nodiscard]] Diagnostic bad(const std::string& why) const {
-        return error("file-E10", fmt::format("cannot write '{}': {}", wanted.file.string(), why));
+        return diagnose("file-E10", fmt::format("cannot write '{}': {}", wanted.file.string(), why));
     }
     [[nodiscard]] Diagnostic outOfMemory() const {
         return bad(fmt::format("not enough memory for {} x {} pixels; choose a smaller size", options.width,

@@ -1,5 +1,5 @@
-// Loaded before the libraries of glibra: the process ends where it opens a file whose name begins with
-// "deadly".
+// A library that is loaded before those of glibra. It ends the process when a file is opened whose name
+// begins with "deadly".
 
 #include <dlfcn.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// The list of shots: groups by verdict, filtered by verdict and text, filled as far as it is scrolled.
+// The list of shots: groups by verdict, filtered by verdict and text, filled as far as it has been scrolled.
 
 const kChunk = 80;
 
@@ -13,7 +13,7 @@ function element(tag, properties = {}, ...children) {
 class List {
     constructor(shots, groups, choose) {
         this.shots = shots;
-        this.groups = groups;  // verdicts in their order
+        this.groups = groups;  // verdicts, the most urgent first
         this.choose = choose;
         this.only = new Set();
         this.words = [];
@@ -35,7 +35,7 @@ class List {
     }
     isOpen(verdict) { return this.open.get(verdict) || this.only.has(verdict) || this.words.length > 0; }
 
-    // What j and k go through.
+    // The shots that the keys j and k visit.
     visible() {
         return this.groups.filter((verdict) => this.isOpen(verdict)).flatMap((verdict) => this.matching(verdict));
     }
@@ -67,7 +67,7 @@ class List {
             const shots = this.matching(verdict);
             if (shots.length) groups.push(this.group(verdict, shots));
         }
-        if (!groups.length) groups.push(element("p", {className: "nothing", textContent: "No shot fits."}));
+        if (!groups.length) groups.push(element("p", {className: "nothing", textContent: "No shot matches."}));
         this.root.replaceChildren(...groups);
         this.mark(this.current);
     }
@@ -86,12 +86,12 @@ class List {
         const sentinel = element("div", {className: "sentinel"});
         let next = 0;
         sentinel.fill = () => {
-            const count = Math.max(kChunk, next);  // doubles, so that the end of thousands is soon reached
+            const count = Math.max(kChunk, next);  // doubles, so that a list of thousands is filled quickly
             const some = shots.slice(next, next + count).map((shot) => this.item(shot));
             next += some.length;
             sentinel.before(...some);
             this.observer.unobserve(sentinel);
-            if (next < shots.length) this.observer.observe(sentinel);  // tells at once if it is still in view
+            if (next < shots.length) this.observer.observe(sentinel);  // fires immediately if it is still in view
             else sentinel.remove();
         };
         items.append(sentinel);

@@ -1,4 +1,4 @@
-// The page: what is shown of the chosen shot around its pictures, and the keys.
+// The page: the details of the selected shot around its pictures, and the keys.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 for (const shot of data.shots) shot.id = `${shot.suite}/${shot.shot}`;
@@ -75,7 +75,7 @@ function remarkItem([severity, id, text, file, line, column]) {
     return element("li", {className: `remark ${severity}`, textContent: `${place}${severity}: ${text}${id ? ` [${id}]` : ""}`});
 }
 
-// Each file with its diagnostics under their lines; what has no line in a file of the report stands above.
+// Each file with its diagnostics below their lines. Diagnostics without a line in these files are above.
 function showSources(shot) {
     const told = shot.diagnostics || [];
     const files = (shot.sources || []).map((index) => data.sources[index]);
@@ -143,7 +143,7 @@ document.addEventListener("keydown", (event) => {
 byId("search").addEventListener("input", (event) => list.search(event.target.value));
 byId("helpButton").addEventListener("click", keys["?"]);
 byId("swap").addEventListener("click", () => {
-    viewer.peeking = false;  // what was seen under the pointer stays
+    viewer.peeking = false;  // the picture under the pointer stays
     keys.x();
 });
 byId("swap").addEventListener("pointerenter", () => viewer.peek(true));

@@ -1,5 +1,5 @@
-// Pixels of the shots that need a look. A page from file:// may not read the pixels of picture files, so that
-// pixels/N.js hands them over: rows with the row above subtracted byte by byte, then zlib, then base64.
+// The pixels of shots that are not plain passes. A page from file:// may not read the pixels of picture files, so
+// pixels/N.js provides them: each row minus the row above it, byte by byte, then zlib, then base64.
 
 const kTypes = {
     u8: {array: Uint8Array, full: 255},
@@ -24,7 +24,7 @@ async function unpack(packed) {
     return {...packed, data: undefined, full, values: new array(bytes.buffer)};
 }
 
-// The pixels of both pictures of a shot, or null where the report holds none or the browser cannot unpack them.
+// The pixels of both pictures of a shot, or null if the report has none or the browser cannot unpack them.
 function pixelsOf(file) {
     if (!file || typeof DecompressionStream === "undefined") return Promise.resolve(null);
     const known = loading.get(file);
@@ -56,7 +56,7 @@ function newCanvas(width, height) {
     return canvas;
 }
 
-// As a canvas of the picture's size; floats limited to 0..1, no number in magenta.
+// A canvas of the picture's size. Floats are clamped to 0..1; NaN is magenta.
 function toCanvas({width, height, components, full, values}) {
     const canvas = newCanvas(width, height);
     const context = canvas.getContext("2d");
@@ -72,8 +72,8 @@ function toCanvas({width, height, components, full, values}) {
     return canvas;
 }
 
-// |a - b| times the factor; a difference in alpha is shown as grey, what only one picture has as white, a number
-// against none in magenta.
+// |a - b| times the factor. A difference in alpha is grey, a pixel that only one picture has is white, and a number
+// against NaN is magenta.
 function differenceCanvas(a, b, factor) {
     const width = Math.max(a.width, b.width), height = Math.max(a.height, b.height);
     const canvas = newCanvas(width, height);
@@ -103,7 +103,7 @@ function differenceCanvas(a, b, factor) {
     return canvas;
 }
 
-// The values of a pixel as the file holds them: 0..255, 0..65535 or floats; null outside of the picture.
+// The values of a pixel as in the file: 0..255, 0..65535 or floats; null outside of the picture.
 function valuesAt(pixels, x, y) {
     if (!pixels || x < 0 || y < 0 || x >= pixels.width || y >= pixels.height) return null;
     const at = (y * pixels.width + x) * pixels.components;

@@ -80,8 +80,8 @@ class Viewer {
         this.resized();
     }
 
-    // Panes have the picture's shape as far as the window is high enough, canvases as many pixels as the screen
-    // has for them.
+    // Panes have the proportions of the picture if the window is high enough. Canvases have one pixel per screen
+    // pixel.
     resized() {
         const ratio = window.devicePixelRatio || 1, {width: across, height: down} = this.size();
         for (const {canvas} of this.panes) {
@@ -140,7 +140,7 @@ class Viewer {
         canvas.addEventListener("dblclick", () => this.fit());
     }
 
-    // What a pane shows now.
+    // The picture that a pane shows.
     content(kind) {
         const swaps = this.swapped !== this.peeking;
         const names = {expected: swaps ? "got" : "expected", got: swaps ? "expected" : "got",
@@ -225,7 +225,7 @@ function loadImage(source) {
     });
 }
 
-// The difference of pictures whose pixels may not be read: blending needs no reading.
+// The difference of pictures whose pixels may not be read, by blending.
 function blendedDifference(a, b, factor) {
     const canvas = newCanvas(Math.max(a.width, b.width), Math.max(a.height, b.height));
     const context = canvas.getContext("2d");

@@ -69,8 +69,8 @@ void Display::listen(GLFWwindow* window, Events& events) {
 
 Result<Display> Display::open(int width, int height, const std::string& title) {
     if (glfwInit() == GLFW_FALSE)
-        return error("view-E02", "no display found (" + lastError() +
-                                     "); `glibra render SCENE` writes a picture without one");
+        return diagnose("view-E02", "no display found (" + lastError() +
+                                        "); `glibra render SCENE` writes a picture without one");
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
@@ -79,8 +79,8 @@ Result<Display> Display::open(int width, int height, const std::string& title) {
     if (!window) {
         const std::string why = lastError();
         glfwTerminate();
-        return error("view-E02", "cannot open a window with OpenGL 4.1 or later (" + why +
-                                     "); `glibra render SCENE` writes a picture without one");
+        return diagnose("view-E02", "cannot open a window with OpenGL 4.1 or later (" + why +
+                                        "); `glibra render SCENE` writes a picture without one");
     }
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);

@@ -1,0 +1,325 @@
+#include "cli/language_page.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "glib/command_table.h"
+#include "glib/diagnostic_catalogue.h"
+#include "glib/number.h"
+#include "glib/script.h"
+#include "glib/text.h"
+#include "glsl/types/builtins.h"
+#include "image/format.h"
+#include "scene/interpret.h"
+#include "scene/primitives.h"
+#include "suite/options/option_table.h"
+
+namespace glibra::cli {
+namespace {
+
+/// Text as it stands in a cell of a table.
+std::string cell(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '|' || c == '<') escaped += '\\';
+        escaped += c;
+    }
+    return escaped;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between = ", ") {
+    return fmt::format("{}", fmt::join(parts, between));
+}
+
+/// "1,048,576" for whole numbers, otherwise as a scene states it.
+std::string numberCell(double value) {
+    constexpr double kExact = 1e15;
+    if (value == static_cast<double>(static_cast<long long>(std::clamp(value, -kExact, kExact))) &&
+        value >= 10'000)
+        return glib::groupedText(static_cast<long long>(value));
+    return glib::numberText(value);
+}
+
+// ---- Commands
+
+/// "at least 3", "1 to 16,384 pixels"; empty if every number is taken.
+std::string limitsOf(const glib::Argument& argument) {
+    const auto range = [&] {
+        return fmt::format("{} to {}", numberCell(argument.least), numberCell(argument.most));
+    };
+    const bool isBounded = argument.most < std::numeric_limits<double>::max();
+    switch (argument.rule) {
+        case glib::ArgumentRule::any:
+            break;
+        case glib::ArgumentRule::size:
+            return "0 draws nothing; the sign is ignored";
+        case glib::ArgumentRule::count:
+            return range();
+        case glib::ArgumentRule::within:
+            return range();
+        case glib::ArgumentRule::between:
+            return fmt::format("above {}, below {}", numberCell(argument.least), numberCell(argument.most));
+        case glib::ArgumentRule::positive:
+            return isBounded ? fmt::format("above 0, at most {}", numberCell(argument.most)) : "above 0";
+        case glib::ArgumentRule::texels:
+            return range();
+        case glib::ArgumentRule::component:
+            return "0 to 1";
+        case glib::ArgumentRule::unit:
+            return range();
+    }
+    return {};
+}
+
+std::string argumentCell(const glib::Argument& argument) {
+    std::string text = fmt::format("`{}`", argument.name);
+    if (argument.byDefault)
+        text += fmt::format(" = {:g}", *argument.byDefault);
+    else if (argument.filler)
+        text += fmt::format(" ({:g})", *argument.filler);
+    else if (argument.optional)
+        text = "[" + text + "]";
+    std::vector<std::string> remarks;
+    if (const std::string limits = limitsOf(argument); !limits.empty()) remarks.push_back(limits);
+    if (!argument.unit.empty()) remarks.emplace_back(argument.unit);
+    if (argument.type == glib::ArgumentType::integer && argument.rule == glib::ArgumentRule::any)
+        remarks.emplace_back("whole");
+    return remarks.empty() ? text : text + ": " + joined(remarks);
+}
+
+std::string commandSection() {
+    std::string text =
+        "A value after `=` is the default. A value in parentheses replaces a missing number, with the "
+        "warning glib-W06. An argument in brackets may be left out.\n\n"
+        "| Command | Arguments | Meaning |\n|---|---|---|\n";
+    for (const glib::CommandRow& row : glib::commandTable()) {
+        std::vector<std::string> names, arguments;
+        for (const std::string_view each : row.names)
+            if (!each.empty()) names.push_back(fmt::format("`{}`", each));
+        for (const glib::Argument& each : row.arguments) arguments.push_back(argumentCell(each));
+        if (!row.words.empty()) {
+            std::vector<std::string> words;
+            for (const std::string_view each : row.words) words.push_back(fmt::format("`{}`", each));
+            arguments.push_back("one of " + joined(words));
+        }
+        text += fmt::format("| {} | {} | {} |\n", joined(names), cell(joined(arguments, "<br>")),
+                            cell(row.summary));
+    }
+    for (std::size_t at = 0; (at = text.find("\\<br>", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
+// ---- Primitives
+
+std::string_view topologyWord(geometry::Topology topology) {
+    switch (topology) {
+        case geometry::Topology::points:
+            return "points";
+        case geometry::Topology::lines:
+            return "lines";
+        case geometry::Topology::linesAdjacency:
+            return "lines with adjacency";
+        case geometry::Topology::triangles:
+            return "triangles";
+        case geometry::Topology::trianglesAdjacency:
+            return "triangles with adjacency";
+        case geometry::Topology::patches:
+            break;
+    }
+    return "patches";
+}
+
+/// Every command that draws something by itself, without a file or points, with the mesh of its defaults.
+std::string primitiveSection() {
+    std::string text =
+        "The counts are those of the default arguments.\n\n"
+        "| Command | Drawn as | Vertices | Attributes besides the position |\n|---|---|---|---|\n";
+    for (const glib::CommandRow& row : glib::commandTable()) {
+        if (row.form != glib::ArgumentForm::numbers) continue;
+        const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name()) + "\n", "table"));
+        if (scene.shapes.size() != 1) continue;
+        const Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0));
+        if (!mesh) continue;
+        std::vector<std::string> attributes;
+        for (const geometry::Attribute& each : mesh->attributes)
+            if (each.name != geometry::kPosition) attributes.push_back(each.name);
+        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name(), topologyWord(mesh->topology),
+                            glib::groupedText(static_cast<long long>(mesh->vertexCount())),
+                            attributes.empty() ? "none" : joined(attributes));
+    }
+    return text;
+}
+
+// ---- Formats
+
+std::string formatSection() {
+    std::string text =
+        "Formats of empty textures; the first is the default:\n\n| Format | Bytes per texel |\n|---|---|\n";
+    for (const glib::TextureFormat& each : glib::textureFormats())
+        text += fmt::format("| `{}` | {} |\n", each.name, each.bytes);
+    text += "\nKinds of picture files:\n\n| Kind | Endings |\n|---|---|\n";
+    for (const image::FormatRow& each : image::formats()) {
+        if (each.suffixes.empty()) continue;
+        std::string kind(each.description);
+        kind.erase(0, kind.find(' ') + 1);  // the article
+        std::vector<std::string> endings;
+        for (std::size_t at = 0; at < each.suffixes.size();) {
+            const std::size_t end = each.suffixes.find(' ', at);
+            endings.push_back(fmt::format("`{}`", each.suffixes.substr(at, end - at)));
+            at = end + 1;
+        }
+        text += fmt::format("| {} | {} |\n", kind, joined(endings));
+    }
+    return text;
+}
+
+// ---- Names that shaders are given
+
+/// As authors write it: the translator replaces the prefix gl_ by glibra_.
+std::string written(std::string_view name) {
+    constexpr std::string_view kPrefix = "glibra_";
+    if (!name.starts_with(kPrefix)) return fmt::format("`{}`", name);
+    return fmt::format("`gl_{}`", name.substr(kPrefix.size()));
+}
+
+/// GLSL's own name where it is not the emitted one without its prefix.
+std::string writtenUniform(const glsl::BuiltinUniform& row) {
+    if (row.value == glsl::Builtin::currentColor) return "`gl_Color` (fragment stage)";
+    if (row.value == glsl::Builtin::pointSize) return "`gl_Point.size`";
+    return written(row.name);
+}
+
+std::string_view typeOfAttribute(std::string_view attribute) {
+    if (attribute == geometry::kNormal || attribute == geometry::kTangent) return "vec3";
+    return attribute == geometry::kFaceIndex ? "int" : "vec4";
+}
+
+std::string suppliedSection() {
+    // Names of one value and one type stand in one line.
+    std::vector<std::pair<glsl::Builtin, std::string_view>> order;
+    std::map<std::pair<glsl::Builtin, std::string_view>, std::vector<std::string>> uniforms;
+    for (const glsl::BuiltinUniform& row : glsl::builtinUniforms()) {
+        const std::pair key{row.value, row.type};
+        if (uniforms[key].empty()) order.push_back(key);
+        uniforms[key].push_back(writtenUniform(row));
+    }
+    std::string text = "Uniform variables:\n\n| Names | Type |\n|---|---|\n";
+    for (const auto& key : order) text += fmt::format("| {} | `{}` |\n", joined(uniforms[key]), key.second);
+
+    std::vector<std::string_view> attributes;
+    std::map<std::string_view, std::vector<std::string>> inputs;
+    for (const glsl::BuiltinInput& row : glsl::builtinInputs()) {
+        if (inputs[row.attribute].empty()) attributes.push_back(row.attribute);
+        inputs[row.attribute].push_back(written(row.name));
+    }
+    text += "\nVertex inputs:\n\n| Names | Type | Attribute of the mesh |\n|---|---|---|\n";
+    for (const std::string_view each : attributes)
+        text += fmt::format("| {} | `{}` | {} |\n", joined(inputs[each]), typeOfAttribute(each),
+                            each.empty() ? std::string("none: always (0, 0, 0, 1)") : std::string(each));
+    return text;
+}
+
+// ---- Diagnostics
+
+std::string diagnosticSection() {
+    std::string text = "| Id | Severity | Example |\n|---|---|---|\n";
+    for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
+        text += fmt::format("| {} | {} | {} |\n", each.id, name(severityOf(each.id)), cell(each.example));
+    return text;
+}
+
+// ---- Options of a picture
+
+std::string optionSection() {
+    std::string text = "| Command line | In suites | Meaning | Allowed | Default |\n|---|---|---|---|---|\n";
+    for (const suite::OptionRow& row : suite::optionTable()) {
+        const std::string form = suite::placeholder(row);
+        const std::string option =
+            row.name.empty() ? "" : fmt::format("`--{}{}{}`", row.name, form.empty() ? "" : " ", form);
+        const std::string key = row.key.empty() ? "" : fmt::format("`{}`", row.key);
+        text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(option), key, cell(row.help),
+                            cell(suite::limits(row)), suite::defaultText(row));
+    }
+    return text;
+}
+
+struct Section {
+    std::string_view name;
+    std::string (*make)();
+};
+
+constexpr std::array<Section, 6> kSections{{
+    {"commands", commandSection},
+    {"primitives", primitiveSection},
+    {"formats", formatSection},
+    {"supplied", suppliedSection},
+    {"diagnostics", diagnosticSection},
+    {"options", optionSection},
+}};
+
+constexpr std::string_view kBegin = "<!-- generated: ";
+constexpr std::string_view kBeginEnd = " -->";
+constexpr std::string_view kEnd = "<!-- end -->";
+
+std::string withMarkers(std::string_view name, std::string_view content) {
+    return fmt::format("{}{}{}\n{}{}\n", kBegin, name, kBeginEnd, content, kEnd);
+}
+
+}  // namespace
+
+std::optional<std::string> generatedSection(std::string_view name) {
+    const auto* const found = std::find_if(kSections.begin(), kSections.end(),
+                                           [&](const Section& each) { return each.name == name; });
+    if (found == kSections.end()) return std::nullopt;
+    return found->make();
+}
+
+std::string generatedSections() {
+    std::string text;
+    for (const Section& each : kSections)
+        text += (text.empty() ? "" : "\n") + withMarkers(each.name, each.make());
+    return text;
+}
+
+RefreshedPage refreshed(std::string_view page) {
+    RefreshedPage result;
+    std::optional<std::string_view> open;  // the section that the present line is in
+    int line = 0, begun = 0;
+    while (!page.empty()) {
+        ++line;
+        const std::size_t end = std::min(page.find('\n'), page.size() - 1) + 1;
+        const std::string_view whole = page.substr(0, end);
+        page.remove_prefix(end);
+        std::string_view text = whole;
+        while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+        const bool begins = text.starts_with(kBegin) && text.ends_with(kBeginEnd);
+        if (begins) {
+            const std::string_view name =
+                text.substr(kBegin.size(), text.size() - kBegin.size() - kBeginEnd.size());
+            const auto content = generatedSection(name);
+            if (open || !content) {
+                result.problem = open ? fmt::format("line {}: the section that begins on line {} has no '{}'",
+                                                    line, begun, kEnd)
+                                      : fmt::format("line {}: no generated section '{}'", line, name);
+                return result;
+            }
+            result.text += withMarkers(name, *content);
+            open = name;
+            begun = line;
+        } else if (open && text == kEnd) {
+            open.reset();
+        } else if (!open) {
+            result.text += whole;
+        }
+    }
+    if (open) result.problem = fmt::format("the section that begins on line {} has no '{}'", begun, kEnd);
+    return result;
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,22 @@
+#pragma once
+// The options of a picture (suite/options/option_table.h) on a command line.
+
+#include <string_view>
+
+#include "suite/suite.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace glibra::cli {
+
+/// Adds the option of one row; `name` is without "--". `to` must outlive the command.
+void addPictureOption(CLI::App& command, std::string_view name, suite::Shot& to);
+/// Adds all rows that have a name.
+void addPictureOptions(CLI::App& command, suite::Shot& to);
+/// Makes `suite`, the option --suite, exclude the options that a suite states itself.
+void excludePictureOptions(CLI::App& command, CLI::Option& suite);
+
+}  // namespace glibra::cli

@@ -1,0 +1,272 @@
+#include "cli/render_scenes.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <new>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/render_answer.h"
+#include "gpu/context.h"
+#include "gpu/hardware.h"
+#include "image/file.h"
+#include "render/animation.h"
+#include "render/job.h"
+#include "render/workers.h"
+#include "suite/run/run.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file that each scene is written to. Without -o it is the scene's name in the current folder. Where two
+/// scenes have the same name, they keep the folders in which they differ.
+std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
+    std::vector<fs::path> names;
+    std::set<std::string> distinct;
+    for (const std::string& scene : arguments.scenes) {
+        names.push_back(fs::path(scene).filename().replace_extension(".png"));
+        distinct.insert(names.back().string());
+    }
+    if (distinct.size() < names.size()) {
+        fs::path common = fs::absolute(arguments.scenes.front()).lexically_normal().parent_path();
+        for (const std::string& scene : arguments.scenes) {
+            const fs::path folder = fs::absolute(scene).lexically_normal().parent_path();
+            while (!common.empty() && common != common.parent_path() &&
+                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first !=
+                       common.end())
+                common = common.parent_path();
+        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            names[i] = fs::absolute(arguments.scenes[i])
+                           .lexically_normal()
+                           .lexically_relative(common)
+                           .replace_extension(".png");
+    }
+    if (arguments.output.empty()) return names;
+    const bool isFolder =
+        arguments.scenes.size() > 1 || fs::is_directory(arguments.output) || arguments.output.back() == '/';
+    for (fs::path& name : names)
+        name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
+    return names;
+}
+
+int jobsOf(const RenderArguments& arguments) {
+    return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
+/// The number of processes that share the frames of an animation. On a software rasteriser two processes with
+/// half of the frames each are faster than one with all its threads. Figures and explanations need one
+/// process.
+int partsOf(const RenderArguments& arguments) {
+    constexpr int kLeastFrames = 8;  // what the start of a process costs
+    constexpr int kMostParts = 8;    // each holds everything that the scene reads
+    const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
+    if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
+        gpu::mayUseHardware(arguments.driver))
+        return 1;
+    const int different =
+        render::mostDifferentFrames(arguments.scenes.front(), arguments.picture.options, arguments.frames,
+                                    arguments.framesPerSecond, most * kLeastFrames);
+    return std::max(1, different / kLeastFrames);
+}
+
+/// Runs in the worker. It opens the context with its first job and keeps it.
+class JobRunner {
+  public:
+    /// Each scene is drawn in `parts` pieces.
+    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts)
+        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts) {}
+
+    std::string operator()(std::size_t piece, const render::Step& step) {
+        const std::size_t index = piece / parts_;
+        Answer answer;
+        if (!context_) {
+            suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
+            Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
+            if (!opened) return pack({.status = kNoDriver, .remarks = {std::move(opened.diagnostics), {}}});
+            context_.emplace(std::move(*opened));
+        }
+        render::Job job;
+        job.scene = arguments_.scenes[index];
+        job.output = outputs_[index];
+        job.options = arguments_.picture.options;
+        job.frames = arguments_.frames;
+        job.framesPerSecond = arguments_.framesPerSecond;
+        job.part = static_cast<int>(piece % parts_);
+        job.parts = static_cast<int>(parts_);
+        job.explain = arguments_.explain;
+        job.stats = !arguments_.statsFile.empty();
+        render::JobResult result;
+        try {
+            result = render::runJob(
+                *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
+        } catch (const std::bad_alloc&) {
+            result.failed = true;
+            result.diagnostics.push_back(diagnose("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
+        } catch (const std::exception& failure) {
+            result.failed = true;
+            result.diagnostics.push_back(diagnose("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
+        }
+        answer.status = result.failed ? kSceneIsWrong : kDone;
+        answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
+        answer.explanation = std::move(result.explanation);
+        answer.statsJson = std::move(result.statsJson);
+        return pack(answer);
+    }
+
+  private:
+    const RenderArguments& arguments_;
+    std::vector<fs::path> outputs_;
+    std::size_t parts_;
+    std::optional<gpu::Context> context_;
+    render::SharedParts shared_;  // after the context, because it must be destroyed first
+};
+
+/// The line "[3/60] scene.glib", which is rewritten on a terminal and not shown elsewhere.
+class ProgressLine {
+  public:
+    ProgressLine(bool shown, std::size_t scenes, int frames)
+        : shown_(shown && (scenes > 1 || frames > 1)), total_(scenes * static_cast<std::size_t>(frames)) {}
+    void show(std::size_t done, const std::string& what) const {
+        if (shown_) std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, what.c_str());
+    }
+    void clear() const {
+        if (shown_) std::fputs("\r\033[K", stderr);
+    }
+
+  private:
+    bool shown_;
+    std::size_t total_;
+};
+
+/// All scenes of one command: gives them to worker processes and collects the answers.
+class SceneBatch {
+  public:
+    explicit SceneBatch(const RenderArguments& arguments)
+        : arguments_(arguments),
+          outputs_(outputFiles(arguments)),
+          parts_(static_cast<std::size_t>(partsOf(arguments))),
+          progress_(::isatty(STDERR_FILENO) == 1, arguments.scenes.size(), arguments.frames),
+          stats_(arguments.scenes.size()),
+          framesWritten_(arguments.scenes.size() * parts_) {}
+
+    /// Returns the exit status.
+    int run() {
+        std::error_code ignored;  // reported with the file that cannot be written
+        for (const fs::path& each : outputs_)
+            if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
+        JobRunner runner(arguments_, outputs_, parts_);
+        const Interruption interruption;
+        render::runInWorkers(
+            framesWritten_.size(),
+            {.workers = jobsOf(arguments_),
+             .timeout = arguments_.picture.timeout,
+             .stop = [&] { return interruption.signal() != 0; }},
+            std::ref(runner),
+            [this](std::size_t piece, const render::Outcome& outcome) { pieceEnds(piece, outcome); },
+            [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
+        progress_.clear();
+        print(render::joined(remarks_));
+        interruption.obey();
+        if (arguments_.scenes.size() > 1) printSummary();
+        if (!arguments_.statsFile.empty()) writeStats();
+        return status_;
+    }
+
+  private:
+    void countFrames(std::size_t piece, int written) {
+        doneCount_ += static_cast<std::size_t>(written - framesWritten_[piece]);
+        framesWritten_[piece] = written;
+        progress_.show(doneCount_, arguments_.scenes[piece / parts_]);
+    }
+
+    void pieceEnds(std::size_t piece, const render::Outcome& outcome) {
+        const std::size_t index = piece / parts_;
+        const std::string& scene = arguments_.scenes[index];
+        // A worker that ends by itself cannot remove what it has half written.
+        if (outcome.end != render::Outcome::End::finished)
+            image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
+        if (outcome.end == render::Outcome::End::stopped) return;
+        Answer answer = answerOf(outcome, scene);
+        progress_.clear();
+        if (parts_ > 1)
+            remarks_.push_back(std::move(answer.remarks));
+        else
+            print(render::joined({answer.remarks}));
+        std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
+        std::fflush(stdout);
+        stats_[index] = std::move(answer.statsJson);
+        status_ = std::max(status_, answer.status);
+        if (answer.status != kDone) failed_.push_back(scene);
+        if (parts_ == 1)
+            countFrames(piece, arguments_.frames);
+        else
+            progress_.show(doneCount_, scene);
+    }
+
+    /// The worker's own answer, or the error that stands for one.
+    [[nodiscard]] Answer answerOf(const render::Outcome& outcome, const std::string& scene) const {
+        if (outcome.end == render::Outcome::End::finished) return unpack(outcome.answer);
+        const Place place{scene, 1, 1};
+        Answer answer{.status = kSceneIsWrong};
+        if (outcome.end == render::Outcome::End::timedOut)
+            answer.remarks.general = {diagnose(
+                "draw-E07",
+                fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};
+        else
+            answer.remarks.general = {diagnose(
+                "draw-E06",
+                fmt::format("the process that drew the scene ended with signal {}", outcome.signal), place)};
+        return answer;
+    }
+
+    void printSummary() const {
+        std::string summary = fmt::format(
+            "{} of {} scenes rendered", arguments_.scenes.size() - failed_.size(), arguments_.scenes.size());
+        for (std::size_t i = 0; i < failed_.size(); ++i)
+            summary += (i == 0 ? ", failed: " : ", ") + failed_[i];
+        std::fprintf(stderr, "%s\n", summary.c_str());
+    }
+
+    void writeStats() {
+        std::string all;
+        for (const std::string& each : stats_)
+            if (!each.empty()) all += (all.empty() ? "" : ",\n") + each;
+        if (arguments_.scenes.size() > 1) all = "[" + all + "]";
+        all += '\n';
+        const Diagnostics problems =
+            image::writeFileAtomically(arguments_.statsFile, std::as_bytes(std::span(all)));
+        print(problems);
+        if (hasError(problems)) status_ = std::max(status_, kSceneIsWrong);
+    }
+
+    const RenderArguments& arguments_;
+    std::vector<fs::path> outputs_;
+    std::size_t parts_;  ///< pieces per scene
+    ProgressLine progress_;
+    int status_ = kDone;
+    std::vector<std::string> failed_;
+    std::vector<std::string> stats_;                 ///< JSON, one per scene
+    std::vector<int> framesWritten_;                 ///< one per piece
+    std::size_t doneCount_ = 0;                      ///< frames of all pieces
+    std::vector<render::AnimationRemarks> remarks_;  ///< of the parts of an animation, printed at the end
+};
+
+}  // namespace
+
+int renderScenes(const RenderArguments& arguments) {
+    return SceneBatch(arguments).run();
+}
+
+}  // namespace glibra::cli

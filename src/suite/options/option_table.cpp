@@ -1,0 +1,207 @@
+#include "suite/options/option_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "glib/number.h"
+
+namespace glibra::suite {
+namespace {
+
+const ViewState& in(const Shot& shot, const ViewState*) {
+    return shot.options.viewState;
+}
+const RenderOptions& in(const Shot& shot, const RenderOptions*) {
+    return shot.options;
+}
+const Shot& in(const Shot& shot, const Shot*) {
+    return shot;
+}
+ViewState& in(Shot& shot, const ViewState*) {
+    return shot.options.viewState;
+}
+RenderOptions& in(Shot& shot, const RenderOptions*) {
+    return shot.options;
+}
+Shot& in(Shot& shot, const Shot*) {
+    return shot;
+}
+
+template <auto kMember>
+struct MemberOf;
+template <class Owner, class T, T Owner::*kMember>
+struct MemberOf<kMember> {
+    static const T& get(const Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
+    static T& edit(Shot& shot) { return in(shot, static_cast<const Owner*>(nullptr)).*kMember; }
+    static constexpr ShotMember<T> access{get, edit};
+
+    static int getIndex(const Shot& shot) { return static_cast<int>(get(shot)); }
+    static void setIndex(Shot& shot, int index) { edit(shot) = static_cast<T>(index); }
+};
+
+template <auto kMember>
+constexpr auto kTo = MemberOf<kMember>::access;
+
+/// `words` in the order of the enumeration.
+template <auto kMember>
+constexpr WordValue oneOf(std::span<const std::string_view> words) {
+    return {words, MemberOf<kMember>::getIndex, MemberOf<kMember>::setIndex};
+}
+
+constexpr std::array<std::string_view, 2> kViewWords{"auto", "glman"};
+constexpr std::array<std::string_view, 3> kProjectionWords{"scene", "perspective", "orthographic"};
+
+using Options = RenderOptions;
+
+constexpr OptionRow kRows[] = {
+    {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
+     "size of the picture in pixels instead of the scene's WindowSize"},
+    {"time", "time", TimeValue{kTo<&Options::time>, -1e9, 1e9}, "seconds since the start of the scene"},
+    {"set", "set", UniformsValue{kTo<&Options::set>},
+     "give a uniform variable a value, as uKd=.5 or uColor=1,.5,0; may be repeated"},
+    {"view", "view", oneOf<&Options::view>(kViewWords),
+     "auto moves the eye out of the objects of the scene, glman leaves it where it is"},
+    {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, 64}, "samples per pixel"},
+    {"max-error", "max-error", NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
+     "choose the slices, stacks, samples and noise sizes that the scene leaves open so that nothing is drawn "
+     "more than N pixels from its place"},
+    {.name = "override-counts",
+     .key = "override-counts",
+     .value = FlagValue{kTo<&Options::overrideCounts>},
+     .help = "with --max-error: choose also the counts and tessellation levels that the scene states",
+     .needs = "max-error"},
+    {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of eye space, two units long"},
+    {"alpha", "alpha", FlagValue{kTo<&Options::alpha>}, "keep the window's alpha in the picture"},
+    {"", "float", FlagValue{kTo<&Options::floatPixels>},
+     "32-bit float pixels, not limited to 0..1, in an .exr file"},
+    {"strict", "strict", FlagValue{kTo<&Options::strict>}, "treat warnings as errors"},
+    {"no-shim", "shim", FlagValue{kTo<&Options::shim>, false},
+     "compile the shaders as they are, without translating their dialect"},
+    {"scene-transform", "scene-transform", MatrixValue{kTo<&ViewState::scene>},
+     "Projection becomes Projection * M"},
+    {"eye-transform", "eye-transform", MatrixValue{kTo<&ViewState::eye>}, "ModelView becomes M * ModelView"},
+    {"texture-transform", "texture-transform", MatrixValue{kTo<&ViewState::texture>},
+     "gl_TextureMatrix[0] becomes M"},
+    {"object-transform", "object-transform", ObjectsValue{kTo<&ViewState::objects>},
+     "ModelView becomes ModelView * M for the object on that line of the scene; may be repeated"},
+    {"projection", "projection", oneOf<&ViewState::projection>(kProjectionWords),
+     "the scene's own projections, or one of these for all"},
+    {"background", "background", ColorValue{kTo<&ViewState::background>},
+     "background color instead of the scene's"},
+    {"tile", "tile", WholeValue{kTo<&Options::tileSize>, 16, 16384},
+     "side of the tiles of large pictures in pixels"},
+    {"library", "library", FoldersValue{kTo<&Options::libraryRoots>},
+     "folder to search for the files of the scene, before those of GLIBRA_PATH; may be repeated"},
+    {.name = "timeout",
+     .key = "timeout",
+     .value = NumberValue{kTo<&Shot::timeout>, 0, 1e6},
+     .help = "seconds that one picture may take; 0 means no limit",
+     .withSuite = true},
+    {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
+     "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
+    {.name = "no-skip",
+     .key = "",
+     .value = FlagValue{kTo<&Options::skip>, false},
+     .help = "read, make and draw also what the picture does not need; the picture stays the same",
+     .withSuite = true},
+};
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+std::string range(double least, double most) {
+    return fmt::format("{} to {}", glib::numberText(least), glib::numberText(most));
+}
+
+}  // namespace
+
+std::span<const OptionRow> optionTable() {
+    return kRows;
+}
+
+const OptionRow* findOption(std::string_view name) {
+    for (const OptionRow& row : kRows)
+        if (!name.empty() && row.name == name) return &row;
+    return nullptr;
+}
+
+const OptionRow* findOptionKey(std::string_view key) {
+    for (const OptionRow& row : kRows)
+        if (!key.empty() && row.key == key) return &row;
+    return nullptr;
+}
+
+bool isDefault(const OptionRow& row, const Shot& shot) {
+    static const Shot kDefault;
+    return std::visit(
+        Overloaded{
+            [&](const SizeValue& size) { return size.width.get(shot) == 0 || size.height.get(shot) == 0; },
+            [&](const WordValue& word) { return word.get(shot) == word.get(kDefault); },
+            [&](const auto& value) { return value.member.get(shot) == value.member.get(kDefault); }},
+        row.value);
+}
+
+void copyOption(const OptionRow& row, const Shot& from, Shot& to) {
+    std::visit(Overloaded{[&](const SizeValue& size) {
+                              size.width.edit(to) = size.width.get(from);
+                              size.height.edit(to) = size.height.get(from);
+                          },
+                          [&](const WordValue& word) { word.set(to, word.get(from)); },
+                          [&](const auto& value) { value.member.edit(to) = value.member.get(from); }},
+               row.value);
+}
+
+std::string placeholder(const OptionRow& row) {
+    return std::visit(
+        Overloaded{[](const FlagValue&) { return std::string(); },
+                   [](const WholeValue&) { return std::string("N"); },
+                   [](const NumberValue& number) { return "N" + std::string(number.unit); },
+                   [](const TimeValue&) { return std::string("SECONDS"); },
+                   [](const SizeValue&) { return std::string("WxH"); },
+                   [](const WordValue& word) { return fmt::format("{}", fmt::join(word.words, "|")); },
+                   [](const UniformsValue&) { return std::string("NAME=VALUE"); },
+                   [](const MatrixValue&) { return std::string("M"); },
+                   [](const ObjectsValue&) { return std::string("LINE:M"); },
+                   [](const ColorValue&) { return std::string("R,G,B[,A]"); },
+                   [](const FoldersValue&) { return std::string("FOLDER"); }},
+        row.value);
+}
+
+std::string limits(const OptionRow& row) {
+    return std::visit(
+        Overloaded{[](const WholeValue& whole) { return range(whole.least, whole.most); },
+                   [](const NumberValue& number) { return range(number.least, number.most); },
+                   [](const TimeValue& time) { return range(time.least, time.most); },
+                   [](const SizeValue& size) { return range(1, size.most) + " each"; },
+                   [](const MatrixValue&) { return std::string("16 numbers, column by column"); },
+                   [](const ObjectsValue&) { return std::string("16 numbers, column by column"); },
+                   [](const auto&) { return std::string(); }},
+        row.value);
+}
+
+std::string defaultText(const OptionRow& row) {
+    static const Shot kDefault;
+    return std::visit(
+        Overloaded{[&](const FlagValue& flag) {
+                       return std::string(flag.member.get(kDefault) == flag.whenGiven ? "on" : "off");
+                   },
+                   [&](const NumberValue& number) {
+                       const double value = number.member.get(kDefault);
+                       return value < number.least || value == 0 ? std::string() : glib::numberText(value);
+                   },
+                   [&](const TimeValue& time) { return glib::numberText(time.member.get(kDefault)); },
+                   [&](const WordValue& word) {
+                       return std::string(word.words[static_cast<std::size_t>(word.get(kDefault))]);
+                   },
+                   [](const auto&) { return std::string(); }},
+        row.value);
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,114 @@
+#pragma once
+// The options of a picture, one row each. The command line of `glibra render`, the suite reader, the command
+// that reproduces a shot, the window's suite shot and the documentation all read these rows. To add an
+// option, add its member to RenderOptions (or Shot) and its row here.
+
+#include <glibra/render.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "suite/suite.h"
+
+namespace glibra::suite {
+
+/// Access to one member of a shot.
+template <class T>
+struct ShotMember {
+    const T& (*get)(const Shot&);
+    T& (*edit)(Shot&);
+};
+
+// The kinds of value.
+
+/// True or false. `whenGiven` is the value that the option stands for on the command line.
+struct FlagValue {
+    ShotMember<bool> member;
+    bool whenGiven = true;
+};
+struct WholeValue {
+    ShotMember<int> member;
+    int least, most;
+};
+/// `unit` may follow the number on the command line, as in "0.25px".
+struct NumberValue {
+    ShotMember<double> member;
+    double least, most;
+    std::string_view unit{};
+};
+/// Seconds. A suite may state a list, which makes one shot per time.
+struct TimeValue {
+    ShotMember<double> member;
+    double least, most;
+};
+/// Width and height in pixels, 1 to `most` each; 0 and 0 if nothing is stated.
+struct SizeValue {
+    ShotMember<int> width, height;
+    int most;
+};
+/// One of several words; `get` and `set` take the word's index.
+struct WordValue {
+    std::span<const std::string_view> words;
+    int (*get)(const Shot&);
+    void (*set)(Shot&, int);
+};
+/// Uniform variables, "NAME=VALUE" each.
+struct UniformsValue {
+    ShotMember<std::vector<std::string>> member;
+};
+/// 16 numbers, column by column.
+struct MatrixValue {
+    ShotMember<Matrix> member;
+};
+/// A matrix for each of several lines of the scene.
+struct ObjectsValue {
+    ShotMember<std::vector<ViewState::Object>> member;
+};
+/// Red, green, blue and, if it is not 1, alpha.
+struct ColorValue {
+    ShotMember<std::optional<std::array<double, 4>>> member;
+};
+/// Folders; a suite states them relative to its own.
+struct FoldersValue {
+    ShotMember<std::vector<std::filesystem::path>> member;
+};
+
+using OptionValue = std::variant<FlagValue, WholeValue, NumberValue, TimeValue, SizeValue, WordValue,
+                                 UniformsValue, MatrixValue, ObjectsValue, ColorValue, FoldersValue>;
+
+struct OptionRow {
+    std::string_view name;  ///< on the command line, after "--"; empty: the output file's ending decides
+    std::string_view key;   ///< in suites; empty: suites cannot state it
+    OptionValue value;
+    std::string_view help;
+    std::string_view needs{};  ///< name of an option without which this one has no effect
+    /// May be given together with --suite, for all its shots. The others are stated by the suite.
+    bool withSuite = false;
+};
+
+/// All rows, in the order in which commands and suites are written.
+std::span<const OptionRow> optionTable();
+
+/// The row of a name or key; null if there is none.
+const OptionRow* findOption(std::string_view name);
+const OptionRow* findOptionKey(std::string_view key);
+
+/// True if the shot has the value that a new Shot has.
+bool isDefault(const OptionRow& row, const Shot& shot);
+/// Gives `to` the value that `from` has.
+void copyOption(const OptionRow& row, const Shot& from, Shot& to);
+
+/// The form of the value on the command line, as "WxH"; empty for flags.
+std::string placeholder(const OptionRow& row);
+/// Which values are allowed, as "1 to 64"; empty if the form says it all.
+std::string limits(const OptionRow& row);
+/// The default, as "300" or "off"; empty where the scene decides.
+std::string defaultText(const OptionRow& row);
+
+}  // namespace glibra::suite

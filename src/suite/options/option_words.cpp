@@ -1,0 +1,217 @@
+#include "suite/options/option_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <system_error>
+
+#include "glib/text.h"
+
+namespace glibra::suite {
+namespace {
+
+/// The number that is the whole text.
+template <class T>
+std::optional<T> numberOf(std::string_view text) {
+    T value{};
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// Numbers separated by commas; nothing if the text is anything else.
+std::optional<std::vector<double>> numbersOf(std::string_view text) {
+    std::vector<double> values;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const auto value = numberOf<double>(text.substr(0, comma));
+        if (!value || !std::isfinite(*value)) return std::nullopt;
+        values.push_back(*value);
+        if (comma == text.size()) return values;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::string numberList(const auto& values) {
+    return fmt::format("{}", fmt::join(values, ","));
+}
+
+std::string colorList(const std::array<double, 4>& color) {
+    return numberList(std::span(color).first(color[3] == 1 ? 3 : 4));
+}
+
+/// Reads the text of an option; returns what would be right, or nothing if it is.
+struct TextReader {
+    std::string_view text;
+    Shot& shot;
+    const OptionRow& row;
+
+    std::string operator()(const FlagValue& flag) const {
+        flag.member.edit(shot) = flag.whenGiven;
+        return {};
+    }
+    std::string operator()(const WholeValue& whole) const {
+        const auto value = numberOf<int>(text);
+        if (!value || *value < whole.least || *value > whole.most)
+            return "a whole number from " + limits(row);
+        whole.member.edit(shot) = *value;
+        return {};
+    }
+    std::string operator()(const NumberValue& number) const {
+        std::string_view digits = text;
+        if (digits.ends_with(number.unit)) digits.remove_suffix(number.unit.size());
+        const auto value = numberOf<double>(digits);
+        // Written so that NaN is refused, too.
+        if (!value || !(*value >= number.least && *value <= number.most))
+            return fmt::format("a number from {}{}", limits(row),
+                               number.unit.empty() ? "" : fmt::format(", as 0.25{}", number.unit));
+        number.member.edit(shot) = *value;
+        return {};
+    }
+    std::string operator()(const TimeValue& time) const {
+        const auto value = numberOf<double>(text);
+        if (!value || !(*value >= time.least && *value <= time.most)) return "a number from " + limits(row);
+        time.member.edit(shot) = *value;
+        return {};
+    }
+    std::string operator()(const SizeValue& size) const {
+        const std::size_t x = text.find('x');
+        const auto width = numberOf<int>(text.substr(0, x));
+        const auto height = x == text.npos ? std::nullopt : numberOf<int>(text.substr(x + 1));
+        if (!width || !height || std::min(*width, *height) < 1 || std::max(*width, *height) > size.most)
+            return fmt::format("WxH with 1 to {} pixels a side, as 800x600", size.most);
+        size.width.edit(shot) = *width;
+        size.height.edit(shot) = *height;
+        return {};
+    }
+    std::string operator()(const WordValue& word) const {
+        const auto found = std::find(word.words.begin(), word.words.end(), text);
+        if (found == word.words.end()) return fmt::format("{}", fmt::join(word.words, " or "));
+        word.set(shot, static_cast<int>(found - word.words.begin()));
+        return {};
+    }
+    std::string operator()(const UniformsValue& uniforms) const {
+        uniforms.member.edit(shot).emplace_back(text);
+        return {};
+    }
+    std::string operator()(const MatrixValue& matrix) const {
+        return readMatrix(text, matrix.member.edit(shot));
+    }
+    std::string operator()(const ObjectsValue& objects) const {
+        constexpr const char* kExpected = "LINE:M, the line of the object in the scene and a matrix";
+        const std::size_t colon = text.find(':');
+        const auto line = numberOf<int>(text.substr(0, colon));
+        if (colon == text.npos || !line || *line < 1) return kExpected;
+        ViewState::Object object{*line, kIdentity};
+        std::string expected = readMatrix(text.substr(colon + 1), object.matrix);
+        if (expected.empty()) objects.member.edit(shot).push_back(object);
+        return expected;
+    }
+    std::string operator()(const ColorValue& color) const {
+        const auto values = numbersOf(text);
+        if (!values || (values->size() != 3 && values->size() != 4)) return "R,G,B or R,G,B,A, as 0,.5,1";
+        color.member.edit(shot) = {(*values)[0], (*values)[1], (*values)[2],
+                                   values->size() == 4 ? (*values)[3] : 1};
+        return {};
+    }
+    std::string operator()(const FoldersValue& folders) const {
+        if (text.empty()) return "a folder";
+        folders.member.edit(shot).emplace_back(text);
+        return {};
+    }
+
+  private:
+    static std::string readMatrix(std::string_view text, Matrix& matrix) {
+        const auto values = numbersOf(text);
+        if (!values || values->size() != matrix.size())
+            return "16 numbers separated by commas, column by column";
+        std::copy(values->begin(), values->end(), matrix.begin());
+        return {};
+    }
+};
+
+/// The texts of an option's values, one for each time that the option is given.
+struct TextWriter {
+    const Shot& shot;
+
+    std::vector<std::string> operator()(const FlagValue&) const { return {""}; }
+    std::vector<std::string> operator()(const WholeValue& whole) const {
+        return {std::to_string(whole.member.get(shot))};
+    }
+    std::vector<std::string> operator()(const NumberValue& number) const {
+        return {fmt::format("{}{}", number.member.get(shot), number.unit)};
+    }
+    std::vector<std::string> operator()(const TimeValue& time) const {
+        return {fmt::format("{}", time.member.get(shot))};
+    }
+    std::vector<std::string> operator()(const SizeValue& size) const {
+        return {fmt::format("{}x{}", size.width.get(shot), size.height.get(shot))};
+    }
+    std::vector<std::string> operator()(const WordValue& word) const {
+        return {std::string(word.words[static_cast<std::size_t>(word.get(shot))])};
+    }
+    std::vector<std::string> operator()(const UniformsValue& uniforms) const {
+        return uniforms.member.get(shot);
+    }
+    std::vector<std::string> operator()(const MatrixValue& matrix) const {
+        return {numberList(matrix.member.get(shot))};
+    }
+    std::vector<std::string> operator()(const ObjectsValue& objects) const {
+        std::vector<std::string> all;
+        for (const ViewState::Object& each : objects.member.get(shot))
+            all.push_back(fmt::format("{}:{}", each.line, numberList(each.matrix)));
+        return all;
+    }
+    std::vector<std::string> operator()(const ColorValue& color) const {
+        return {colorList(color.member.get(shot).value())};
+    }
+    std::vector<std::string> operator()(const FoldersValue& folders) const {
+        std::vector<std::string> all;
+        for (const std::filesystem::path& each : folders.member.get(shot)) all.push_back(each.string());
+        return all;
+    }
+};
+
+}  // namespace
+
+std::string readOptionText(const OptionRow& row, std::string_view text, Shot& shot) {
+    const std::string expected = std::visit(TextReader{text, shot, row}, row.value);
+    return expected.empty() ? expected : fmt::format("expected {}, found {}", expected, glib::inQuotes(text));
+}
+
+std::vector<std::string> optionWords(const OptionRow& row, const Shot& shot) {
+    if (row.name.empty() || isDefault(row, shot)) return {};
+    if (const OptionRow* needed = findOption(row.needs); needed && isDefault(*needed, shot)) return {};
+    std::vector<std::string> words;
+    for (std::string& each : std::visit(TextWriter{shot}, row.value)) {
+        words.push_back("--" + std::string(row.name));
+        if (!std::holds_alternative<FlagValue>(row.value)) words.push_back(std::move(each));
+    }
+    return words;
+}
+
+std::string optionArguments(const Shot& shot) {
+    std::string text;
+    for (const OptionRow& row : optionTable())
+        for (const std::string& word : optionWords(row, shot)) text += " " + shellWord(word);
+    return text;
+}
+
+std::string shellWord(std::string_view text) {
+    const auto isPlain = [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-+=./,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), isPlain)) return std::string(text);
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace glibra::suite

@@ -1,0 +1,27 @@
+#pragma once
+// Options as words of a command line.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "suite/options/option_table.h"
+
+namespace glibra::suite {
+
+/// Gives the shot the value that the text of an option states (empty for a flag). Options that may be
+/// repeated add theirs. Returns what is wrong, as "expected a whole number from 1 to 64, found 'many'";
+/// nothing was changed then. Empty if nothing is wrong.
+std::string readOptionText(const OptionRow& row, std::string_view text, Shot& shot);
+
+/// The words that give a shot this option, as {"--size", "800x600"}; empty for the default, for an option
+/// without effect, and for one that has no name.
+std::vector<std::string> optionWords(const OptionRow& row, const Shot& shot);
+
+/// All options as one text for a POSIX shell, with a blank before each word.
+std::string optionArguments(const Shot& shot);
+
+/// As one word of a POSIX shell; quoted only where it has to be.
+std::string shellWord(std::string_view text);
+
+}  // namespace glibra::suite
