@@ -54,6 +54,7 @@ TEST(DriverKey, HoldsWhatCanChangeABitAndNothingElse) {
 
     gpu::Capabilities card = software;
     card.family = "nvidia";
+    card.isSoftware = false;
     card.renderer = "NVIDIA H100";
     card.version = "4.6.0 NVIDIA 550\n";
     EXPECT_EQ(driverKey(card), "NVIDIA H100; 4.6.0 NVIDIA 550 ");
