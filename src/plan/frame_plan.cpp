@@ -22,12 +22,12 @@
 namespace glibra::plan {
 namespace {
 
-/// Private data of the planner about a PlannedProgram.
+/// The planner's private data about a PlannedProgram.
 struct ProgramState {
     Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
     std::vector<UnitUse> units;
-    Diagnostics unitProblems;  ///< draw-E05: reported at each draw
-    bool isAnnounced = false;  ///< its diagnostics are in the plan's
+    Diagnostics unitProblems;  ///< draw-E05, reported at each draw
+    bool isAnnounced = false;  ///< its diagnostics are in the plan
 };
 
 class FramePlanner {

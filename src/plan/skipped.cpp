@@ -161,9 +161,9 @@ class SkipList {
     const scene::Scene& scene_;
     const Needs& needs_;
     const FramePlan& plan_;
-    scene::List<const scene::Draw*, scene::Shape> firstDraws_;  ///< of each shape
-    scene::List<bool, scene::Program> hasDraw_;                 ///< some draw has the program, seen or not
-    // In use:
+    scene::List<const scene::Draw*, scene::Shape> firstDraws_;  ///< first draw of each shape
+    scene::List<bool, scene::Program> hasDraw_;                 ///< some draw has the program, visible or not
+    // Used by the plan:
     scene::List<bool, scene::Program> programs_;
     scene::List<bool, scene::Texture> textures_;
     scene::List<bool, scene::FileReference> files_;

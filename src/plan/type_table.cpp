@@ -19,7 +19,7 @@ bool isReal(const ValueType& type) {
     return type.base == BaseType::floating || type.base == BaseType::doublePrecision;
 }
 
-/// "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5": the value as messages quote it.
+/// The value as messages quote it: "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5".
 std::string quote(const GivenValue& given) {
     constexpr std::size_t kMostShown = 6;
     if (given.form == UniformForm::truth) return given.values.front() != 0 ? "<true>" : "<false>";
