@@ -1,6 +1,6 @@
 # Sourced by tools/glibra and tools/test: installs what Debian 12 lacks, configures and builds.
-# Defines functions and package lists only. Each function runs in a subshell, so that its variables stay its own; one
-# that fails ends the calling script, which has done `set -eu` and stands in the repository root.
+# Defines functions, package lists and what ccache needs. Each function runs in a subshell, so that its variables stay
+# its own; one that fails ends the calling script, which has done `set -eu` and stands in the repository root.
 # shellcheck shell=sh disable=SC2034
 
 # What every build needs, then what each part needs besides (parts: window, images, bench; see CMakeLists.txt).
@@ -13,6 +13,9 @@ bench_packages="libboost-dev"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format clang-tidy libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  glslang-tools python3 chromium chromium-driver imagemagick procps xvfb xdotool openbox libx11-dev shellcheck"
+
+# ccache takes precompiled headers only with these.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf 'glibra: %s\n' "$*" >&2; }
 
