@@ -70,8 +70,8 @@ class FramePlanner {
     const PlannedProgram& planned(PlannedProgramIndex program) const { return plan_.programs[program]; }
 
     /// Adds the diagnostic unless an equal one at the same place exists.
-    void say(const Diagnostic& diagnostic) {
-        if (said_
+    void report(const Diagnostic& diagnostic) {
+        if (reported_
                 .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
                          diagnostic.place.column)
                 .second)
@@ -154,10 +154,10 @@ class FramePlanner {
         }
         const std::vector<TextureUse>& uses = usesOf(draw, index);
         append(problems, feedback(draw, pass, index, uses));
-        for (const Diagnostic& each : problems) say(each);
+        for (const Diagnostic& each : problems) report(each);
         if (!submission || hasError(problems)) return;
 
-        remarkOnce(draw, index, program, *submission, uses);
+        reportRemarks(draw, index, program, *submission, uses);
         result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
     }
 
@@ -172,7 +172,7 @@ class FramePlanner {
 
     void announce(PlannedProgramIndex program) {
         if (std::exchange(state(program).isAnnounced, true)) return;
-        for (const Diagnostic& each : state(program).diagnostics) say(each);
+        for (const Diagnostic& each : state(program).diagnostics) report(each);
     }
 
     /// Reports draw-W01 once per program.
@@ -184,9 +184,9 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
-        say(diagnose("draw-W01",
-                     fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
-                     draw.place));
+        report(diagnose("draw-W01",
+                        fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
+                        draw.place));
     }
 
     /// Returns draw-E01 if a sampler reads a target of its own pass.
@@ -210,8 +210,8 @@ class FramePlanner {
     }
 
     /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
-    void remarkOnce(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
-                    const Submission& submission, const std::vector<TextureUse>& uses) {
+    void reportRemarks(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
+                       const Submission& submission, const std::vector<TextureUse>& uses) {
         reportEmptySlots(draw, index, uses);
         reportUnknownInputs(draw, index);
         if (ignoresPointSize(draw, program, *planned(index).interface, submission))
@@ -221,7 +221,7 @@ class FramePlanner {
     void warnOnce(const scene::Draw& draw, PlannedProgramIndex index, const char* id,
                   const std::string& text) {
         if (remarks_.emplace(planned(index).variant.program, id, text).second)
-            say(diagnose(id, text, draw.place));
+            report(diagnose(id, text, draw.place));
     }
 
     void reportEmptySlots(const scene::Draw& draw, PlannedProgramIndex index,
@@ -315,7 +315,8 @@ class FramePlanner {
                     if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
         }
         reportInactiveOverrides();
-        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
+        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names))
+            report(each);
     }
 
     /// Reports glib-W24 for names that are declared but not active. Drivers differ in which unused uniforms
@@ -332,9 +333,9 @@ class FramePlanner {
         for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
             if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
             usedOverrides_[i] = true;
-            say(diagnose("glib-W24",
-                         fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                     options_.overrides[i].name)));
+            report(diagnose("glib-W24",
+                            fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                        options_.overrides[i].name)));
         }
     }
 
@@ -350,7 +351,7 @@ class FramePlanner {
     std::optional<int> loopLimit_;
     std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
     std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
-    std::set<std::tuple<std::string, std::string, std::string, int, int>> said_;
+    std::set<std::tuple<std::string, std::string, std::string, int, int>> reported_;
     FramePlan plan_;
 };
 
