@@ -27,9 +27,9 @@ double noise3(double x, double y, double z, int octave);
 double noise2(double x, double y, int octave);
 
 /// Writes the texels of the 3D texture of size n: n*n*n RGBA bytes, x fastest, then y, then z. Texel (i, j,
-/// k) is the function at (i, j, k) * cells / n, as floor(255 * value). Writes nothing and returns false unless
-/// n is in 1..kLargestSize3 and `texels` has exactly this size. `threads` is the number of threads to use (0:
-/// one per processor); the bytes do not depend on it.
+/// k) is the function at (i, j, k) * cells / n, as floor(255 * value). Writes nothing and returns false
+/// unless n is in 1..kLargestSize3 and `texels` has exactly this size. `threads` is the number of threads to
+/// use (0: one per processor); the bytes do not depend on it.
 bool writeNoise3(int n, std::span<std::uint8_t> texels, int threads = 0);
 
 /// The same for the 2D texture: n*n RGBA bytes, x fastest, n in 1..kLargestSize2.

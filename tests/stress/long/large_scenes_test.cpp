@@ -1,6 +1,6 @@
 // The largest scenes that the language allows: a model of ten million triangles, a million draws, a thousand
-// programs, and pictures of 16,384 pixels per side (exercises' accuracy table 30). The tests print
-// their times and memory.
+// programs, and pictures of 16,384 pixels per side (exercises' accuracy table 30). The tests print their
+// times and memory.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
