@@ -30,9 +30,9 @@ void runOnThreads(std::size_t threads, const std::function<void()>& work) {
         try {
             while (others.size() + 1 < threads) others.emplace_back(run);
         } catch (const std::system_error&) {
-            // The machine gives no more threads; those that run do all the work.
+            // The machine has no more threads; those that run do all the work.
         } catch (const std::bad_alloc&) {
-            // There is no memory for a further thread either.
+            // There is no memory for another thread; those that run do all the work.
         }
         run();
     }

@@ -1,6 +1,6 @@
 #pragma once
-// What a linked program reads, as plain values without GL. `gpu` fills these from the driver's reflection and
-// sets uniforms by them; `plan` decides by them what a scene's values mean.
+// What a linked program reads, as plain values without GL. `gpu` fills them from the driver's reflection and
+// uses them to set uniforms; `plan` uses them to interpret a scene's values.
 
 #include <optional>
 #include <string>
@@ -19,8 +19,8 @@ struct ValueType {
     BaseType base = BaseType::floating;
     int columns = 1;
     int rows = 1;
-    /// Samplers and images: what they read. Nothing for targets that scenes cannot fill (rectangles, arrays,
-    /// buffers).
+    /// The target that a sampler or image reads. Nothing for targets that scenes cannot fill (rectangles,
+    /// arrays, buffers).
     std::optional<TextureTarget> target{};
     std::string word{};  ///< the GLSL word, for messages: "vec3", "sampler2D"; empty for an unknown type
 

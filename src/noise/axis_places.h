@@ -1,5 +1,5 @@
 #pragma once
-// The places of the texels of a texture along an axis, for one octave.
+// The positions of a texture's texels along one axis, in the cells of one octave.
 
 #include <cstddef>
 #include <vector>
@@ -10,10 +10,10 @@ namespace glibra::noise {
 
 struct AxisPlace {
     std::size_t cell = 0;  ///< 0..cells - 1
-    Weights at{};          ///< at the texel's place in its cell
+    Weights at{};          ///< weights at the texel's place in its cell
 };
 
-/// The places of texels 0..n - 1.
+/// The positions of texels 0..n - 1.
 inline std::vector<AxisPlace> axisPlaces(int n, int cells) {
     std::vector<AxisPlace> places;
     places.reserve(static_cast<std::size_t>(n));

@@ -6,7 +6,7 @@
 namespace glibra::noise {
 namespace {
 
-/// What is left of the gradients at one end of a line of texels: along x a slope, the rest already a level.
+/// The gradients at one end of a cell along x, interpolated along y and z: a slope along x, and a level.
 struct LineEnd {
     double slope, level;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// One component of one texel in double: the reference for every faster method.
+// Computes one component of one texel in double precision: the reference for every faster method.
 
 #include <cstdint>
 

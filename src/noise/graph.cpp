@@ -8,7 +8,7 @@
 namespace glibra::noise {
 namespace {
 
-/// Evenly in -1..1; `kind` tells heights and the two gradients apart.
+/// A random number, uniform in -1..1. `kind` is 0 for heights, 1 and 2 for gradients along x and y.
 double randomOf(const GraphOptions& options, int octave, int point, int kind) {
     const auto hash =
         geometry::mix(geometry::mix(static_cast<std::uint32_t>(point) + 0x9e3779b9U * (options.seed + 1)) +

@@ -1,4 +1,4 @@
-// Noise as graphs, coloured pictures and textures.
+// Draws noise as graphs, coloured pictures and textures.
 
 #include <fmt/format.h>
 
@@ -16,18 +16,18 @@ std::uint8_t asByte(double value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
 }
 
-/// The value on the scale 0..1.
+/// Maps the range of the noise to 0..1.
 double shown(const GraphOptions& options, double noise) {
     const double part = noise / graphRange(options);
     return options.turbulence ? part : (part + 1) / 2;
 }
 
-/// Rows from the top, in pixels, of what stands at that value.
+/// The vertical position of a value in the graph: pixels from the top.
 double rowOf(const GraphOptions& options, double noise, int height) {
     return (1 - shown(options, noise)) * height;
 }
 
-/// OKLab to linear sRGB to sRGB, limited to what a screen has (Ottosson, A perceptual color space for image
+/// Converts OKLab to linear sRGB to sRGB, clamped to 0..1 (Ottosson, A perceptual color space for image
 /// processing, 2020).
 std::array<double, 3> screenColor(double lightness, double a, double b) {
     const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
@@ -44,7 +44,7 @@ std::array<double, 3> screenColor(double lightness, double a, double b) {
     return color;
 }
 
-/// From blue over green to yellow, with as much colour as fits.
+/// From blue over green to yellow, with a chroma that fits into sRGB.
 std::array<double, 3> uniformColor(double t) {
     const double lightness = .2 + .75 * t;
     const double hue = (275 - 170 * t) * std::numbers::pi / 180;
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> graphPixels(const GraphOptions& options, int width, in
     };
     for (int x = 0; x < width; ++x) {
         const double here = row(x + .5);
-        // Distance to a line is its vertical distance times the cosine of its slope.
+        // The distance to a line is the vertical distance times the cosine of the angle of its slope.
         const double slope = row(x + 1.0) - row(x);
         const double steep = 1 / std::sqrt(1 + slope * slope);
         const double nearest = std::round((x + .5) * options.cells / width);

@@ -1,5 +1,5 @@
-// The functions themselves, as language, 9 defines them. texels.cpp computes the texels from the same sums in
-// another order.
+// The noise functions as language, 9 defines them. texels.cpp computes the texels from the same sums in a
+// different order.
 
 #include "noise/noise.h"
 
@@ -14,7 +14,7 @@
 namespace glibra::noise {
 namespace {
 
-/// The place of a coordinate: the lattice points at both ends of its cell, and their weights.
+/// A coordinate's cell: the lattice points at both ends, and their weights.
 struct Axis {
     std::array<std::size_t, 2> point;
     std::array<double, 2> value, slope;

@@ -17,17 +17,16 @@ struct NoiseFile {
     int width = 600, height = 300;         ///< pixels or texels, 1 to 16384
 };
 
-/// The extension selects the content: .svg a graph, .tex a raw float texture, any other a picture of the
-/// graph (one dimension) or of the coloured noise (two dimensions). Errors are those of writing files and
-/// images.
+/// Writes the noise to a file. The extension selects the content: .svg is a graph, .tex a raw float texture,
+/// any other a picture of the graph (one dimension) or of the coloured noise (two dimensions). Errors are
+/// those of writing files and images.
 Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file);
 
 /// The file's extension in lower case: ".png".
 std::string endingOf(const std::filesystem::path& file);
 
-/// The command with the options that differ from their defaults: "glibra noise 1 --lattice both --height
-/// 3=0.5
-/// --size 600x300 -o noise.png".
+/// Returns the command with the options that differ from their defaults:
+/// "glibra noise 1 --lattice both --height 3=0.5 --size 600x300 -o noise.png".
 std::string noiseCommand(const NoiseFile& noise, const std::string& file);
 
 // The words of the command line, in the order of the enumerators.

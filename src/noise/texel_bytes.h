@@ -1,6 +1,6 @@
 #pragma once
-// Memory for texels without initial values: setting megabytes to zero that are soon overwritten takes longer
-// than computing the texels.
+// Memory for texels without initial values. Setting megabytes to zero takes longer than computing the texels
+// that overwrite them.
 
 #include <cstdint>
 #include <memory>

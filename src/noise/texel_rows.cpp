@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-// The compiler makes the loops below for several kinds of processor, and the loader takes the best one. All
-// give the same bits: the operations and their order are the same, and nothing is fused.
+// The compiler builds the loops below for several kinds of processors, and the loader selects the best one.
+// All give the same bits: the operations and their order are the same, and no operations are fused.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define GLIBRA_FOR_EACH_PROCESSOR [[gnu::target_clones("default", "avx2", "avx512f")]]
@@ -21,7 +21,7 @@ constexpr int byteShift(int octave) {
     return std::endian::native == std::endian::little ? 8 * octave : 24 - 8 * octave;
 }
 
-/// The part of a unit count that says how far the next byte is: 0 where the nearest is less than a unit away.
+/// Masks the distance of a unit count to the next byte: 0 if a byte boundary is less than a unit away.
 inline std::uint32_t distance(std::uint32_t units) {
     constexpr std::uint32_t kFraction = (1U << kFractionBits) - 1;
     return (units + 1) & (kFraction - 1);

@@ -1,7 +1,7 @@
 #pragma once
 // The inner loops of the noise textures, in floats, for many texels at once. The result is within half a unit
-// of 1/4096 byte of the exact value. A texel so near to the next byte that this error could change it is
-// marked, and the caller computes its byte exactly.
+// of 1/4096 byte of the exact value. A texel that this error could change is marked, and the
+// caller computes its bytes exactly.
 
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace glibra::noise {
 
-/// The unit of values: one byte is 2^12 units.
+/// Values are counted in units: one byte is 2^12 units.
 inline constexpr int kFractionBits = 12;
 inline constexpr double kUnitsPerValue = 255. * (1 << kFractionBits);
 
@@ -30,12 +30,12 @@ struct OctaveRow {
 inline constexpr std::size_t kBlock = 64;
 
 struct TexelBlock {
-    std::array<std::uint32_t, kBlock> texels;  ///< red, green, blue, alpha in the order of memory
-    std::array<std::uint32_t, kBlock> doubts;  ///< 0: a byte of the texel has to be computed exactly
+    std::array<std::uint32_t, kBlock> texels;  ///< red, green, blue, alpha in memory order
+    std::array<std::uint32_t, kBlock> doubts;  ///< 0: a byte of the texel must be computed exactly
 };
 
-/// Texels `begin` .. `begin + count` of a row, 1..kBlock of them, from its four octaves. True if one or more
-/// are in doubt.
+/// Computes texels begin .. begin + count - 1 of a row from its four octaves; `count` is in 1..kBlock. True
+/// if one or more are in doubt.
 bool combineOctaves(const std::array<OctaveRow, 4>& octaves, std::size_t begin, std::size_t count,
                     TexelBlock& block);
 

@@ -1,6 +1,6 @@
 // Texels of the noise textures. The sum over the corners of a cell is separable, and the rows of lattice
 // points of one octave differ only by a rotation. So each octave has as many different rows as cells, and
-// these are interpolated along x once for the whole texture. For each row of the lattice, a slice combines
+// they are interpolated along x once for the whole texture. For each row of the lattice, a slice combines
 // two of them along z; each row of texels combines two of those along y. This is done in floats; the few
 // texels that floats cannot decide are computed in double. A slice depends only on its index, so the bytes
 // are the same for any number of threads.
@@ -20,7 +20,7 @@
 namespace glibra::noise {
 namespace {
 
-/// Rows of n floats.
+/// Several rows of n floats each.
 class Rows {
   public:
     Rows(std::size_t rows, std::size_t n) : n_(n), values_(rows * n) {}
@@ -45,7 +45,7 @@ struct OctaveRows {
 
     const Table& table;
     std::vector<AxisPlace> places;
-    std::vector<Rows> gradients;  ///< of x, y and perhaps z
+    std::vector<Rows> gradients;  ///< along x, y and, in 3D, z
 
     OctaveRows(const Table& from, int n) : table(from), places(axisPlaces(n, from.cells)) {
         const std::size_t rows = cells();
@@ -155,7 +155,7 @@ void forEachRow2(int n, int threads, const Row& row) {
     });
 }
 
-/// Writes a row of `n` RGBA texels of 16 bits. Floats are off by a 30th of their step at most.
+/// Writes a row of `n` RGBA texels of 16 bits. The error of the floats is at most 1/30 of a step.
 void writeShorts(const std::array<OctaveRow, kOctaves>& octaves, std::size_t n, std::vector<float>& sum,
                  std::uint16_t* row) {
     constexpr double kStepsPerUnit = 65535 / kUnitsPerValue;

@@ -22,12 +22,12 @@
 namespace glibra::plan {
 namespace {
 
-/// Private data of the planner about a PlannedProgram.
+/// The planner's private data about a PlannedProgram.
 struct ProgramState {
     Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
     std::vector<UnitUse> units;
-    Diagnostics unitProblems;  ///< draw-E05: reported at each draw
-    bool isAnnounced = false;  ///< its diagnostics are in the plan's
+    Diagnostics unitProblems;  ///< draw-E05, reported at each draw
+    bool isAnnounced = false;  ///< its diagnostics are in the plan
 };
 
 class FramePlanner {
@@ -70,8 +70,8 @@ class FramePlanner {
     const PlannedProgram& planned(PlannedProgramIndex program) const { return plan_.programs[program]; }
 
     /// Adds the diagnostic unless an equal one at the same place exists.
-    void say(const Diagnostic& diagnostic) {
-        if (said_
+    void report(const Diagnostic& diagnostic) {
+        if (reported_
                 .emplace(diagnostic.id, diagnostic.text, diagnostic.place.file, diagnostic.place.line,
                          diagnostic.place.column)
                 .second)
@@ -154,10 +154,10 @@ class FramePlanner {
         }
         const std::vector<TextureUse>& uses = usesOf(draw, index);
         append(problems, feedback(draw, pass, index, uses));
-        for (const Diagnostic& each : problems) say(each);
+        for (const Diagnostic& each : problems) report(each);
         if (!submission || hasError(problems)) return;
 
-        remarkOnce(draw, index, program, *submission, uses);
+        reportRemarks(draw, index, program, *submission, uses);
         result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
     }
 
@@ -172,7 +172,7 @@ class FramePlanner {
 
     void announce(PlannedProgramIndex program) {
         if (std::exchange(state(program).isAnnounced, true)) return;
-        for (const Diagnostic& each : state(program).diagnostics) say(each);
+        for (const Diagnostic& each : state(program).diagnostics) report(each);
     }
 
     /// Reports draw-W01 once per program.
@@ -184,8 +184,9 @@ class FramePlanner {
         const char* missing = hasVertex     ? "no fragment stage"
                               : hasFragment ? "no vertex stage"
                                             : "no vertex and no fragment stage";
-        say(diagnose("draw-W01", fmt::format("Program '{}' has {}; flat colour used", program.name, missing),
-                     draw.place));
+        report(diagnose("draw-W01",
+                        fmt::format("Program '{}' has {}; a flat colour is used", program.name, missing),
+                        draw.place));
     }
 
     /// Returns draw-E01 if a sampler reads a target of its own pass.
@@ -209,36 +210,54 @@ class FramePlanner {
     }
 
     /// Reports draw-W02, W03 and W05, each only at the first draw that it applies to.
-    void remarkOnce(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
-                    const Submission& submission, const std::vector<TextureUse>& uses) {
-        const ProgramInterface& interface = *planned(index).interface;
-        const scene::ProgramIndex sceneIndex = planned(index).variant.program;
-        const auto once = [&](const char* id, const std::string& text) {
-            if (remarks_.emplace(sceneIndex, id, text).second) say(diagnose(id, text, draw.place));
-        };
+    void reportRemarks(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
+                       const Submission& submission, const std::vector<TextureUse>& uses) {
+        reportEmptySlots(draw, index, uses);
+        reportUnknownInputs(draw, index);
+        if (ignoresPointSize(draw, program, *planned(index).interface, submission))
+            reportIgnoredPointSize(draw, index, *program);
+    }
+
+    void warnOnce(const scene::Draw& draw, PlannedProgramIndex index, const char* id,
+                  const std::string& text) {
+        if (remarks_.emplace(planned(index).variant.program, id, text).second)
+            report(diagnose(id, text, draw.place));
+    }
+
+    void reportEmptySlots(const scene::Draw& draw, PlannedProgramIndex index,
+                          const std::vector<TextureUse>& uses) {
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (uses[i].texture) continue;
-            const ActiveUniform& sampler = at(interface.uniforms, uses[i].uniform);
+            const ActiveUniform& sampler = at(planned(index).interface->uniforms, uses[i].uniform);
             const int unit = state(index).units.at(i).binding.unit;
             const std::string slot = sampler.type.target ? slotText(unit, *sampler.type.target)
                                                          : fmt::format("{} / {}", unit, sampler.type.word);
-            once("draw-W02", fmt::format("{} '{}' reads unit {}, which is empty",
-                                         uses[i].isImage ? "image" : "sampler", sampler.name, slot));
+            warnOnce(draw, index, "draw-W02",
+                     fmt::format("{} '{}' reads unit {}, which is empty",
+                                 uses[i].isImage ? "image" : "sampler", sampler.name, slot));
         }
+    }
+
+    void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index) {
+        const ProgramInterface& interface = *planned(index).interface;
         for (const ActiveInput& input : interface.inputs) {
             const std::string name = userName(interface, input.name);
             if (glsl::findBuiltinInput(input.name) == nullptr && !isInternalName(name))
-                once("draw-W03", fmt::format("vertex input '{}' is not supplied, it reads 0 0 0 1", name));
+                warnOnce(draw, index, "draw-W03",
+                         fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1", name));
         }
-        if (ignoresPointSize(draw, program, interface, submission)) {
-            using glsl::Stage;
-            const Stage last = program->hasStage(Stage::geometry)         ? Stage::geometry
-                               : program->hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
-                                                                          : Stage::vertex;
-            const std::string file = stageFileName(scene_, *program, last);
-            once("draw-W05", fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
-                                         file.empty() ? "Program '" + program->name + "'" : file));
-        }
+    }
+
+    void reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,
+                                const scene::Program& program) {
+        using glsl::Stage;
+        const Stage last = program.hasStage(Stage::geometry)         ? Stage::geometry
+                           : program.hasStage(Stage::tessEvaluation) ? Stage::tessEvaluation
+                                                                     : Stage::vertex;
+        const std::string file = stageFileName(scene_, program, last);
+        warnOnce(draw, index, "draw-W05",
+                 fmt::format("{} writes gl_PointSize, but PointSizeMode is 0",
+                             file.empty() ? "Program '" + program.name + "'" : file));
     }
 
     static std::string userName(const ProgramInterface& interface, const std::string& name) {
@@ -296,7 +315,8 @@ class FramePlanner {
                     if (options_.overrides[each].name == spec.tag) usedOverrides_[each] = true;
         }
         reportInactiveOverrides();
-        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names)) say(each);
+        for (const Diagnostic& each : unusedOverrides(options_.overrides, usedOverrides_, names))
+            report(each);
     }
 
     /// Reports glib-W24 for names that are declared but not active. Drivers differ in which unused uniforms
@@ -313,9 +333,9 @@ class FramePlanner {
         for (std::size_t i = 0; i < options_.overrides.size(); ++i) {
             if (usedOverrides_[i] || !isDeclared(options_.overrides[i])) continue;
             usedOverrides_[i] = true;
-            say(diagnose("glib-W24",
-                         fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
-                                     options_.overrides[i].name)));
+            report(diagnose("glib-W24",
+                            fmt::format("uniform '{}' is declared but unused, so setting it has no effect",
+                                        options_.overrides[i].name)));
         }
     }
 
@@ -331,7 +351,7 @@ class FramePlanner {
     std::optional<int> loopLimit_;
     std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
     std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
-    std::set<std::tuple<std::string, std::string, std::string, int, int>> said_;
+    std::set<std::tuple<std::string, std::string, std::string, int, int>> reported_;
     FramePlan plan_;
 };
 

@@ -61,7 +61,7 @@ Result<Override> parseOverride(std::string_view text) {
         return withoutId(Severity::error, fmt::format("--set {}: {}", text, why));
     };
     const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos) return bad("NAME=VALUE is wanted");
+    if (equals == std::string_view::npos) return bad("expected NAME=VALUE");
     Override result;
     result.name = trimmed(text.substr(0, equals));
     if (const std::size_t colon = result.name.rfind(':'); colon != std::string::npos) {
@@ -108,7 +108,7 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
         if (i < used.size() && used[i]) continue;
         const auto& [name, form, values, program] = overrides[i];
         const std::string where =
-            program.empty() ? "program of the scene" : "Program " + glib::inQuotes(program);
+            program.empty() ? "program of the scene" : "program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();
         const std::string near = isElsewhere ? "" : suggestionFor(name, names);
         diagnostics.push_back(

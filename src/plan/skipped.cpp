@@ -57,30 +57,30 @@ class SkipList {
         const scene::Pass& pass = scene_.passes[index];
         if (!needs_.passes[index])
             add("pass",
-                pass.targets.empty()
-                    ? fmt::format("the window is cleared again on line {}", needs_.clear.line)
-                    : std::string("nothing that is seen samples its targets"),
+                pass.targets.empty() ? clearedAgain() : std::string("nothing visible samples its targets"),
                 pass.place);
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
-            const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]);
-            if (draw != nullptr) {
-                const scene::Draw*& first = firstDraws_[draw->shape];
-                if (first == nullptr) first = draw;
-                if (draw->program) hasDraw_[draw->program] = true;
-            }
-            if (needs_.steps[index][step] == StepNeed::coveredByClear) {
-                const std::string why =
-                    fmt::format("the window is cleared again on line {}", needs_.clear.line);
-                if (draw != nullptr)
-                    add("draw", draw->word + ": " + why, draw->place);
-                else
-                    add("statement", "Clear: " + why, std::get<scene::Clear>(pass.steps[step]).place);
-            }
-            if (needs_.steps[index][step] == StepNeed::outOfSight)
-                add("draw", draw->word + ": " + needs_.outOfSight.at(draw), draw->place);
-            if (needs_.steps[index][step] == StepNeed::drawsNothing && draw != nullptr)
-                add("draw", draw->word + ": it has no size and draws nothing", draw->place);
+            const StepNeed need = needs_.steps[index][step];
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
+                addDraw(*draw, need);
+            else if (need == StepNeed::coveredByClear)
+                add("statement", "Clear: " + clearedAgain(), std::get<scene::Clear>(pass.steps[step]).place);
         }
+    }
+
+    void addDraw(const scene::Draw& draw, StepNeed need) {
+        const scene::Draw*& first = firstDraws_[draw.shape];
+        if (first == nullptr) first = &draw;
+        if (draw.program) hasDraw_[draw.program] = true;
+        if (need == StepNeed::coveredByClear) add("draw", draw.word + ": " + clearedAgain(), draw.place);
+        if (need == StepNeed::outOfSight)
+            add("draw", draw.word + ": " + needs_.outOfSight.at(&draw), draw.place);
+        if (need == StepNeed::drawsNothing)
+            add("draw", draw.word + ": it has no size and draws nothing", draw.place);
+    }
+
+    [[nodiscard]] std::string clearedAgain() const {
+        return fmt::format("the window is cleared again on line {}", needs_.clear.line);
     }
 
     void addPrograms() {
@@ -95,8 +95,8 @@ class SkipList {
             const bool isWhole =
                 program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment);
             const char* why = !hasDraw_[i] ? "nothing is drawn with it"
-                              : !isWhole   ? "it lacks a vertex or fragment stage"
-                                           : "nothing that is seen is drawn with it";
+                              : !isWhole   ? "it has no vertex or no fragment stage"
+                                           : "nothing visible is drawn with it";
             add("program", fmt::format("'{}': {}", program.name, why), program.place);
         }
     }
@@ -110,11 +110,12 @@ class SkipList {
             const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
             const Place place = firstDraws_[i] != nullptr ? firstDraws_[i]->place : Place{};
             if (planned[i] == nullptr) {
-                add("mesh", word + ": nothing that is seen draws it", place);
+                add("mesh", word + ": nothing visible draws it", place);
                 continue;
             }
             useFile(scene_.shapes[i].file);
-            if (draws[i] > 1) add("mesh", fmt::format("{}: one for all its {} draws", word, draws[i]), place);
+            if (draws[i] > 1)
+                add("mesh", fmt::format("{}: one mesh serves all its {} draws", word, draws[i]), place);
             for (const std::string& attribute : attributesOf(scene_.shapes[i]))
                 if (!contains(planned[i]->attributes, attribute))
                     attributes.push_back(
@@ -153,16 +154,16 @@ class SkipList {
     void addFiles() {
         for (const scene::FileIndex i : scene_.files.indices())
             if (!files_[i])
-                add("file", fmt::format("'{}': nothing that is seen needs it", scene_.files[i].name),
+                add("file", fmt::format("'{}': nothing visible needs it", scene_.files[i].name),
                     scene_.files[i].place);
     }
 
     const scene::Scene& scene_;
     const Needs& needs_;
     const FramePlan& plan_;
-    scene::List<const scene::Draw*, scene::Shape> firstDraws_;  ///< of each shape
-    scene::List<bool, scene::Program> hasDraw_;                 ///< some draw has the program, seen or not
-    // In use:
+    scene::List<const scene::Draw*, scene::Shape> firstDraws_;  ///< first draw of each shape
+    scene::List<bool, scene::Program> hasDraw_;                 ///< some draw has the program, visible or not
+    // Used by the plan:
     scene::List<bool, scene::Program> programs_;
     scene::List<bool, scene::Texture> textures_;
     scene::List<bool, scene::FileReference> files_;

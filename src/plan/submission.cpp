@@ -48,6 +48,21 @@ int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
     return shape.command == CommandId::objPatch ? kObjPatchVertices : draw.patchVertices;
 }
 
+/// Returns how a draw with a TessEvaluation stage is submitted, or draw-E03.
+Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
+                             const ProgramInterface& interface) {
+    const Topology topology = topologyOf(shape);
+    if (topology == Topology::patches) return Submission{topology, patchVerticesOf(shape, draw)};
+    const int wanted = geometry::verticesPerPrimitive(topology);
+    const bool controlFits = topology == Topology::triangles && interface.facts.patchVertices == wanted;
+    if (draw.patchVertices != wanted && !controlFits)
+        return diagnose("draw-E03",
+                        fmt::format("{} delivers {}, but the patch size is {}; write 'NumPatchVertices {}'",
+                                    draw.word, wordOf(topology), draw.patchVertices, wanted),
+                        draw.place);
+    return Submission{Topology::patches, wanted};
+}
+
 }  // namespace
 
 std::string_view wordOf(Topology topology) {
@@ -86,35 +101,23 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
 
     Submission submission{topology, 0};
     std::string_view delivered = wordOf(topology);
-    if (!isTessellated) {
-        if (topology == Topology::patches)
-            return diagnose("draw-E04",
-                            fmt::format("{} needs a TessEvaluation stage",
-                                        shape.command == CommandId::glBegin ? "gl_patches" : word),
-                            draw.place);
-    } else {
-        if (topology == Topology::patches) {
-            submission.patchVertices = patchVerticesOf(shape, draw);
-        } else {
-            const int wanted = geometry::verticesPerPrimitive(topology);
-            const bool controlFits =
-                topology == Topology::triangles && interface.facts.patchVertices == wanted;
-            if (draw.patchVertices != wanted && !controlFits)
-                return diagnose("draw-E03",
-                                fmt::format("{} delivers {}, but the patch size is {}; write "
-                                            "'NumPatchVertices {}'",
-                                            word, delivered, draw.patchVertices, wanted),
-                                draw.place);
-            submission = {Topology::patches, wanted};
-        }
+    if (isTessellated) {
+        const Result<Submission> patches = asPatches(shape, draw, interface);
+        if (!patches) return patches;
+        submission = *patches;
         delivered = interface.facts.tessellationOutput;
+    } else if (topology == Topology::patches) {
+        return diagnose("draw-E04",
+                        fmt::format("{} needs a TessEvaluation stage",
+                                    shape.command == CommandId::glBegin ? "gl_patches" : word),
+                        draw.place);
     }
 
     const std::string& wanted = interface.facts.geometryInput;
     if (program != nullptr && !wanted.empty() && !delivered.empty() && wanted != delivered) {
         const std::string file = stageFileName(scene, *program, glsl::Stage::geometry);
         return diagnose("draw-E02",
-                        fmt::format("{} delivers {}{}, but {} wants {}{}", word, delivered,
+                        fmt::format("{} delivers {}{}, but {} expects {}{}", word, delivered,
                                     isTessellated ? " after tessellation" : "",
                                     file.empty() ? "the geometry stage" : file, wanted,
                                     isTessellated ? "" : recommendation(shape.command, wanted)),

@@ -39,7 +39,7 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
     }
     const auto tooMany = [](const char* kind, std::size_t wanted, int available) {
         return diagnose("draw-E05",
-                        fmt::format("the program needs {} {} units at once, the graphics device has {}",
+                        fmt::format("the program needs {} {} units at once; the graphics device has {}",
                                     wanted, kind, available));
     };
     if (textureUnits.size() > static_cast<std::size_t>(std::max(maxTextureUnits, 0)))

@@ -19,7 +19,7 @@ bool isReal(const ValueType& type) {
     return type.base == BaseType::floating || type.base == BaseType::doublePrecision;
 }
 
-/// "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5": the value as messages quote it.
+/// The value as messages quote it: "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5".
 std::string quote(const GivenValue& given) {
     constexpr std::size_t kMostShown = 6;
     if (given.form == UniformForm::truth) return given.values.front() != 0 ? "<true>" : "<false>";
@@ -217,21 +217,21 @@ class ValueReader {
             {}, UniformForm::range, convert(range.minimum), reading_.values.front(), convert(range.maximum)};
         if (control.minimum > control.maximum) {
             warn("glib-W22",
-                 fmt::format("{}: minimum {} is above maximum {}, exchanged", given_.tag,
+                 fmt::format("{}: minimum {} is above maximum {}; they are exchanged", given_.tag,
                              numberText(control.minimum), numberText(control.maximum)),
                  given_.valuePlace);
             std::swap(control.minimum, control.maximum);
         } else if (control.minimum == control.maximum) {
             control.maximum = control.minimum + 1;
             warn("glib-W22",
-                 fmt::format("{}: minimum and maximum are both {}, slider range {} ... {}", given_.tag,
+                 fmt::format("{}: minimum and maximum are both {}; the slider shows {} ... {}", given_.tag,
                              numberText(control.minimum), numberText(control.minimum),
                              numberText(control.maximum)),
                  given_.valuePlace);
         }
         if (control.current < control.minimum || control.current > control.maximum)
             warn("glib-W21",
-                 fmt::format("{}: current value {} lies outside {} ... {}, kept", given_.tag,
+                 fmt::format("{}: current value {} is outside {} ... {}; it is kept", given_.tag,
                              numberText(control.current), numberText(control.minimum),
                              numberText(control.maximum)),
                  given_.valuePlace);

@@ -1,5 +1,5 @@
 #pragma once
-// What a written value means for a declared type: the two tables of language, 5.3.
+// The meaning of a written value for a declared type: the two tables of language, 5.3.
 
 #include <optional>
 #include <span>
@@ -21,8 +21,8 @@ struct GivenValue {
 };
 
 /// The meaning of a value. `values` are the components, column by column, of one element or of all elements
-/// of an array: integers are truncated and limited to the type's range, a bool is 1 or 0, samplers and images
-/// have units.
+/// of an array. Integers are truncated and limited to the type's range, a bool is 1 or 0, and samplers and
+/// images have units.
 struct Reading {
     bool ignored = false;  ///< the tag has no effect
     std::vector<double> values;
@@ -34,7 +34,7 @@ struct Reading {
 /// a uniform that is not an array.
 Reading readValue(const GivenValue& given, const ActiveUniform& uniform, bool oneElement = false);
 
-/// A number as messages show it: in shortest form, without a zero before the point (".1", "-.25", "10").
+/// A number as messages show it: in its shortest form, without a zero before the point (".1", "-.25", "10").
 std::string numberText(double value);
 
 }  // namespace glibra::plan

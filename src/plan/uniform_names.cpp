@@ -74,7 +74,7 @@ bool isInternalName(std::string_view name) {
 }
 
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
-    constexpr std::size_t kPrefix = 1;  // the u that most uniforms' names begin with
+    constexpr std::size_t kPrefix = 1;  // the u at the beginning of most uniform names
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     return glib::suggestion(tag, candidates, kPrefix);
 }

@@ -143,7 +143,7 @@ class Resolver {
                 units[first + i] = static_cast<int>(reading.values[i]);
             if (row != nullptr)
                 warn("glib-W25",
-                     fmt::format("'{}' is supplied by the program; the tag selects unit {} for it", given.tag,
+                     fmt::format("glibra supplies '{}'; the tag selects unit {} for it", given.tag,
                                  units.front()),
                      given.tagPlace);
             return;
@@ -179,12 +179,12 @@ class Resolver {
                 given.form == glib::UniformForm::number && !given.values.empty() && given.values.front() > 0;
             const double period = isPeriod ? given.values.front() : kDefaultPeriod;
             return warn("glib-W25",
-                        fmt::format("'Timer' is supplied by the program; set its period with the command "
+                        fmt::format("glibra supplies 'Timer'; set its period with the command "
                                     "'Timer {}'",
                                     numberText(period)),
                         given.tagPlace);
         }
-        warn("glib-W25", fmt::format("'{}' is supplied by the program, so the tag has no effect", given.tag),
+        warn("glib-W25", fmt::format("glibra supplies '{}', so the tag has no effect", given.tag),
              given.tagPlace);
     }
 
@@ -228,7 +228,7 @@ class Resolver {
             if (isOpaque(each)) {
                 if (!interface_.facts.textureBindings.contains(each.name))
                     warn("glib-W37",
-                         fmt::format("uniform '{}' of '{}' is not set, it reads unit 0", each.name,
+                         fmt::format("uniform '{}' of '{}' is not set; it reads unit 0", each.name,
                                      program_.name),
                          program_.place);
                 continue;
@@ -236,7 +236,7 @@ class Resolver {
             const auto declared = interface_.facts.uniforms.find(std::string(rootName(each.name)));
             if (declared != interface_.facts.uniforms.end() && declared->second.hasInitializer) continue;
             warn("glib-W37",
-                 fmt::format("uniform '{}' of '{}' is not set, it is 0", each.name, program_.name),
+                 fmt::format("uniform '{}' of '{}' is not set; it is 0", each.name, program_.name),
                  program_.place);
         }
     }

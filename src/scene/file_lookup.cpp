@@ -16,18 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names longer than every file system's limit are not looked for.
+/// The longest name that is looked up. No file system allows longer ones.
 constexpr std::size_t kLongestName = 4096;
-/// Folder entries looked at in one search without regard to case.
+/// The most folder entries that one case-insensitive search visits.
 constexpr int kMostVisits = 10'000;
 
-/// A name as written, in this system's spelling.
+/// A name from a scene, converted to the path syntax of this system.
 struct CleanName {
-    std::string path;                ///< slashes only
-    std::vector<std::string> parts;  ///< between slashes, empty ones and "." left out
+    std::string path;                ///< with slashes only
+    std::vector<std::string> parts;  ///< between slashes, without empty ones and "."
     bool isAbsolute = false;
-    bool isNetwork = false;   ///< begins with two slashes: another machine
-    bool hasFolders = false;  ///< or a drive letter
+    bool isNetwork = false;   ///< begins with two slashes: a path on another machine
+    bool hasFolders = false;  ///< contains a slash or a drive letter
     std::string last;         ///< the last part, without a drive letter
 };
 
@@ -35,7 +35,7 @@ CleanName clean(std::string_view written) {
     CleanName name;
     for (std::size_t i = 0; i < written.size(); ++i) {
         const bool isBackslash = written[i] == '\\';
-        if (isBackslash && i > 1 && written[i - 1] == '\\') continue;  // a doubled one is one slash
+        if (isBackslash && i > 1 && written[i - 1] == '\\') continue;  // a doubled backslash is one slash
         name.path += isBackslash ? '/' : written[i];
     }
     name.isAbsolute = name.path.starts_with('/');
@@ -65,8 +65,7 @@ bool equalWithoutCase(std::string_view a, std::string_view b) {
                       [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Ordinary files below a folder whose path equals `parts` without regard to case, in byte order of the
-/// paths.
+/// Finds the ordinary files below a folder whose paths equal `parts` except for case, in byte order.
 class CaselessSearch {
   public:
     explicit CaselessSearch(FolderListings& listings) : listings_(listings) {}
@@ -98,7 +97,8 @@ class CaselessSearch {
     int visits_ = 0;
 };
 
-/// Rules 2 and 3 of 8.6 in some folders, rule by rule: the path as given, then without regard to case.
+/// Searches folders by rules 2 and 3 (language, 8.6): all folders for the path as given, then all folders
+/// for a path that differs only in case.
 class FolderSearch {
   public:
     FolderSearch(FileReference& reference, FolderListings& listings)
@@ -136,7 +136,7 @@ class FolderSearch {
             all += fmt::format("{} '{}'", i + 1 == found.size() ? " and" : ",", shown(found[i]));
         reference_.remarks.push_back(
             diagnose("file-W12",
-                     fmt::format("'{}' matches {}, '{}' taken", reference_.name, all, shown(found.front())),
+                     fmt::format("'{}' matches {}; '{}' is used", reference_.name, all, shown(found.front())),
                      reference_.place));
         return true;
     }
@@ -150,7 +150,7 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(path, failure);
 }
 
-/// The nearest folder from `folder` upwards that has `shaders` or `textures` in it.
+/// Returns the nearest folder, from `folder` upwards, that contains `shaders` or `textures`.
 std::optional<fs::path> libraryAbove(const fs::path& folder) {
     for (fs::path each = folder;; each = each.parent_path()) {
         if (isFolder(each / "shaders") || isFolder(each / "textures")) return each;

@@ -29,20 +29,21 @@ class FolderListings {
 
 /// The folders that names are relative to, in the order of the search.
 struct SearchFolders {
-    std::vector<std::filesystem::path> beside;  ///< of the including file (if any), then of the scene
+    std::vector<std::filesystem::path>
+        beside;  ///< the folder of the including file (if any), then the scene's
     std::vector<std::filesystem::path>
         library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
 };
 
-/// The folders of a scene: its own, the given library roots, then the nearest folder from the scene's own
-/// upwards that has `shaders` or `textures` in it. TOPIC is the scene's folder below `glib` of that root,
-/// else the last part of its name. The path of the scene is as the user gave it; what it is relative to is
-/// the current folder.
+/// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then
+/// the nearest folder, from the scene's own upwards, that contains `shaders` or `textures`. TOPIC is the path
+/// of the scene's folder below `glib` of that root, or else the last part of that path. A relative
+/// `scenePath` starts at the current folder.
 SearchFolders searchFolders(const std::filesystem::path& scenePath, const InterpretOptions& options = {});
 
-/// Looks a file up. In the result: file-E01 with the nearest existing names if there is none, file-W01 if
-/// only case differs, file-W02 if only the last part of the name was found beside the scene, file-W12 if
-/// several names differ in case only.
+/// Looks up a file. The result contains file-E01 with the nearest existing names if the file is missing,
+/// file-W01 if the case differs, file-W02 if only the last part of the name was found beside the scene, and
+/// file-W12 if several names differ only in case.
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 

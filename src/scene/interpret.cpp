@@ -23,20 +23,20 @@ void execute(Interpreter& in, const glib::Command& command) {
     const CommandAction& action = *known;
     if (in.list && action.inList == InList::isWrong) {
         in.reportAt(command, "glib-E07",
-                    fmt::format("{} is not possible inside glBegin ... glEnd", command.word));
+                    fmt::format("{} is not allowed inside glBegin ... glEnd", command.word));
         return;
     }
     if (in.list && action.inList == InList::goesFirst)
         in.reportAt(command, "glib-W32",
-                    fmt::format("{} inside glBegin {} before the list", command.word,
-                                action.draws ? "is drawn" : "is carried out"));
+                    fmt::format("{} is inside glBegin ... glEnd; it {} before the list", command.word,
+                                action.draws ? "is drawn" : "takes effect"));
     if (action.inList != InList::isPart) in.isOrphan = false;
     if (in.scene.verbose && !action.draws)
         in.report(diagnose("glib-N02", textOf(command), in.place(command)));
     action.handler(in, command);
 }
 
-/// The actions by CommandId; one without a handler is missing.
+/// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
     for (const auto& some :

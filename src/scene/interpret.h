@@ -14,11 +14,11 @@ struct InterpretOptions {
 };
 
 /// Runs the script once (language, 2) and records every draw with its complete state. Files are looked up but
-/// not read, except for the first bytes of texture files that tell their dimension.
+/// not read, except for the first bytes of texture files, which show their dimension.
 ///
 /// The `diagnostics` of the result are in the order of the text. They contain neither those of the script nor
 /// those of files, which stay in the FileReference. A statement with an error is skipped and the others are
-/// carried out. Does not throw.
+/// executed. Does not throw.
 Scene interpret(const glib::Script& script, const InterpretOptions& options = {});
 
 }  // namespace glibra::scene

@@ -147,9 +147,9 @@ namespace {
 
 void doModel(Interpreter& in, const glib::Command& command) {
     if (command.text.empty()) {
-        in.reportAt(
-            command, "glib-E09",
-            fmt::format("{} without a file name is only possible in the interactive program", command.word));
+        in.reportAt(command, "glib-E09",
+                    fmt::format("{} needs a file name; only the interactive program works without one",
+                                command.word));
         return;
     }
     Shape shape{command.id, {}, fileOf(in, command.text, in.script.place(command.textPosition)), nullptr};

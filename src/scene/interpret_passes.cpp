@@ -9,7 +9,7 @@
 namespace glibra::scene {
 namespace {
 
-/// The texture that an empty 2D texture command has put on the unit, or none.
+/// The empty 2D texture on the unit, or none.
 TextureIndex emptyTextureOn(const Interpreter& in, int unit) {
     for (const Slot& slot : in.state.slots)
         if (slot.unit == unit && slot.target == TextureTarget::texture2D &&
@@ -37,13 +37,13 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
             return refuse(fmt::format(
                 "unit {0} holds no empty 2D texture; write 'Texture2D {0} 1024 1024' first", unit));
         if (std::find(list.units.begin(), list.units.end(), unit) != list.units.end())
-            return refuse(fmt::format("unit {} stands there twice", unit));
+            return refuse(fmt::format("unit {} is named twice", unit));
         const EmptySource& source = sourceOf(in, texture);
         if (list.units.empty()) {
             list.width = source.width;
             list.height = source.height;
         } else if (source.width != list.width || source.height != list.height) {
-            return refuse(fmt::format("unit {} is {} x {}, unit {} is {} x {}; all must be equal in size",
+            return refuse(fmt::format("unit {} is {} x {}, unit {} is {} x {}; all must have the same size",
                                       list.units.front(), list.width, list.height, unit, source.width,
                                       source.height));
         }
@@ -53,7 +53,8 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
     return list;
 }
 
-/// The depth buffer of the current target: 0 is the window's, then one for each list of units and size.
+/// The number of the current target's depth buffer. 0 is the window's; each combination of units and size
+/// has its own.
 int depthBufferOf(Interpreter& in, const TargetList& target) {
     if (target.units.empty()) return 0;
     const int next = static_cast<int>(in.depthBuffers.size()) + 1;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kAllTextures = std::uint64_t{4} << 30U;  // bytes
 
-/// The noise textures, which are made first.
+/// The noise textures are the first two textures of every scene.
 constexpr TextureIndex kNoise2Texture{0};
 constexpr TextureIndex kNoise3Texture{1};
 
@@ -25,7 +25,7 @@ constexpr TextureIndex kNoise3Texture{1};
 constexpr std::array kFormats{TexelFormat::rgba8, TexelFormat::rgba16f, TexelFormat::rgba32f,
                               TexelFormat::r32f};
 
-/// Index of the format with that word; the first without one.
+/// Returns the index of the format with that word, or 0 if there is none.
 std::size_t formatOf(std::string_view word) {
     const auto formats = glib::textureFormats();
     for (std::size_t i = 0; i < formats.size() && i < kFormats.size(); ++i)
@@ -38,7 +38,7 @@ TextureTarget targetOfDimensions(std::size_t dimensions) {
     return dimensions == 2 ? TextureTarget::texture2D : TextureTarget::texture3D;
 }
 
-/// Puts the texture into its slot; slots stay sorted by unit and target.
+/// Puts the texture into its slot. Slots stay sorted by unit and target.
 void store(Interpreter& in, const glib::Command& command, Texture texture) {
     Slot slot{texture.unit, texture.target, {}};
     slot.texture = in.scene.textures.add(std::move(texture));
@@ -52,8 +52,7 @@ void store(Interpreter& in, const glib::Command& command, Texture texture) {
         return;
     }
     if (at->texture == kNoise2Texture || at->texture == kNoise3Texture)
-        in.reportAt(command, "glib-W36",
-                    fmt::format("unit {} held the noise texture, which is now replaced", slot.unit));
+        in.reportAt(command, "glib-W36", fmt::format("the noise texture on unit {} is replaced", slot.unit));
     at->texture = slot.texture;
 }
 
@@ -93,7 +92,7 @@ std::size_t dimensionsOf(glib::CommandId id) {
     return 0;
 }
 
-/// A texture from the file that the command names. The built-in noise replaces a missing noise file.
+/// Returns a texture from the file that the command names. The built-in noise replaces a missing noise file.
 Texture pictureTexture(Interpreter& in, const glib::Command& command) {
     Texture texture;
     const std::size_t wanted = dimensionsOf(command.id);
@@ -107,12 +106,12 @@ Texture pictureTexture(Interpreter& in, const glib::Command& command) {
             .dimensions = noise->dimensions,
             .size = noise->size,
             .isSizeGiven = true,
-            .remarks = {diagnose("file-W09", fmt::format("'{}' not found, built-in noise used", command.text),
-                                 place)}};
+            .remarks = {diagnose(
+                "file-W09", fmt::format("'{}' not found; the built-in noise is used", command.text), place)}};
         return texture;
     }
     texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
-    texture.source = PictureSource{{file}, wanted == 0};
+    texture.source = PictureSource{{file}};
     return texture;
 }
 

@@ -21,12 +21,12 @@ glm::dvec3 vectorAt(const glib::Command& command, std::size_t first) {
     return {at(command, first, 0), at(command, first + 1, 0), at(command, first + 2, 0)};
 }
 
-/// M := M * T, unless the product is beyond the range of the numbers that shaders get.
+/// Sets M := M * T. Reports glib-E05 instead if 32-bit floats cannot hold the product.
 void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& transform) {
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {
         in.reportAt(command, "glib-E05",
-                    fmt::format("{}: the transformation is beyond the range of numbers", command.word));
+                    fmt::format("{}: the matrix does not fit into 32-bit floats", command.word));
         return;
     }
     in.state.modelView = product;
@@ -36,7 +36,7 @@ void doWindowSize(Interpreter& in, const glib::Command& command) {
     const std::pair size(static_cast<int>(at(command, 0, 600)), static_cast<int>(at(command, 1, 600)));
     if (in.windowSize && *in.windowSize != size)
         in.reportAt(command, "glib-W34",
-                    fmt::format("WindowSize given again, {} {} replaces {} {}", size.first, size.second,
+                    fmt::format("WindowSize is given twice; {} {} replaces {} {}", size.first, size.second,
                                 in.windowSize->first, in.windowSize->second));
     in.windowSize = size;
     in.scene.width = size.first;
@@ -67,13 +67,14 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
         if (matrix) break;
         matrix = viewingMatrix(eye, centre, up);
         if (matrix)
-            in.reportAt(command, "glib-W30",
-                        fmt::format("LookAt: up is parallel to the view direction, {} used", name));
+            in.reportAt(
+                command, "glib-W30",
+                fmt::format("LookAt: up is parallel to the view direction; {} is used instead", name));
     }
     if (matrix && isFinite(*matrix))
         in.state.modelView = in.scene.view = *matrix;
     else
-        in.reportAt(command, "glib-E05", "LookAt: the transformation is beyond the range of numbers");
+        in.reportAt(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
 }
 
 void doColor(Interpreter& in, const glib::Command& command) {

@@ -12,7 +12,7 @@
 namespace glibra::scene {
 namespace {
 
-/// True if a list is open. Otherwise reports glib-E07, once for consecutive statements of this kind.
+/// True if a list is open. Otherwise reports glib-E07, but only once for consecutive statements.
 bool isInside(Interpreter& in, const glib::Command& command) {
     if (in.list) return true;
     if (!in.isOrphan)
@@ -26,7 +26,7 @@ void copy(const glib::Command& command, std::array<double, N>& values) {
     for (std::size_t i = 0; i < N && i < command.numbers.size(); ++i) values[i] = command.numbers[i];
 }
 
-/// The kind of primitive to which the vertices of an incomplete rest belong.
+/// The name of the topology's primitives, for messages.
 std::string_view primitiveOf(geometry::ListTopology topology) {
     using geometry::ListTopology;
     switch (topology) {
@@ -77,7 +77,7 @@ void doGlVertex(Interpreter& in, const glib::Command& command) {
     if (list.vertices.size() >= kMostListVertices) {
         if (!list.isFull)
             in.reportAt(command, "glib-E15",
-                        fmt::format("glBegin: more than {} vertices",
+                        fmt::format("glBegin: a list holds at most {} vertices",
                                     glib::groupedText(static_cast<long long>(kMostListVertices))));
         list.isFull = true;
         return;
@@ -110,13 +110,14 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
         geometry::meshFromList(list.topology, list.vertices, list.hasNormals, in.state.patchVertices);
     const std::string_view primitive = primitiveOf(list.topology);
     if (made.mesh.indices.empty()) {
-        in.reportAt(command, "glib-E07",
-                    fmt::format("glEnd: {} vertices make no complete {}", list.vertices.size(), primitive));
+        in.reportAt(
+            command, "glib-E07",
+            fmt::format("glEnd: {} vertices are not enough for one {}", list.vertices.size(), primitive));
         return;
     }
     if (made.dropped > 0)
         in.reportAt(command, "glib-W33",
-                    fmt::format("glEnd: {} {} of an incomplete {} dropped", made.dropped,
+                    fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
                                 made.dropped == 1 ? "vertex" : "vertices", primitive));
     Drawing drawing;
     drawing.word = list.word;

@@ -19,7 +19,7 @@ double length(const glm::dvec4& v) {
     return std::hypot(std::hypot(v.x, v.y, v.z), v.w);
 }
 
-/// Sine of 90 degrees times `quarters` plus `rest` degrees, |rest| <= 45.
+/// Sine of (90 * quarters + rest) degrees, for |rest| <= 45.
 double sineOf(int quarters, double rest) {
     const double radians = rest * (glm::pi<double>() / 180);
     switch (quarters & 3) {
@@ -43,7 +43,7 @@ double sineOfTurned(double degrees, int quarters) {
 
 template <class Matrix>
 bool isSingularMatrix(const Matrix& matrix) {
-    // A column with a huge or tiny unit must not decide, so each is brought to length one.
+    // Columns are scaled to length one first, so that the result does not depend on their units.
     Matrix scaled = matrix;
     for (int i = 0; i < Matrix::length(); ++i) {
         const double size = length(matrix[i]);
@@ -60,7 +60,8 @@ double largestElement(const glm::dmat3& matrix) {
     return largest;
 }
 
-/// The matrix times the factor; if floats cannot hold its largest element, divided by that instead.
+/// Returns matrix * factor. If a float cannot hold the largest element of that product, the matrix is divided
+/// by its largest element instead.
 glm::dmat3 timesWithinFloats(const glm::dmat3& matrix, double factor) {
     const double largest = largestElement(matrix);
     const double product = largest * factor;
@@ -98,7 +99,7 @@ glm::dmat4 rotation(double degrees, const glm::dvec3& axis) {
     const glm::dvec3 a = axis / size;
     const double c = cosineOfDegrees(degrees);
     const double s = sineOfDegrees(degrees);
-    const glm::dmat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);  // column by column
+    const glm::dmat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);  // in column order
     // Rodrigues: c I + s [a]x + (1 - c) a a^T
     const glm::dmat3 turned = c * glm::dmat3(1.0) + s * cross + (1 - c) * glm::outerProduct(a, a);
     for (int i = 0; i < 3; ++i) matrix[i] = glm::dvec4(turned[i], 0.0);
@@ -133,8 +134,8 @@ bool isSingular(const glm::dmat4& matrix) {
 
 glm::dmat4 inverseOrZero(const glm::dmat4& matrix) {
     if (isSingular(matrix)) return glm::dmat4(0.0);
-    // Columns are brought to length one first, so that determinants of very small or large scales stay in
-    // range.
+    // Columns are scaled to length one first, so that the determinant stays in range for very small and very
+    // large scales.
     glm::dmat4 scaled = matrix;
     glm::dvec4 sizes(1.0);
     for (int i = 0; i < 4; ++i) {
@@ -142,13 +143,14 @@ glm::dmat4 inverseOrZero(const glm::dmat4& matrix) {
         scaled[i] = matrix[i] / sizes[i];
     }
     glm::dmat4 inverse = glm::inverse(scaled);
-    for (int i = 0; i < 4; ++i) inverse[i] /= sizes;  // rows of the inverse belong to columns of the matrix
+    for (int i = 0; i < 4; ++i)
+        inverse[i] /= sizes;  // row i of the inverse belongs to column i of the matrix
     return inverse;
 }
 
 glm::dmat3 normalMatrix(const glm::dmat4& modelView) {
-    // A power of two taken out keeps products of very small and very large elements in range, and every bit
-    // as it is.
+    // Dividing by a power of two first keeps the products of very small and very large elements in range,
+    // and changes no bit of them.
     glm::dmat3 linear(modelView);
     const double largest = largestElement(linear);
     if (!(largest > 0) || !std::isfinite(largest)) return glm::dmat3(0.0);

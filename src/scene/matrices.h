@@ -1,6 +1,6 @@
 #pragma once
-// The matrices of a scene and those that shaders get (language, 6.2). All are double and for column vectors;
-// they are rounded once, when they go to the graphics device.
+// The matrices of a scene and those that shaders get (language, 6.2). All are double precision and multiply
+// column vectors. They are rounded once, when they go to the graphics device.
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -19,8 +19,9 @@ glm::dmat4 scaling(const glm::dvec3& factors);
 /// result is the identity.
 glm::dmat4 rotation(double degrees, const glm::dvec3& axis);
 
-/// World to eye: eye at the origin, centre on -z, up in the half plane x = 0, y > 0. Nothing if eye and
-/// centre are the same point or `up` is parallel to the view direction (or zero).
+/// The matrix from world to eye space, where the eye is at the origin, `centre` lies on -z, and `up` lies in
+/// the half plane x = 0, y > 0. Nothing if eye and centre are the same point or `up` is parallel to the view
+/// direction (or zero).
 std::optional<glm::dmat4> viewingMatrix(const glm::dvec3& eye, const glm::dvec3& centre,
                                         const glm::dvec3& up);
 
@@ -37,7 +38,7 @@ glm::dmat4 inverseOrZero(const glm::dmat4& matrix);
 /// too small for a float, they are divided by the largest, which keeps directions.
 glm::dmat3 normalMatrix(const glm::dmat4& modelView);
 
-/// A matrix with its inverse, its transpose and the inverse of that.
+/// A matrix with its inverse, its transpose, and its inverse transpose.
 struct MatrixFamily {
     glm::dmat4 matrix{1.0};
     glm::dmat4 inverse{1.0};

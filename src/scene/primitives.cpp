@@ -76,7 +76,7 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withT
 
 Mesh primitiveMesh(const PrimitiveSpec& spec, const Shape& shape) {
     const std::vector<double> numbers = geo::completeNumbers(spec, shape.numbers);
-    // The interpreter refuses larger ones; a scene made by hand gets an empty mesh for them.
+    // The interpreter rejects larger shapes. Scenes made by hand get an empty mesh for them.
     if (!drawsNothing(shape) && spec.counts(numbers).vertices <= kMostCommandVertices)
         return spec.make(numbers);
     Mesh nothing;
@@ -135,8 +135,7 @@ Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
         if (wanted.file) return readModel(wanted, scene.files[wanted.file], withTangents);
-        return diagnose("glib-E09", fmt::format("{} without a file name", glib::nameOf(wanted.command)),
-                        place);
+        return diagnose("glib-E09", fmt::format("{} needs a file name", glib::nameOf(wanted.command)), place);
     } catch (const std::exception& problem) {
         return diagnose("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// From a Shape to its mesh (language, 3.3 and 4).
+// Makes the mesh of a Shape (language, 3.3 and 4).
 
 #include <glibra/result.h>
 
@@ -30,9 +30,9 @@ bool drawsNothing(const Shape& shape);
 std::optional<geometry::Counts> countsOf(const Shape& shape);
 
 /// Makes the mesh of Scene::shapes[shape] with all its attributes; a model gets tangents only on demand. A
-/// shape that draws nothing gives a mesh without vertices. Models are read here, and the messages about their
-/// files (file-E01 ..., glib-E15 beyond kMostCommandVertices) are in the result, with the place of the first
-/// statement that names the file. draw-E05 if there is not enough memory.
+/// shape that draws nothing gives a mesh without vertices. Models are read here. The messages about their
+/// files (file-E01 ..., glib-E15 above kMostCommandVertices) are in the result and have the place of the
+/// first statement that names the file. Returns draw-E05 if there is not enough memory.
 Result<geometry::Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents = true);
 
 }  // namespace glibra::scene

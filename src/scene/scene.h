@@ -29,7 +29,7 @@ struct Texture;
 struct Slot;
 struct Program;
 
-/// What all slots hold at one place of the scene, sorted by unit and target. Draws share these.
+/// The content of all slots at one place of the scene, sorted by unit and target. Draws share these.
 using SlotTable = std::vector<Slot>;
 
 // Indices into the lists of Scene.
@@ -53,9 +53,8 @@ struct FileReference {
 /// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
 struct Shape {
     glib::CommandId command{};
-    /// Arguments, defaults filled in. A count that the language fixes and no scene
-    /// states may follow: cells a side of a Teapot's patches, cuts of a Soccerball's triangles, sides of an
-    /// Xarrow.
+    /// The arguments with defaults filled in. One count that scenes cannot set may follow: cells per side of
+    /// a Teapot's patches, subdivisions of a Soccerball's triangles, or sides of an Xarrow.
     std::vector<double> numbers;
     FileIndex file{};
     std::shared_ptr<const geometry::Mesh>
@@ -68,8 +67,6 @@ enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 /// Where a texture's texels come from.
 struct PictureSource {
     std::vector<FileIndex> files;  ///< one, or six for a cube map
-    bool anyDimension =
-        false;  ///< `Texture`: the file decides between 1D, 2D and 3D; `target` is then the best guess
 };
 struct EmptySource {
     int width = 1, height = 1, depth = 1;
@@ -84,7 +81,7 @@ enum class NoiseTexels { bytes, shorts };
 struct NoiseSource {
     int dimensions = 3;
     int size = 64;
-    bool isSizeGiven = false;                 ///< the scene states it
+    bool isSizeGiven = false;                 ///< the scene sets it
     NoiseTexels texels = NoiseTexels::bytes;  ///< of built-in noise
     FileIndex file{};
     Diagnostics remarks;
@@ -99,7 +96,7 @@ struct Texture {
 
 /// How a draw samples its textures.
 struct Sampling {
-    bool clamp = false;  ///< clamp to edge, else repeat (noise always repeats, cube maps always clamp)
+    bool clamp = false;  ///< clamp to edge, otherwise repeat (noise always repeats, cube maps always clamp)
 };
 
 /// Units that hold the noise textures until a scene fills them; Noise2 and Noise3 without a tag read them.
@@ -124,7 +121,7 @@ struct Program {
     std::string name;
     Place place;
     std::vector<StageFile> stages;
-    std::string geometryInput;  ///< plain lower-case GLSL word or empty
+    std::string geometryInput;  ///< a lower-case GLSL word, or empty
     std::string geometryOutput;
     int geometryVerticesOut = 0;
     std::vector<glib::UniformSpec> uniforms;
@@ -168,8 +165,7 @@ struct Draw {
     Sampling sampling;
     SlotTableIndex slots{};
     double timerPeriod = 10;
-    std::size_t givenNumbers =
-        0;  ///< how many of the shape's numbers the scene states; the rest are defaults
+    std::size_t givenNumbers = 0;  ///< how many of the shape's numbers the scene gives; the rest are defaults
 };
 
 /// Clears the colour of all targets and the depth of the pass. A Clear that only repeats the implicit clear
@@ -187,7 +183,7 @@ struct Pass {
     std::vector<std::optional<glm::dvec4>>
         clearColors;  ///< one per target (the window has one); nothing: the content is kept
     bool clearDepth = false;
-    Place place;  ///< of RenderToTexture, for messages
+    Place place;  ///< place of RenderToTexture, for messages
     std::vector<std::variant<Draw, Clear>> steps;
 };
 

@@ -57,7 +57,7 @@ struct State {
     double timerPeriod = 10;
 };
 
-/// A glBegin list that has not met its glEnd.
+/// A glBegin list that is still open.
 struct OpenList {
     geometry::ListTopology topology{};
     std::string word;
@@ -76,7 +76,7 @@ struct Interpreter {
     SearchFolders folders;
     FolderListings listings;
     std::optional<OpenList> list;
-    bool isOrphan = false;  ///< the statement before needed an open list; that has been reported
+    bool isOrphan = false;  ///< the previous statement needed an open list, which has been reported
 
     // Everything made so far, so that equal things are shared.
     std::map<std::string, FileIndex> files;  ///< by name as written
@@ -100,18 +100,17 @@ struct Interpreter {
     }
 };
 
-/// Carries out a statement. Its numbers are as the command's row in glib's table promises.
+/// Executes a statement. Its numbers satisfy the command's row in glib's table.
 using Handler = void (*)(Interpreter&, const glib::Command&);
 
 /// What happens to a command inside an open glBegin list.
 enum class InList {
     isPart,     ///< it belongs to the list
-    goesFirst,  ///< it is carried out before the list is drawn: glib-W32
+    goesFirst,  ///< it is executed before the list is drawn: glib-W32
     isWrong,    ///< glib-E07
 };
 
-/// A command and the function that carries it out. The rows stand at the end of the files that implement
-/// them.
+/// A command and the function that executes it. Each file lists the actions that it implements at its end.
 struct CommandAction {
     glib::CommandId id{};
     Handler handler = nullptr;
@@ -128,7 +127,7 @@ std::span<const CommandAction> programActions();  // interpret_programs.cpp
 /// The action of a command; null if there is none.
 const CommandAction* actionOf(glib::CommandId command);
 
-/// Returns the index of the file that a statement names. A file is looked up where it is named first.
+/// Returns the index of the file that a statement names. The file is looked up the first time.
 FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
 
 // interpret_view.cpp
@@ -143,7 +142,7 @@ void checkList(Interpreter&);
 
 // interpret_passes.cpp
 
-/// The pass into the current target. It is begun here, with its implicit clears, if there is none.
+/// Returns the pass into the current target. If there is none, begins it with its implicit clears.
 Pass& currentPass(Interpreter&);
 /// Makes sure that the window is shown, even if nothing is drawn into it.
 void finishPasses(Interpreter&);
@@ -158,8 +157,8 @@ void finishNoise(Interpreter&);
 
 /// The action of every primitive.
 void doPrimitive(Interpreter&, const glib::Command&);
-/// What a geometry command draws with the current state. `size` describes it for Verbose; `color` replaces
-/// the current colour.
+/// The thing that a geometry command draws with the current state. `size` describes it for Verbose; `color`
+/// replaces the current colour.
 struct Drawing {
     ShapeIndex shape{};
     std::string word;
@@ -172,7 +171,7 @@ bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.
 ShapeIndex shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
 
-/// Returns the statement as messages repeat it: "Sphere 1 60 60".
+/// Returns the statement as it appears in messages: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);
 
 }  // namespace glibra::scene

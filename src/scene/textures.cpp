@@ -51,13 +51,14 @@ std::optional<Beginning> beginningOf(const std::filesystem::path& path) {
     return beginning;
 }
 
-/// True if the length is 4d + 4c * product of the d sizes, all of them at least 1.
+/// True if the file's length is 4 d + 4 c * (product of the d sizes), with c bytes per component and all
+/// sizes at least 1.
 bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t componentBytes) {
     const std::uint64_t header = 4 * dimensions;
     if (beginning.count < header || beginning.length <= header) return false;
     std::uint64_t texels = 1;
     const std::uint64_t most =
-        beginning.length;  // more texels than bytes cannot fit; this also keeps the product small
+        beginning.length;  // a file has no more texels than bytes; the limit also prevents overflow
     for (std::size_t i = 0; i < dimensions; ++i) {
         const std::uint64_t size = beginning.integer(i);
         if (size == 0 || size > most / texels) return false;
@@ -127,12 +128,13 @@ FileReference noiseFileBeside(const std::filesystem::path& sceneFolder, int dime
     if (holdsNoise(path, dimensions, size)) {
         file.path = path;
         file.remarks.push_back(
-            diagnose("file-N01", fmt::format("noise taken from '{}' beside the scene", file.name), place));
+            diagnose("file-N01", fmt::format("noise is read from '{}' beside the scene", file.name), place));
     } else {
         const std::string texels =
             dimensions == 2 ? fmt::format("{0} x {0}", size) : fmt::format("{0} x {0} x {0}", size);
         file.remarks.push_back(diagnose(
-            "file-W10", fmt::format("'{}' does not hold {} bytes, ignored", file.name, texels), place));
+            "file-W10", fmt::format("'{}' does not hold {} byte texels; it is ignored", file.name, texels),
+            place));
     }
     return file;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Tells the dimension of a texture file, and whether it holds noise, without reading its texels (language,
+// Finds the dimension of a texture file, and whether it holds noise, without reading its texels (language,
 // 8.1, 8.3 and 9.5). At most 32 bytes and the length of the file are read.
 
 #include <filesystem>

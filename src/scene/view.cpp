@@ -33,7 +33,7 @@ glm::dmat4 perspectiveMatrix(const Perspective& view, double aspect) {
 struct Range {
     double low, high;
     [[nodiscard]] double size() const { return high - low; }
-    /// The same centre and direction, `factor` times as long.
+    /// The range with the same centre and direction, `factor` times as long.
     [[nodiscard]] Range grown(double factor) const {
         const double centre = (low + high) / 2;
         const double half = size() / 2 * factor;
@@ -109,7 +109,7 @@ std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) 
     return draws;
 }
 
-/// Half of the smallest field of view of the draw, vertical or horizontal, in radians.
+/// Half of the draw's field of view in radians, vertical or horizontal, whichever is smaller.
 double halfAngle(const SeenDraw& seen) {
     const double half = std::get<Perspective>(seen.draw->projection).fieldOfView / 2;
     const double tangent = sineOfDegrees(half) / cosineOfDegrees(half);
@@ -132,12 +132,12 @@ std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const Mes
         eachVertex(*mesh, seen.draw->modelView, [&](const glm::dvec3& point, double) { box.add(point); });
         if (box.isEmpty()) continue;
         const double near = std::get<Perspective>(seen.draw->projection).near;
-        if (box.high.z <= -near) return std::nullopt;  // placed for the eye at the origin
+        if (box.high.z <= -near) return std::nullopt;  // the scene is laid out for an eye at the origin
         nearest = std::max(nearest, near);
         all.add(box);
     }
     if (all.isEmpty()) return std::nullopt;
-    // A second walk over the vertices costs less than storing them in eye space would.
+    // A second walk over the vertices costs less than storing them in eye space.
     Sphere sphere{(all.low + all.high) * .5, 0};
     for (const SeenDraw& seen : draws) {
         const geometry::Mesh* mesh = meshOf(seen.draw->shape);
@@ -168,10 +168,6 @@ double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
     return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
 }
 
-glm::dmat4 ViewMove::modelViewOf(const Draw& draw) const {
-    return appliesTo(draw) ? translation({0, 0, -distance}) * draw.modelView : draw.modelView;
-}
-
 ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect) {
     ViewMove move;
     if (scene.usesLookAt) return move;
@@ -185,13 +181,14 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     for (const SeenDraw& seen : draws) angle = std::min(angle, halfAngle(seen));
     const glm::dvec3 c = sphere->centre;
     const double distance = (sphere->radius + std::hypot(c.x, c.y) * std::cos(angle)) / std::sin(angle);
-    // A distance that is a multiple of 1/16 except for rounding errors stays that multiple.
+    // kRounding keeps a multiple of 1/16 from being rounded up because of rounding errors.
     const double moved = std::ceil(16 * (distance + c.z) - kRounding) / 16;
     if (!(moved > 0) || !std::isfinite(moved)) return move;
     move.distance = moved;
     move.diagnostics.push_back(diagnose(
         "draw-N01",
-        fmt::format("no LookAt: eye moved back by {} along z (use --view glman to switch this off)", moved),
+        fmt::format("no LookAt, so the eye is moved back by {} along z (use --view glman to switch this off)",
+                    moved),
         draws.front().draw->place));
     return move;
 }

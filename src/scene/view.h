@@ -21,16 +21,10 @@ double aspectOf(const Scene& scene, const Pass& pass, double windowAspect);
 /// Returns the mesh of a shape, or null if it has none. Shapes without a mesh are ignored.
 using MeshOf = std::function<const geometry::Mesh*(ShapeIndex shape)>;
 
-/// The distance by which the eye is moved back.
+/// The distance by which the eye is moved back for all draws with a perspective projection, in all passes.
 struct ViewMove {
     double distance = 0;      ///< eye space units along z, a multiple of 1/16; 0: not moved
     Diagnostics diagnostics;  ///< the note draw-N01 if the eye is moved
-    /// True if the draw is moved. All draws with a perspective projection are, in all passes.
-    [[nodiscard]] bool appliesTo(const Draw& draw) const {
-        return distance != 0 && std::holds_alternative<Perspective>(draw.projection);
-    }
-    /// The ModelView matrix of the draw with the move.
-    [[nodiscard]] glm::dmat4 modelViewOf(const Draw& draw) const;
 };
 
 /// The policy `auto`. Calls `meshOf` only if the scene executes no LookAt and has perspective draws, and

@@ -41,7 +41,7 @@ TEST(Parallel, AStateBelongsToOneThread) {
     EXPECT_LE(makers.size(), 4U);
 }
 
-TEST(Parallel, AnExceptionOfAnyThreadReachesTheCaller) {
+TEST(Parallel, AnExceptionOnAnyThreadReachesTheCaller) {
     for (const int threads : {1, 4})
         for (const std::size_t bad : {0U, 7U, 99U}) {
             EXPECT_THROW(forEachIndex(100, threads,

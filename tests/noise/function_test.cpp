@@ -1,5 +1,4 @@
-// The noise functions, against section 9 of the language reference written out a second time, corner by
-// corner.
+// The noise functions, compared with a second implementation of language, 9 that adds corner by corner.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,7 @@
 namespace glibra::noise {
 namespace {
 
-/// A counter-based hash: the same points on every machine.
+/// A counter-based hash, which gives the same points on every machine.
 double unitAt(std::uint32_t index) {
     std::uint32_t h = index * 0x9e3779b9U + 0x85ebca6bU;
     h ^= h >> 16;
@@ -111,8 +110,8 @@ TEST(NoiseFunction, RepeatsExactlyAfterOnePeriod) {
 }
 
 TEST(NoiseFunction, IsSmoothAcrossCellBorders) {
-    // Value and slope agree on both sides of a lattice plane; the step is far above rounding and far below a
-    // cell.
+    // Value and slope agree on both sides of a lattice plane. The step is much larger than rounding errors
+    // and much smaller than a cell.
     constexpr double h = 1e-6;
     for (int octave = 0; octave < kOctaves; ++octave)
         for (int at = 0; at < 50; ++at) {
@@ -152,7 +151,7 @@ TEST(NoiseFunction, IsOneHalfWhereACoordinateIsNotFinite) {
     EXPECT_EQ(noise3(.3, infinity, .2, 1), .5);
     EXPECT_EQ(noise2(.3, -infinity, 2), .5);
     EXPECT_EQ(noise3(1e300, -1e300, .25, 3),
-              noise3(0, 0, .25, 3));  // far away every double is a lattice point
+              noise3(0, 0, .25, 3));  // all doubles of this size are lattice points
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(GraphNoise, WithCatmullRomHasHalfTheDifferenceOfTheNeighboursAsSlope) {
     EXPECT_NEAR(graphNoise(options, 1.37), .137, 1e-12);
 }
 
-TEST(GraphNoise, OfQuinticsHasNoCurvatureAtThePointsAndOfCubicsHas) {
+TEST(GraphNoise, HasCurvatureAtThePointsWithCubicsButNotWithQuintics) {
     const auto curvature = [](Smoothness smoothness) {
         GraphOptions options;
         options.smoothness = smoothness;
@@ -62,7 +62,7 @@ TEST(GraphNoise, OfQuinticsHasNoCurvatureAtThePointsAndOfCubicsHas) {
     EXPECT_GT(std::abs(curvature(Smoothness::cubic)), .5);
 }
 
-TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) {
+TEST(GraphNoise, WithQuinticsHasTheGivenCurvatureAndKeepsHeightsAndGradients) {
     GraphOptions options;
     options.lattice = Lattice::both;
     options.heights = {{3, .25}};
@@ -75,7 +75,7 @@ TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) 
     EXPECT_NEAR(
         (graphNoise(options, 3 + kWide) - 2 * here + graphNoise(options, 3 - kWide)) / (kWide * kWide), 6,
         .01);
-    // The quintic between two points that are 0 but for the curvature c of the first: c/2 t^2 (1 - t)^3.
+    // The quintic between two points is c/2 t^2 (1 - t)^3 if only the curvature c of the first is not 0.
     GraphOptions one;
     one.heights = {{0, 0}, {1, 0}};
     one.curvatures = {{0, 10}};
@@ -89,8 +89,8 @@ TEST(GraphNoise, OfQuinticsHasTheCurvatureThatIsSetAndKeepsHeightsAndGradients) 
     EXPECT_EQ(graphPoint(options, 3).curvature, 0);
 }
 
-TEST(GraphNoise, ReachesItsRangeAndNoMore) {
-    // Heights and gradients at their limits, one period of them.
+TEST(GraphNoise, ReachesItsRangeButNeverExceedsIt) {
+    // One period of heights and gradients at their limits.
     GraphOptions options;
     options.cells = 4;
     options.heights = {{0, 1}, {1, 1}, {2, -1}, {3, -1}};
@@ -168,14 +168,14 @@ TEST(GraphNoise, OfOneDimensionIsTheLowerEdgeOfTwo) {
     EXPECT_LE(highest, graphRange(plane));
 }
 
-TEST(ColorScale, EndsWhereItSaysAndTheUniformOneGrowsLighter) {
+TEST(ColorScale, HasTheDocumentedEndsAndTheUniformOneGrowsLighter) {
     EXPECT_EQ(colorOf(ColorScale::grey, .5), (std::array<double, 3>{.5, .5, .5}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, 0), (std::array<double, 3>{0, 0, 1}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, .5), (std::array<double, 3>{0, 1, 0}));
     EXPECT_EQ(colorOf(ColorScale::rainbow, 1), (std::array<double, 3>{1, 0, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 0), (std::array<double, 3>{0, 0, 0}));
     EXPECT_EQ(colorOf(ColorScale::heated, 1), (std::array<double, 3>{1, 1, 1}));
-    // CIE lightness, another measure than the one it is made with, from luminance.
+    // CIE lightness, from luminance, is independent of OKLab, with which the scale is made.
     const auto lightness = [](const std::array<double, 3>& color) {
         const auto linear = [](double c) {
             return c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4);

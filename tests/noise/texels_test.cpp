@@ -19,7 +19,7 @@ struct Statistics {
     double mean = 0, deviation = 0, smallest = 1, largest = 0;
 };
 
-/// Of one component (0..3), or of the sum of all four (4).
+/// Statistics of one component (0..3), or of the sum of all four (4).
 Statistics statisticsOf(const TexelBytes& texels, std::size_t component) {
     Statistics result{0, 0, 4, 0};
     double squares = 0;
@@ -42,8 +42,8 @@ struct Expected {
     double smallest, largest, deviation;
 };
 
-// Table 9.1 gives glman's own bytes to three digits; one byte is 1/255 = .004, by which a single texel may
-// differ (9.3).
+// Table 9.1 gives the values of glman's bytes to three digits. A single texel may differ by one byte, which
+// is 1/255 = .004 (9.3).
 constexpr double kByte = 1.05 / 255;
 
 TEST(NoiseTexels, HaveGlmansStatisticsIn3D) {
@@ -80,8 +80,7 @@ TEST(NoiseTexels, HaveGlmansStatisticsIn2D) {
     EXPECT_NEAR(sum.largest, 2.20, .01);
 }
 
-/// True if `byte` is floor(255 * value), where a value within rounding of the next byte may fall on either
-/// side.
+/// True if `byte` is floor(255 * value). If rounding errors could change that byte, both bytes are accepted.
 bool isByteOf(std::uint8_t byte, double value) {
     return byte == std::floor(255 * value - 1e-11) || byte == std::floor(255 * value + 1e-11);
 }
@@ -128,7 +127,7 @@ TEST(NoiseTexels, Are127AtLatticePoints) {
     }
 }
 
-TEST(NoiseTexels, OfDoubleSizeKeepEverySecondOne) {
+TEST(NoiseTexels, OfASizeAreEverySecondTexelOfTheDoubleSize) {
     for (const int n : {20, 48}) {
         const auto small = noise3Texels(n), large = noise3Texels(2 * n);
         const auto size = static_cast<std::size_t>(n);
@@ -154,7 +153,8 @@ TEST(NoiseTexels, DoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(NoiseTexels, ThatFloatsCannotDecideAreMarked) {
-    // Rows of one value in units of 1/4096 byte above the half: next to a byte's ends, and in its middle.
+    // Rows with a single value, in units of 1/4096 byte above 1/2: close to the ends of a byte, and in its
+    // middle.
     constexpr float kToWhole = (1 << kFractionBits) / 2;
     for (const auto& [units, inDoubt] :
          {std::pair(kToWhole, true), std::pair(kToWhole + .75F, true), std::pair(kToWhole - .75F, true),
@@ -173,7 +173,7 @@ TEST(NoiseTexels, ThatFloatsCannotDecideAreMarked) {
     }
 }
 
-TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
+TEST(NoiseTexels, OfASizeOutOfRangeAreEmpty) {
     EXPECT_TRUE(noise3Texels(0).empty());
     EXPECT_TRUE(noise3Texels(-5).empty());
     EXPECT_TRUE(noise3Texels(kLargestSize3 + 1).empty());
@@ -186,7 +186,7 @@ TEST(NoiseTexels, OfAnImpossibleSizeAreNone) {
     EXPECT_EQ(texels, std::vector<std::uint8_t>(texels.size(), 9));
 }
 
-TEST(NoiseTexels, SixteenBitsAreTheFunctionLessTheHalfStepOfBytes) {
+TEST(NoiseTexels, InSixteenBitsAreTheFunctionMinusHalfAByteStep) {
     for (const int n : {7, 64, 100}) {
         const TexelShorts solid = noise3Shorts(n), flat = noise2Shorts(n);
         ASSERT_EQ(solid.size(), 4U * static_cast<std::size_t>(n * n * n));
@@ -212,7 +212,7 @@ TEST(NoiseTexels, SixteenBitsAreTheFunctionLessTheHalfStepOfBytes) {
     EXPECT_TRUE(noise2Shorts(kLargestSize2 + 1).empty());
 }
 
-TEST(NoiseTexels, SixteenBitsDoNotDependOnTheThreads) {
+TEST(NoiseTexels, InSixteenBitsDoNotDependOnTheThreads) {
     EXPECT_EQ(noise3Shorts(33, 1), noise3Shorts(33, 5));
     EXPECT_EQ(noise2Shorts(257, 1), noise2Shorts(257, 3));
 }

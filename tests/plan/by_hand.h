@@ -25,7 +25,7 @@ inline std::string textOf(const Diagnostics& all, std::string_view id) {
     if (found.empty()) return "";
     return found.size() == 1 ? found.front().text : "several";
 }
-/// "glib-W20 glib-W27": the ids in order.
+/// The ids in order: "glib-W20 glib-W27".
 inline std::string ids(const Diagnostics& all) {
     std::string text;
     for (const Diagnostic& each : all) text += (text.empty() ? "" : " ") + each.id;
@@ -101,7 +101,7 @@ inline Place at(int line) {
     return {kScenePath, line, 1};
 }
 
-/// Builds a Scene statement by statement; each takes the next line of the file, from 1 on.
+/// Builds a Scene statement by statement. Statements have consecutive lines, beginning with 1.
 class SceneByHand {
   public:
     scene::Scene scene;
@@ -115,7 +115,7 @@ class SceneByHand {
     scene::FileIndex file(const std::string& name) {
         return scene.files.add({name, name, {}, at(nextLine())});
     }
-    /// A program with these stages; each stage's file is NAME.vert, NAME.frag and so on. It becomes current.
+    /// Adds a program with these stages and makes it current. The stages' files are NAME.vert, NAME.frag ...
     scene::ProgramIndex program(const std::string& name, std::initializer_list<glsl::Stage> stages = {
                                                              glsl::Stage::vertex, glsl::Stage::fragment}) {
         static const char* const kSuffixes[] = {".vert", ".tcs", ".tes", ".geom", ".frag"};
@@ -127,8 +127,7 @@ class SceneByHand {
         return currentProgram = scene.programs.add(std::move(result));
     }
     scene::TextureIndex texture(int unit, scene::TextureTarget target = scene::TextureTarget::texture2D) {
-        return addTexture({target,
-                           scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}, false},
+        return addTexture({target, scene::PictureSource{{file("picture" + std::to_string(unit) + ".png")}},
                            at(nextLine()), unit});
     }
     scene::TextureIndex noise(int dimensions) {
@@ -141,7 +140,7 @@ class SceneByHand {
         return addTexture(
             {scene::TextureTarget::texture2D, scene::EmptySource{64, 64, 1, {}}, at(nextLine()), unit});
     }
-    /// RenderToTexture into these textures; none: the window.
+    /// RenderToTexture into these textures; without textures, into the window.
     scene::Pass& target(std::vector<scene::TextureIndex> textures) {
         scene::Pass pass;
         pass.depthBuffer = textures.empty() ? 0 : depthBufferOf(textures.front());
@@ -159,7 +158,7 @@ class SceneByHand {
             if (scene.shapes[i].command == command && scene.shapes[i].numbers == numbers) return i;
         return scene.shapes.add({command, std::move(numbers), {}, nullptr});
     }
-    /// The mesh of a glBegin list with as many vertices as make one primitive.
+    /// The mesh of a glBegin list with the vertices of exactly one primitive.
     scene::ShapeIndex list(geometry::Topology topology, int patchVertices = 0) {
         auto mesh = std::make_shared<geometry::Mesh>();
         mesh->topology = topology;
@@ -201,7 +200,7 @@ class SceneByHand {
     }
 };
 
-/// Answers for programs by index; counts and orders the questions.
+/// Supplies interfaces of programs by index, and records the requests in order.
 struct Programs {
     std::map<scene::ProgramIndex, ProgramInterface> byIndex;
     ProgramInterface builtin;
@@ -235,7 +234,7 @@ struct Programs {
     }
 };
 
-/// Words of the planned draws, pass by pass: "Sphere Teapot | Sphere"; a Clear is "Clear".
+/// The words of the planned draws, pass by pass, with "Clear" for a Clear: "Sphere Teapot | Sphere".
 inline std::string drawn(const FramePlan& plan) {
     std::string text;
     for (const PlannedPass& pass : plan.passes) {
@@ -249,7 +248,7 @@ inline std::string drawn(const FramePlan& plan) {
     return text;
 }
 
-/// "why" of everything skipped of this kind.
+/// The reasons (`why`) of all skipped things of this kind.
 inline std::vector<std::string> skipped(const FramePlan& plan, std::string_view what) {
     std::vector<std::string> found;
     for (const Skipped& each : plan.skipped)

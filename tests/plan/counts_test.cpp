@@ -1,4 +1,4 @@
-// The rows "Counts and ranges" of the language's section 5.3.
+// The second table of language, 5.3: counts and ranges.
 #include <gtest/gtest.h>
 
 #include "by_hand.h"
@@ -55,7 +55,7 @@ TEST(RangeCount, OfOneReachesToZeroAndOne) {
     EXPECT_EQ(textOf(slider({.5}).diagnostics, "glib-W15"),
               "uA: 1 value in < >, read as min 0, cur .5, max 1");
 }
-TEST(RangeCount, OfOneOnABoolIsWhetherItIsNotZero) {
+TEST(RangeCount, OfOneOnABoolTellsWhetherItIsNotZero) {
     const Reading reading = read("bool", UniformForm::range, {2});
     EXPECT_EQ(reading.values, Values{1});
     EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >, read as true");
@@ -99,7 +99,8 @@ TEST(EmptyBrackets, SkipTheTag) {
 TEST(RangeOrder, IsExchangedForTheSliderIfFalling) {
     const Reading reading = slider({.1, .05, .01});
     expectControl(reading, .01, .05, .1);
-    EXPECT_EQ(textOf(reading.diagnostics, "glib-W22"), "uA: minimum .1 is above maximum .01, exchanged");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W22"),
+              "uA: minimum .1 is above maximum .01; they are exchanged");
     EXPECT_EQ(reading.diagnostics.front().place.column, 9);
 }
 TEST(RangeOrder, OfEqualEndsIsWidenedByOne) {
@@ -110,7 +111,8 @@ TEST(RangeOrder, OfEqualEndsIsWidenedByOne) {
 TEST(RangeOrder, KeepsACurrentValueOutside) {
     const Reading reading = slider({.01, 1, .5});
     expectControl(reading, .01, 1, .5);
-    EXPECT_EQ(textOf(reading.diagnostics, "glib-W21"), "uA: current value 1 lies outside .01 ... .5, kept");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W21"),
+              "uA: current value 1 is outside .01 ... .5; it is kept");
 }
 TEST(RangeOrder, DoesNotMatterWithoutASlider) {
     EXPECT_EQ(ids(read("vec2", UniformForm::range, {5, 9, 1}).diagnostics), "glib-W20");

@@ -1,4 +1,4 @@
-// What a plan says and holds: diagnostics of drawing, programs, textures of draws.
+// The content of a plan: its diagnostics, programs, and the textures of draws.
 #include "plan/frame_plan.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(BuiltinProgram, DrawsSilentlyWithoutAProgram) {
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_TRUE(plan.diagnostics.empty());
 }
-TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
+TEST(BuiltinProgram, ReplacesAnIncompleteProgramAndIsReportedOnce) {
     SceneByHand hand;
     Programs programs;
     hand.program("Dots", {Stage::vertex});
@@ -44,10 +44,10 @@ TEST(BuiltinProgram, TakesThePlaceOfAProgramWithoutAllStagesAndSaysSoOnce) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(programs.askedPrograms(), std::vector{scene::ProgramIndex()});
     EXPECT_EQ(ids(plan.diagnostics), "draw-W01");
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; flat colour used");
+    EXPECT_EQ(plan.diagnostics[0].text, "Program 'Dots' has no fragment stage; a flat colour is used");
     EXPECT_EQ(plan.diagnostics[0].place.line, first.line - 1);
 }
-TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
+TEST(BuiltinProgram, IsReportedWithTheMissingStages) {
     SceneByHand hand;
     Programs programs;
     hand.program("A", {Stage::fragment});
@@ -56,8 +56,9 @@ TEST(BuiltinProgram, SaysWhichStagesAreMissing) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     ASSERT_EQ(plan.diagnostics.size(), 2U);
-    EXPECT_EQ(plan.diagnostics[0].text, "Program 'A' has no vertex stage; flat colour used");
-    EXPECT_EQ(plan.diagnostics[1].text, "Program 'B' has no vertex and no fragment stage; flat colour used");
+    EXPECT_EQ(plan.diagnostics[0].text, "Program 'A' has no vertex stage; a flat colour is used");
+    EXPECT_EQ(plan.diagnostics[1].text,
+              "Program 'B' has no vertex and no fragment stage; a flat colour is used");
 }
 
 TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
@@ -76,7 +77,7 @@ TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
     EXPECT_EQ(plan.textures, (std::vector{first, second}));
     EXPECT_EQ(plan.programs.size(), 1U);
 }
-TEST(PlannedTexture, InAnEmptySlotIsReportedOnceAProgram) {
+TEST(PlannedTexture, InAnEmptySlotIsReportedOncePerProgram) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -107,25 +108,25 @@ struct Feedback : testing::Test {
         return programs.plan(hand.scene);
     }
 };
-TEST_F(Feedback, OfASamplerIsRefused) {
+TEST_F(Feedback, OfASamplerIsAnError) {
     const FramePlan result = plan("sampler2D");
     EXPECT_EQ(textOf(result.diagnostics, "draw-E01"),
               "QuadXY samples unit 6 while rendering into it (RenderToTexture on line " +
                   std::to_string(passLine) + ")");
     EXPECT_EQ(drawn(result), " | | Sphere");
 }
-TEST_F(Feedback, OfAnotherTargetOfTheUnitIsNone) {
+TEST_F(Feedback, DoesNotConcernAnotherTargetOfTheUnit) {
     hand.texture(6, scene::TextureTarget::cube);
     programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("samplerCube").diagnostics), "");
 }
 
-TEST_F(Feedback, OfAnImageIsNoSampling) {
+TEST_F(Feedback, DoesNotConcernImages) {
     programs.imageWriters.emplace_back(0U);
     EXPECT_EQ(ids(plan("image2D").diagnostics), "");
 }
 
-TEST(VertexInput, ThatNobodyKnowsIsReported) {
+TEST(VertexInput, ThatIsUnknownIsReported) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -138,8 +139,8 @@ TEST(VertexInput, ThatNobodyKnowsIsReported) {
     const FramePlan plan = programs.plan(hand.scene);
     const Diagnostics found = test::withId(plan.diagnostics, "draw-W03");
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(found[0].text, "vertex input 'aPos' is not supplied, it reads 0 0 0 1");
-    EXPECT_EQ(found[1].text, "vertex input 'sample' is not supplied, it reads 0 0 0 1");
+    EXPECT_EQ(found[0].text, "vertex input 'aPos' is not supplied; it reads 0 0 0 1");
+    EXPECT_EQ(found[1].text, "vertex input 'sample' is not supplied; it reads 0 0 0 1");
 }
 
 TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
@@ -178,11 +179,11 @@ TEST(TooManyUnits, AreAnErrorOfTheDraw) {
     options.maxTextureUnits = 1;
     const FramePlan plan = programs.plan(hand.scene, options);
     EXPECT_EQ(textOf(plan.diagnostics, "draw-E05"),
-              "Sphere: the program needs 2 texture units at once, the graphics device has 1");
+              "Sphere: the program needs 2 texture units at once; the graphics device has 1");
     EXPECT_EQ(drawn(plan), "");
 }
 
-TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
+TEST(UnusableProgram, ReportsItsErrorsOnceAndKeepsItsDraws) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -199,7 +200,7 @@ TEST(UnusableProgram, SaysItsErrorsOnceAndKeepsItsDraws) {
     EXPECT_EQ(plan.meshes.at(0).attributes, std::vector<std::string>{"position"});
 }
 
-TEST(UniformsOfAPlan, AreResolvedAndTheirMessagesSaidOnceForAllVariants) {
+TEST(UniformsOfAPlan, AreResolvedAndReportedOnceForAllVariants) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("Dots");
@@ -229,7 +230,7 @@ TEST(OverridesOfAPlan, ThatNameNothingAreReportedOnceWithoutAPlace) {
               "no program of the scene has a uniform 'ushrink'; did you mean 'uShrink'?");
     EXPECT_TRUE(plan.diagnostics[0].place.file.empty());
 }
-TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
+TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveHaveTheirOwnMessage) {
     SceneByHand hand;
     Programs programs;
     const auto program = hand.program("A");
@@ -243,9 +244,9 @@ TEST(OverridesOfAPlan, ThatAreDeclaredButInactiveAreToldApart) {
     EXPECT_EQ(ids(plan.diagnostics), "glib-W24 glib-W23");
     EXPECT_EQ(plan.diagnostics[0].text,
               "uniform 'uUnused' is declared but unused, so setting it has no effect");
-    EXPECT_EQ(plan.diagnostics[1].text, "no Program 'B' has a uniform 'uUnused'");
+    EXPECT_EQ(plan.diagnostics[1].text, "no program 'B' has a uniform 'uUnused'");
 }
-TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreLetPass) {
+TEST(OverridesOfAPlan, OfAProgramThatWasNotNeededAreAccepted) {
     SceneByHand hand;
     Programs programs;
     hand.program("Unused");

@@ -1,4 +1,4 @@
-// Loops that the driver would end: what is said, and when it is asked.
+// Loops that the driver would end: the warning, and when the driver's limit is requested.
 
 #include "plan/loop_rounds.h"
 
@@ -12,7 +12,7 @@ namespace {
 using glsl::CountedLoop;
 using test::textOf;
 
-/// for (i = 0; i < bound; ++i).
+/// The loop for (i = 0; i < bound; ++i).
 CountedLoop loopTo(std::variant<double, std::string, glsl::Operation> bound,
                    std::vector<CountedLoop> inside = {}) {
     CountedLoop loop;
@@ -40,7 +40,7 @@ struct LoopCase {
     }
 };
 
-TEST(LongLoop, IsToldWithItsRoundsAndItsPlace) {
+TEST(LongLoop, IsReportedWithItsRoundsAndItsPlace) {
     LoopCase one;
     one.program.values.push_back({UniformIndex(0), 0, Literal{{100'000}}});
     const Diagnostics said = one.report({loopTo("uN")});
@@ -50,7 +50,7 @@ TEST(LongLoop, IsToldWithItsRoundsAndItsPlace) {
     EXPECT_EQ(said.at(0).place.line, 7);
     EXPECT_EQ(said.at(0).place.file, "a.frag");
 }
-TEST(LongLoop, WithOthersInItCountsThem) {
+TEST(LongLoop, CountsTheLoopsInsideIt) {
     EXPECT_EQ(textOf(LoopCase().report({loopTo(300., {loopTo(300.)})}), "draw-W08"),
               "this loop and those in it run up to 90,300 rounds, but the driver ends a shader's loops after "
               "65,535; the picture may be wrong");
@@ -60,7 +60,7 @@ TEST(LongLoop, MayBeSeveralInARow) {
               "the loops of this stage run up to 70,000 rounds, but the driver ends a shader's loops after "
               "65,535; the picture may be wrong");
 }
-TEST(LongLoop, IsNoneOnADriverThatLetsItRun) {
+TEST(LongLoop, IsNotReportedIfTheDriverLetsItRun) {
     LoopCase one;
     EXPECT_TRUE(one.report({loopTo(1e6)}, 0).empty());
     EXPECT_EQ(one.asked, 1);

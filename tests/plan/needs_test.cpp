@@ -1,4 +1,5 @@
-// The skip rules: what a picture does not need is not asked for, made or drawn, and the plan says why.
+// The skip rules: a plan requests, makes and draws only what the picture needs, and says why it skips the
+// rest.
 #include "plan/needs.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using test::SceneByHand;
 using test::skipped;
 using Words = std::vector<std::string>;
 
-/// A program of two stages that samples one unit; it becomes current.
+/// Adds a program of two stages that samples one unit, and makes it current.
 scene::ProgramIndex sampling(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
     const auto program = hand.program(name);
     hand.scene.programs.back().uniforms.push_back(number("uTexUnit", unit));
@@ -29,7 +30,7 @@ scene::ProgramIndex plain(SceneByHand& hand, Programs& programs, const std::stri
     return program;
 }
 
-TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
+TEST(Needs, AProgramWithoutDrawsIsNotRequested) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Unused");
@@ -38,11 +39,11 @@ TEST(Needs, AProgramThatNothingIsDrawnWithIsNotAskedFor) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(programs.askedPrograms(), std::vector{used});
     EXPECT_EQ(skipped(plan, "program"), Words{"'Unused': nothing is drawn with it"});
-    EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing that is seen needs it",
-                                            "'shaders/Unused.frag': nothing that is seen needs it"}));
+    EXPECT_EQ(skipped(plan, "file"), (Words{"'shaders/Unused.vert': nothing visible needs it",
+                                            "'shaders/Unused.frag': nothing visible needs it"}));
 }
 
-TEST(Needs, AProgramIsAskedForOnceAVariant) {
+TEST(Needs, AProgramIsRequestedOncePerVariant) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -56,7 +57,7 @@ TEST(Needs, AProgramIsAskedForOnceAVariant) {
     EXPECT_EQ(plan.meshes.size(), 2U);
 }
 
-TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
+TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreSkipped) {
     SceneByHand hand;
     Programs programs;
     const auto hidden = plain(hand, programs, "Hidden");
@@ -72,8 +73,8 @@ TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreNotSeen) {
     const std::string why = "the window is cleared again on line " + std::to_string(clearLine);
     EXPECT_EQ(skipped(plan, "draw"), (Words{"Teapot: " + why, "Teapot: " + why}));
     EXPECT_EQ(skipped(plan, "statement"), Words{"Clear: " + why});
-    EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing that is seen draws it"});
-    EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing that is seen is drawn with it"});
+    EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing visible draws it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing visible is drawn with it"});
     EXPECT_EQ(programs.askedForImages, std::vector{hidden});
 }
 
@@ -91,7 +92,7 @@ TEST(Needs, DrawsBeforeAClearAreKeptForImageWrites) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), "Teapot Sphere Clear Sphere");
 }
 
-TEST(Needs, APassOfTheWindowBeforeTheLastClearIsNotSeen) {
+TEST(Needs, APassOfTheWindowBeforeTheLastClearIsSkipped) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -115,7 +116,7 @@ TEST(Needs, AWindowWithoutDrawsIsStillCleared) {
     EXPECT_TRUE(plan.passes[0].steps.empty());
 }
 
-// A feeds B, B feeds the window, C feeds nobody.
+// A is sampled by B, B by the window, and C by nothing.
 TEST(Needs, PassesFollowAChainOfSampledTargets) {
     SceneByHand hand;
     Programs programs;
@@ -138,14 +139,14 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
     EXPECT_EQ(drawn(plan), " | Sphere | Teapot | QuadXY");
     EXPECT_EQ(programs.askedPrograms(), (std::vector{last, second, first}));
     EXPECT_EQ(plan.textures, (std::vector{a, b}));
-    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing visible samples its targets"});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 12 / 2D: no active sampler reads it"});
-    EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing that is seen is drawn with it"});
+    EXPECT_EQ(skipped(plan, "program"), Words{"'C': nothing visible is drawn with it"});
     EXPECT_TRUE(plan.diagnostics.empty());
 }
 
-// The target is sampled before this frame draws into it: its content is that of the frame before.
-TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
+// The target is sampled before this frame draws into it, so its content comes from the previous frame.
+TEST(Needs, APassIsNeededEvenIfItsTargetIsReadEarlierInTheFrame) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -157,7 +158,7 @@ TEST(Needs, APassIsNeededAlsoWhenItsTargetIsReadEarlierInTheFrame) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), "Sphere | Teapot");
 }
 
-TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
+TEST(Needs, TheSearchEndsAtTwoPassesThatFeedEachOther) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -173,7 +174,7 @@ TEST(Needs, TwoPassesThatFeedEachOtherEndTheSearch) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
+TEST(Needs, AllTargetsOfANeededPassExistButOnlyTargetsThatAreReadNeedOtherPasses) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -193,7 +194,7 @@ TEST(Needs, AllTargetsOfANeededPassExistButOnlyThoseReadPullOtherPassesIn) {
     EXPECT_EQ(plan.programs.at(1).variant.colorTargets, 2);
 }
 
-TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
+TEST(Needs, APassThatSharesDepthNeedsThePassBeforeIt) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -211,7 +212,7 @@ TEST(Needs, APassThatSharesDepthBringsTheOneBeforeIt) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, APassThatClearsItsSharedDepthNeedsNoneBeforeIt) {
+TEST(Needs, APassThatClearsItsSharedDepthNeedsNoPassBeforeIt) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
@@ -247,7 +248,7 @@ TEST(Needs, APassThatMayWriteImagesIsNeededAndSoIsWhatItSamples) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");
 }
 
-TEST(Needs, NobodyAsksForImageWritesWhereEverythingIsSeen) {
+TEST(Needs, ImageWritesDoNotMatterIfEverythingIsVisible) {
     SceneByHand hand;
     Programs programs;
     plain(hand, programs, "Dots");
@@ -267,7 +268,7 @@ TEST(Needs, ADrawOfSizeZeroIsSkippedWithItsProgram) {
     EXPECT_EQ(skipped(plan, "draw"), Words{"Sphere: it has no size and draws nothing"});
 }
 
-TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
+TEST(Needs, ATextureThatIsNeverSampledIsSkippedWithItsFile) {
     SceneByHand hand;
     Programs programs;
     const auto used = hand.texture(5);
@@ -277,7 +278,7 @@ TEST(Needs, ATextureNobodySamplesIsSkippedWithItsFile) {
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(plan.textures, std::vector{used});
     EXPECT_EQ(skipped(plan, "texture"), Words{"unit 6 / 2D: no active sampler reads it"});
-    EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing that is seen needs it"});
+    EXPECT_EQ(skipped(plan, "file"), Words{"'picture6.png': nothing visible needs it"});
 }
 
 TEST(Needs, NoiseIsMadeOnlyIfAnActiveSamplerReadsIt) {
@@ -329,7 +330,7 @@ TEST(Needs, AMeshHasTheAttributesOfAllProgramsThatDrawIt) {
     EXPECT_EQ(plan.meshes.at(0).attributes, (Words{"position", "tangent"}));
 }
 
-/// Says that shapes of that command are out of sight; counts the questions.
+/// Reports shapes of that command as out of sight, and counts the calls.
 struct Blinkers {
     glib::CommandId unseen{};
     int asked = 0;
@@ -344,7 +345,7 @@ struct Blinkers {
     }
 };
 
-TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindIt) {
+TEST(Needs, ADrawOutOfSightNeedsNoProgramMeshTextureOrPass) {
     SceneByHand hand;
     Programs programs;
     const auto target = hand.emptyTexture(6);
@@ -363,11 +364,11 @@ TEST(Needs, ADrawOutOfSightNeedsNeitherProgramNorMeshNorTextureNorThePassBehindI
     EXPECT_TRUE(plan.textures.empty());
     EXPECT_EQ(plan.meshes.size(), 1U);
     EXPECT_EQ(skipped(plan, "draw"), Words{"Teapot: it is behind a wall"});
-    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(skipped(plan, "pass"), Words{"nothing visible samples its targets"});
     EXPECT_EQ(blinkers.asked, 2) << "nobody asks of a draw that is not needed anyway";
 }
 
-TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
+TEST(Needs, OutOfSightIsNotAskedIfEverythingIsWanted) {
     SceneByHand hand;
     Programs programs;
     hand.teapot();
@@ -378,7 +379,7 @@ TEST(Needs, OutOfSightIsNotAskedWhereEverythingIsWanted) {
     EXPECT_EQ(blinkers.asked, 0);
 }
 
-TEST(Needs, AMeshForEachDrawIsPlannedOnRequestOnly) {
+TEST(Needs, OneMeshPerDrawIsPlannedOnlyOnRequest) {
     SceneByHand hand;
     Programs programs;
     for (int i = 0; i < 3; ++i) hand.sphere();

@@ -41,7 +41,7 @@ TEST(OverrideText, HoldsASwitch) {
     expectOverride("uOn=true", "uOn", UniformForm::truth, {1});
     expectOverride("uOn=<false>", "uOn", UniformForm::truth, {0});
 }
-TEST(OverrideText, IsRefusedIfItIsNone) {
+TEST(OverrideText, IsRejectedIfItIsMalformed) {
     for (const char* text : {"uKd", "=5", "uKd=", "uKd=five", "uKd=1,x", "uKd=[1", "uKd=[]", "uKd=inf",
                              "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
         EXPECT_FALSE(parseOverride(text)) << text;
@@ -102,7 +102,7 @@ TEST(Overriding, KeepsTheSliderAndMovesIt) {
     EXPECT_EQ(outcome.resolution.controls[0].maximum, 2);
     EXPECT_EQ(outcome.resolution.controls[0].current, 1.5);
 }
-TEST(Overriding, ThatMeansNothingLeavesTheScenesValue) {
+TEST(Overriding, WithAnUnsuitableValueKeepsTheScenesValue) {
     const Outcome outcome =
         resolve(test::interfaceWith({{"uM", "mat2"}}), {test::spec("uM", UniformForm::list, {1, 2, 3, 4})},
                 {{"uM", UniformForm::truth, {1}}});
@@ -126,7 +126,7 @@ TEST(Overriding, TheLastOfTheSameNameCounts) {
                                     {{"uKd", UniformForm::number, {.1}}, {"uKd", UniformForm::number, {.2}}});
     EXPECT_EQ(std::get<Literal>(outcome.resolution.values.back().value).values, Values{.2});
 }
-TEST(Overriding, OfNothingIsLeftUnused) {
+TEST(Overriding, OfAnUnknownNameIsUnused) {
     const Outcome outcome =
         resolve(test::interfaceWith({{"uKd", "float"}}), {}, {{"uKe", UniformForm::number, {.1}}});
     EXPECT_FALSE(outcome.used.at(0));
@@ -144,7 +144,7 @@ TEST(UnusedOverride, OfOneProgramNamesThatProgram) {
     const std::vector<Override> overrides{{"uKd", UniformForm::number, {1}, "Dost"}};
     const std::vector<std::string> names{"uKd"};
     EXPECT_EQ(textOf(unusedOverrides(overrides, {false}, names), "glib-W23"),
-              "no Program 'Dost' has a uniform 'uKd'");
+              "no program 'Dost' has a uniform 'uKd'");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Primitives and shader stages: the table of the language's section 4.8.
+// Primitives and shader stages: the table of language, 4.8.
 #include "plan/submission.h"
 
 #include <gtest/gtest.h>
@@ -112,22 +112,22 @@ TEST(GeometryStage, ThatWantsAdjacencyRecommendsObjAdj) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "triangles_adjacency";
     expectError(one.submit("Obj", CommandId::obj), "draw-E02",
-                "Obj delivers triangles, but silh.geom wants triangles_adjacency; use ObjAdj");
+                "Obj delivers triangles, but silh.geom expects triangles_adjacency; use ObjAdj");
     expectSubmission(one.submit("ObjAdj", CommandId::objAdj), Topology::trianglesAdjacency, 0);
 }
 TEST(GeometryStage, ThatWantsLinesRecommendsTheWireForm) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "lines";
     expectError(one.submit("Sphere", glib::commandOf("Sphere")), "draw-E02",
-                "Sphere delivers triangles, but silh.geom wants lines; use WireSphere");
+                "Sphere delivers triangles, but silh.geom expects lines; use WireSphere");
     expectError(one.submit("Soccerball", glib::commandOf("Soccerball")), "draw-E02",
-                "Soccerball delivers triangles, but silh.geom wants lines");
+                "Soccerball delivers triangles, but silh.geom expects lines");
 }
 TEST(GeometryStage, ThatWantsTrianglesRefusesAdjacency) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "triangles";
     expectError(one.submit("ObjAdj", CommandId::objAdj), "draw-E02",
-                "ObjAdj delivers triangles_adjacency, but silh.geom wants triangles; use Obj");
+                "ObjAdj delivers triangles_adjacency, but silh.geom expects triangles; use Obj");
 }
 TEST(GeometryStage, AfterTessellationTakesWhatThatDelivers) {
     Case one(kEverything);
@@ -136,7 +136,7 @@ TEST(GeometryStage, AfterTessellationTakesWhatThatDelivers) {
     expectSubmission(one.submit("Teapot", glib::commandOf("Teapot")), Topology::patches, 3);
     one.interface.facts.tessellationOutput = "lines";
     expectError(one.submit("Teapot", glib::commandOf("Teapot")), "draw-E02",
-                "Teapot delivers lines after tessellation, but silh.geom wants triangles");
+                "Teapot delivers lines after tessellation, but silh.geom expects triangles");
 }
 
 struct PointSizeCase : Case {

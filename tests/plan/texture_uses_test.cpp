@@ -29,14 +29,14 @@ TEST(DriverUnits, AreSharedBySamplersOfOneTypeOnOneUnit) {
         {UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 6}, {UniformIndex(1), 1, 5}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 1, 0}));
 }
-TEST(DriverUnits, AreApartForSamplersOfDifferentTypeOnOneUnit) {
+TEST(DriverUnits, AreSeparateForSamplersOfDifferentTypesOnOneUnit) {
     const auto interface =
         test::interfaceWith({{"a", "sampler2D"}, {"b", "samplerCube"}, {"c", "isampler2D"}});
     const std::vector<SamplerBinding> samplers{
         {UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 5}, {UniformIndex(2), 0, 5}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 1, 2}));
 }
-TEST(DriverUnits, OfImagesAreCountedApart) {
+TEST(DriverUnits, OfImagesAreCountedSeparately) {
     const auto interface = test::interfaceWith({{"a", "sampler2D"}, {"b", "image2D"}});
     const std::vector<SamplerBinding> samplers{{UniformIndex(0), 0, 5}, {UniformIndex(1), 0, 6}};
     EXPECT_EQ(driverUnits(assignUnits(interface, samplers, 80, 8)), (std::vector<int>{0, 0}));

@@ -214,7 +214,7 @@ TEST(SamplerUniform, IgnoresAColour) {
 TEST(SamplerUniform, HasUnitsOfAListInAnArray) {
     expectReading(list("sampler2D[2]", {5, 6}), {5, 6}, "");
 }
-TEST(SamplerUniform, RefusesWhatIsNoUnit) {
+TEST(SamplerUniform, RejectsNumbersThatAreNotUnits) {
     for (const double unit : {128.0, -1.0, 1e30}) {
         const Reading reading = number("sampler2D", unit);
         EXPECT_TRUE(reading.ignored);

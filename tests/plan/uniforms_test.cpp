@@ -1,4 +1,4 @@
-// Which uniform a tag names, and what is said about those that no tag names (language, 5.3 and 6).
+// Which uniform a tag names, and the messages about uniforms without a tag (language, 5.3 and 6).
 #include "plan/uniforms.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ UniformResolution resolve(const ProgramInterface& interface, std::vector<glib::U
     std::vector<bool> used;
     return resolveUniforms(program(std::move(pairs)), test::kScenePath, interface, overrides, used);
 }
-/// The literal of a uniform; the last one counts.
+/// The literal of a uniform; the last one if there are several.
 Values literal(const UniformResolution& resolution, std::size_t uniform) {
     Values values;
     for (const UniformBinding& each : resolution.values)
@@ -96,7 +96,7 @@ TEST(Tag, NamesAPlainUniformBeforeABlockMember) {
     EXPECT_TRUE(literal(result, 0).empty());
     EXPECT_EQ(literal(result, 1), Values{.5});
 }
-TEST(Tag, GivenTwiceCountsTheLastTime) {
+TEST(Tag, GivenTwiceUsesTheLastValue) {
     const auto interface = interfaceWith({{"uKa", "int"}});
     const UniformResolution result = resolve(interface, {number("uKa", 1.5), number("uKa", 2)});
     EXPECT_EQ(literal(result, 0), Values{2});
@@ -119,7 +119,7 @@ TEST(SuppliedTag, TimerPointsToTheCommand) {
     for (const auto& interface : {interfaceWith({{"Timer", "float"}}), interfaceWith({})}) {
         const UniformResolution result = resolve(interface, {number("Timer", 10)});
         EXPECT_EQ(textOf(result.diagnostics, "glib-W25"),
-                  "'Timer' is supplied by the program; set its period with the command 'Timer 10'");
+                  "glibra supplies 'Timer'; set its period with the command 'Timer 10'");
         for (const UniformBinding& each : result.values)
             EXPECT_TRUE(std::holds_alternative<Supplied>(each.value));
     }
@@ -160,7 +160,7 @@ TEST(SuppliedName, OfTextureMatricesIsAnArray) {
 
 TEST(UnsetUniform, IsReported) {
     const UniformResolution result = resolve(interfaceWith({{"uTime", "float"}}), {});
-    EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set, it is 0");
+    EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set; it is 0");
     EXPECT_EQ(result.diagnostics.front().place, test::at(5));
 }
 TEST(UnsetUniform, IsNotReportedIfItIsSupplied) {
@@ -178,7 +178,7 @@ TEST(UnsetUniform, IsNotReportedIfItHasAnInitialiser) {
     interface.facts.uniforms["uLight"].hasInitializer = true;
     EXPECT_EQ(ids(resolve(interface, {}).diagnostics), "");
 }
-TEST(UnsetUniform, IsNeverOneOfTheTranslators) {
+TEST(UnsetUniform, IsNeverReportedForNamesOfTheTranslator) {
     EXPECT_EQ(
         ids(resolve(interfaceWith({{"glibra_somethingOfItsOwn", "float"}, {"gl_DepthRange.near", "float"}}),
                     {})

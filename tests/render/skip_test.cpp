@@ -96,7 +96,7 @@ TEST(SkipRule, OneMeshHoweverOftenItIsDrawn) {
     const BothWays thrice = drawBothWays(scene(program("plain") + "Sphere 1 20 20\n" + more));
     EXPECT_EQ(thrice.skipping.calls.bytesUploaded, once.skipping.calls.bytesUploaded);
     EXPECT_EQ(thrice.skipping.calls.draws, 3U);
-    EXPECT_EQ(thrice.skipping.skipped("mesh"), Words{"Sphere: one for all its 3 draws"});
+    EXPECT_EQ(thrice.skipping.skipped("mesh"), Words{"Sphere: one mesh serves all its 3 draws"});
     EXPECT_TRUE(once.skipping.skipped("mesh").empty());
     EXPECT_EQ(thrice.whole.calls.buffersFilled, 15U);
 }
@@ -118,7 +118,7 @@ TEST(SkipRule, NoPassWhoseTargetNobodySamples) {
     EXPECT_EQ(pair.whole.calls.draws, 2U);
     EXPECT_EQ(pair.skipping.calls.programsLinked, 1U);
     EXPECT_LT(pair.skipping.calls.calls, pair.whole.calls.calls);
-    EXPECT_EQ(pair.skipping.skipped("pass"), Words{"nothing that is seen samples its targets"});
+    EXPECT_EQ(pair.skipping.skipped("pass"), Words{"nothing visible samples its targets"});
     const BothWays sampled = drawBothWays(scene(target + program("tex", "uTex 7") + "QuadXY 1 .5\n"));
     EXPECT_EQ(sampled.skipping.calls.draws, 3U);
 }

@@ -1,4 +1,4 @@
-// Where files are found (language, 8.6).
+// Looking up the files that a scene names (language, 8.6).
 
 #include "scene/file_lookup.h"
 
@@ -57,7 +57,7 @@ TEST_F(FileLookup, BackslashesAreSlashesEvenIfDoubled) {
     EXPECT_TRUE(find("sub\\deep\\cow.obj").remarks.empty());
 }
 
-TEST_F(FileLookup, AnotherCaseIsFoundAndTold) {
+TEST_F(FileLookup, AnotherCaseIsFoundAndReported) {
     const fs::path path = folder.write("giraffe.obj");
     const FileReference file = find("Giraffe.OBJ");
     EXPECT_EQ(file.path, path);
@@ -73,19 +73,19 @@ TEST_F(FileLookup, EveryPartMayDifferInCase) {
     EXPECT_EQ(textOf(file), "file-W01 'textures\\wood\\A.bmp' found as 'Textures/Wood/a.bmp'");
 }
 
-TEST_F(FileLookup, TheRightCaseIsPreferredWithoutRemark) {
+TEST_F(FileLookup, TheExactCaseIsPreferredWithoutAMessage) {
     folder.write("COW.obj");
     const fs::path path = folder.write("cow.obj");
     EXPECT_EQ(find("cow.obj").path, path);
     EXPECT_TRUE(find("cow.obj").remarks.empty());
 }
 
-TEST_F(FileLookup, OfSeveralCasesTheFirstInByteOrderIsTaken) {
+TEST_F(FileLookup, TheFirstOfSeveralCasesInByteOrderIsUsed) {
     folder.write("cow.obj");
     const fs::path path = folder.write("COW.obj");
     const FileReference file = find("Cow.obj");
     EXPECT_EQ(file.path, path);
-    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj', 'COW.obj' taken");
+    EXPECT_EQ(textOf(file), "file-W12 'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used");
 }
 
 TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {
@@ -95,7 +95,7 @@ TEST_F(FileLookup, AFolderOfTheRightCaseWithoutTheFileIsNoDeadEnd) {
     EXPECT_EQ(idsOf(find("models/cow.obj").remarks), "file-W01");
 }
 
-TEST_F(FileLookup, OfAForeignPathTheLastPartIsFoundBesideTheScene) {
+TEST_F(FileLookup, TheLastPartOfAForeignPathIsFoundBesideTheScene) {
     const fs::path path = folder.write("cow.obj");
     for (const char* name : {"C:\\models\\cow.obj", "C:/models/cow.obj", "C:cow.obj", "../models/cow.obj",
                              "/no/such/cow.obj", "\\\\server\\share\\cow.obj"}) {
@@ -110,7 +110,7 @@ TEST_F(FileLookup, WithoutFoldersThereIsNoLastPart) {
     EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
 }
 
-TEST_F(FileLookup, WhatIsNotThereIsAnErrorWithTheNearestNames) {
+TEST_F(FileLookup, AMissingFileIsAnErrorWithTheNearestNames) {
     folder.write("cows.obj");
     folder.write("bow.obj");
     folder.write("dragon.obj");
@@ -121,7 +121,7 @@ TEST_F(FileLookup, WhatIsNotThereIsAnErrorWithTheNearestNames) {
     EXPECT_EQ(file.remarks.at(0).severity, Severity::error);
 }
 
-TEST_F(FileLookup, NearNamesAreLookedForInTheFolderOfTheName) {
+TEST_F(FileLookup, NearNamesAreSearchedInTheFolderOfTheName) {
     folder.write("sub/cows.obj");
     EXPECT_EQ(textOf(find("sub/cow.obj")), "file-E01 cannot find 'sub/cow.obj'; nearest: 'cows.obj'");
     folder.write("sub2/cows.obj");
@@ -130,7 +130,7 @@ TEST_F(FileLookup, NearNamesAreLookedForInTheFolderOfTheName) {
         "file-E01 cannot find '" + (folder.path() / "sub2/cow.obj").string() + "'; nearest: 'cows.obj'");
 }
 
-TEST_F(FileLookup, FoldersPipesAndDevicesAreNoFiles) {
+TEST_F(FileLookup, FoldersPipesAndDevicesAreNotFiles) {
     fs::create_directories(folder.path() / "cow.obj");
     ASSERT_EQ(mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
     EXPECT_EQ(idsOf(find("cow.obj").remarks), "file-E01");
@@ -140,7 +140,7 @@ TEST_F(FileLookup, FoldersPipesAndDevicesAreNoFiles) {
     EXPECT_EQ(idsOf(find("/dev/stdin").remarks), "file-E01");
 }
 
-TEST_F(FileLookup, LinksAreFollowedAndBrokenOnesAreAbsent) {
+TEST_F(FileLookup, LinksAreFollowedAndBrokenOnesCountAsMissing) {
     folder.write("cow.obj");
     fs::create_symlink("cow.obj", folder.path() / "link.obj");
     fs::create_symlink("nowhere.obj", folder.path() / "broken.obj");

@@ -81,12 +81,12 @@ TEST(Lists, NormalsAndTexCoordsBelongToTheFollowingVertices) {
     EXPECT_EQ(valuesOf(listOf(scene), geometry::kPosition), (std::vector<float>{0, 0, 0, 1, 1, 0, 0, 2}));
 }
 
-TEST(Lists, OtherCommandsInsideAreCarriedOutBeforeTheList) {
+TEST(Lists, OtherCommandsInsideAreExecutedBeforeTheList) {
     const Scene scene =
         run("glBegin points\nglVertex 0 0 0\nObj cow.obj\nTranslate 1 0 0\nglVertex 1 1 1\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
-              "3:1 glib-W32 Obj inside glBegin is drawn before the list\n"
-              "4:1 glib-W32 Translate inside glBegin is carried out before the list");
+              "3:1 glib-W32 Obj is inside glBegin ... glEnd; it is drawn before the list\n"
+              "4:1 glib-W32 Translate is inside glBegin ... glEnd; it takes effect before the list");
     const auto draws = drawsOf(scene);
     ASSERT_EQ(draws.size(), 2U);
     EXPECT_EQ(draws[0].word, "Obj");
@@ -100,32 +100,32 @@ TEST(Lists, ProgramTargetAndSecondBeginAreRefusedInside) {
         "Texture2D 6 8 8\nglBegin points\nglVertex 0 0 0\nProgram A uB 1\nRenderToTexture 6\nglBegin lines\n"
         "glVertex 1 1 1\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
-              "4:1 glib-E07 Program is not possible inside glBegin ... glEnd\n"
-              "5:1 glib-E07 RenderToTexture is not possible inside glBegin ... glEnd\n"
-              "6:1 glib-E07 glBegin is not possible inside glBegin ... glEnd");
+              "4:1 glib-E07 Program is not allowed inside glBegin ... glEnd\n"
+              "5:1 glib-E07 RenderToTexture is not allowed inside glBegin ... glEnd\n"
+              "6:1 glib-E07 glBegin is not allowed inside glBegin ... glEnd");
     EXPECT_TRUE(scene.programs.empty());
     EXPECT_EQ(listOf(scene).vertexCount(), 2U) << "the first list goes on";
 }
 
-TEST(Lists, VerticesOutsideAreReportedOnceARun) {
+TEST(Lists, ConsecutiveVerticesOutsideAListAreReportedOnce) {
     const Scene scene = run("glVertex 0 0 0\nglVertex 0 0 0\nglEnd\nSphere\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
               "1:1 glib-E07 glVertex outside glBegin ... glEnd\n"
               "5:1 glib-E07 glEnd outside glBegin ... glEnd");
 }
 
-TEST(Lists, AMissingEndIsToldAtTheBegin) {
+TEST(Lists, AMissingEndIsReportedAtTheBegin) {
     const Scene scene = run("Sphere\nglBegin points\nglVertex 0 0 0\n");
     EXPECT_EQ(textsOf(scene.diagnostics), "2:1 glib-E07 glBegin without glEnd");
     EXPECT_EQ(drawsOf(scene).size(), 1U);
 }
 
-TEST(Lists, AnIncompleteRestIsDropped) {
+TEST(Lists, AnIncompleteLastPrimitiveIsIgnored) {
     const Scene scene =
         run("NumPatchVertices 4\nglBegin patches\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 "
             "0 0\n"
             "glVertex 0 0 0\nglVertex 0 0 0\nglEnd\n");
-    EXPECT_EQ(textsOf(scene.diagnostics), "9:1 glib-W33 glEnd: 2 vertices of an incomplete patch dropped");
+    EXPECT_EQ(textsOf(scene.diagnostics), "9:1 glib-W33 glEnd: 2 vertices of an incomplete patch ignored");
     EXPECT_EQ(listOf(scene).patchVertices, 4);
     EXPECT_EQ(listOf(scene).indices.size(), 4U);
 }
@@ -134,8 +134,8 @@ TEST(Lists, NoCompletePrimitiveIsAnError) {
     const Scene scene =
         run("glBegin triangles\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nglBegin points\nglEnd\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
-              "4:1 glib-E07 glEnd: 2 vertices make no complete triangle\n"
-              "6:1 glib-E07 glEnd: 0 vertices make no complete point");
+              "4:1 glib-E07 glEnd: 2 vertices are not enough for one triangle\n"
+              "6:1 glib-E07 glEnd: 0 vertices are not enough for one point");
     EXPECT_TRUE(drawsOf(scene).empty());
 }
 

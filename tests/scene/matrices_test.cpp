@@ -1,4 +1,4 @@
-// Matrices against other ways to the same numbers (language, 6.2).
+// Matrices compared with other ways to compute the same numbers (language, 6.2).
 
 #include "scene/matrices.h"
 
@@ -13,7 +13,7 @@
 namespace glibra::scene {
 namespace {
 
-/// Numbers in -1..1, a function of their index.
+/// A pseudo-random number in -1..1 for each index.
 double spread(std::uint32_t i) {
     std::uint32_t x = i * 0x9e3779b9U + 1;
     x ^= x >> 16U;
@@ -150,8 +150,8 @@ TEST(Matrices, TheNormalMatrixIsTheInverseTranspose) {
     EXPECT_EQ(normalMatrix(scaling({2, 4, 8})), glm::dmat3(scaling({.5, .25, .125})));
 }
 
-TEST(Matrices, TheNormalMatrixOfASingularOneIsItsCofactors) {
-    // Squeezed flat along y, a surface faces y, whatever its normal was.
+TEST(Matrices, TheNormalMatrixOfASingularMatrixIsItsCofactorMatrix) {
+    // A surface that is flattened along y faces y, whatever its normal was.
     const glm::dmat3 normal = normalMatrix(scaling({2, 0, 3}));
     EXPECT_EQ(normal * glm::dvec3(0, 1, 0), glm::dvec3(0, 6, 0));
     EXPECT_EQ(normal * glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 0));

@@ -168,7 +168,7 @@ TEST(Passes, TargetsMustBeEmpty2DTexturesOfOneSize) {
     EXPECT_EQ(idsOf(run("Texture1D 6 8\nRenderToTexture 6\n").diagnostics), "glib-E11");
     EXPECT_EQ(
         error("Texture2D 6 8 8\nTexture2D 7 8 9\nRenderToTexture 6 7\n"),
-        "3:1 glib-E11 RenderToTexture 6 7: unit 6 is 8 x 8, unit 7 is 8 x 9; all must be equal in size");
+        "3:1 glib-E11 RenderToTexture 6 7: unit 6 is 8 x 8, unit 7 is 8 x 9; all must have the same size");
     EXPECT_EQ(idsOf(run("Texture2D 6 8 8\nRenderToTexture 6 6\n").diagnostics), "glib-E11");
 }
 

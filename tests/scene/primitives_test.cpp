@@ -24,7 +24,7 @@ struct Expected {
 };
 using enum geometry::Topology;
 
-// The formulas of the tables in language, 4, computed by hand for other sizes than the defaults.
+// The formulas of the tables in language, 4, evaluated by hand for sizes other than the defaults.
 const Expected kShapes[] = {
     {"Box 1 2 3", 24, 36, triangles},
     {"Cube 3", 24, 36, triangles},
@@ -127,7 +127,7 @@ TEST(Primitives, ArgumentsReachTheirShapesInOrder) {
     expectExtent("Sphere -2 8 6\n", {-2, -2, -2}, {2, 2, 2});
 }
 
-TEST(Primitives, TheSeedOfAJitterCloudCounts) {
+TEST(Primitives, TheSeedOfAJitterCloudMatters) {
     const auto positions = [](std::string_view text) {
         return makeMesh(run(text), ShapeIndex(0))->attribute(geometry::kPosition)->values;
     };
@@ -182,7 +182,7 @@ TEST(Models, TangentsAreMadeOnlyIfWanted) {
     EXPECT_EQ(makeMesh(scene, ShapeIndex(0), false)->attribute(geometry::kTangent), nullptr);
 }
 
-TEST(Models, RemarksOfTheFileComeWithTheMesh) {
+TEST(Models, MessagesAboutTheFileComeWithTheMesh) {
     const TemporaryFolder folder;
     folder.write("square.obj", std::string(kSquare) + "l 1 2\n");
     const Scene scene = run("\nObj Square.obj\n", folder.path() / "a.glib");
@@ -193,7 +193,7 @@ TEST(Models, RemarksOfTheFileComeWithTheMesh) {
     EXPECT_EQ(mesh.diagnostics.at(1).place.file, (folder.path() / "square.obj").string());
 }
 
-TEST(Models, WhatCannotBeReadIsToldAtTheSceneOrInTheFile) {
+TEST(Models, UnreadableModelsAreReportedAtTheSceneOrInTheFile) {
     const TemporaryFolder folder;
     folder.write("empty.obj", "");
     folder.write("faceless.obj", "v 0 0 0\n");

@@ -68,7 +68,7 @@ TEST(Programs, GeometryTypesStayInForce) {
     }
 }
 
-TEST(Programs, AMissingStageFileIsNobodysErrorYet) {
+TEST(Programs, AMissingStageFileIsNotReportedBeforeItIsNeeded) {
     const Scene scene = run("Vertex no-such.vert\nProgram A\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "");
     EXPECT_EQ(textsOf(scene.files.at(0).remarks), "1:8 file-E01 cannot find 'no-such.vert'");
@@ -107,8 +107,8 @@ TEST(Shapes, MissingModelsWithDifferentNamesAreDifferentShapes) {
 TEST(Shapes, AModelNeedsAName) {
     const Scene scene = run("Obj\nShp\n");
     EXPECT_EQ(textsOf(scene.diagnostics),
-              "1:1 glib-E09 Obj without a file name is only possible in the interactive program\n"
-              "2:1 glib-E09 Shp without a file name is only possible in the interactive program");
+              "1:1 glib-E09 Obj needs a file name; only the interactive program works without one\n"
+              "2:1 glib-E09 Shp needs a file name; only the interactive program works without one");
     EXPECT_TRUE(drawsOf(scene).empty());
 }
 

@@ -1,4 +1,4 @@
-// The state machine: what holds at a draw is what was said before it (language, 2.1, 3.1 and 3.2).
+// The state machine: a draw uses the state that earlier statements set (language, 2.1, 3.1 and 3.2).
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using tests::idsOf;
 using tests::run;
 using tests::textsOf;
 
-/// M * (x, y, z, 1), written out.
+/// M * (x, y, z, 1), component by component.
 glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     glm::dvec3 result;
     for (int row = 0; row < 3; ++row)
@@ -82,7 +82,7 @@ TEST(State, SwitchesCanBeTurnedBack) {
 
 TEST(State, TransformsAreMultipliedFromTheRight) {
     const Draw draw = drawOf("Translate 1 2 3\nRotate 90 0 0 1\nScale 2\nSphere\n");
-    // Scale first, then the turn x -> y, then the shift.
+    // The point is scaled, then turned from x to y, then translated.
     expectNear(moved(draw.modelView, {1, 0, 0}), {1, 4, 3});
     expectNear(moved(draw.modelView, {0, 1, 0}), {-1, 2, 3});
     expectNear(moved(draw.modelView, {0, 0, 1}), {1, 2, 5});
@@ -94,7 +94,7 @@ TEST(State, RotationIsRightHandedAboutAnyAxis) {
     expectNear(moved(draw.modelView, {0, 1, 0}), {0, 0, 1});
 }
 
-TEST(State, RotationAboutNothingIsNone) {
+TEST(State, RotationAboutTheZeroVectorDoesNothing) {
     EXPECT_EQ(drawOf("Rotate 30 0 0 0\nSphere\n").modelView, glm::dmat4(1.0));
 }
 
@@ -136,14 +136,14 @@ TEST(State, LookAtFromTheCentreItselfIsAnError) {
     EXPECT_FALSE(scene.usesLookAt);
 }
 
-TEST(State, LookAtWithParallelUpTakesTheFirstAxisThatIsNot) {
+TEST(State, LookAtWithParallelUpUsesTheFirstAxisThatIsNotParallel) {
     const Scene down = run("LookAt 0 5 0 0 0 0 0 1 0\nSphere\n");
     EXPECT_EQ(textsOf(down.diagnostics),
-              "1:1 glib-W30 LookAt: up is parallel to the view direction, +z used");
+              "1:1 glib-W30 LookAt: up is parallel to the view direction; +z is used instead");
     expectNear(moved(drawsOf(down).at(0).modelView, {0, 0, 1}), {0, 1, -5});
     const Scene ahead = run("LookAt 0 0 5 0 0 0 0 0 -2\nSphere\n");
     EXPECT_EQ(textsOf(ahead.diagnostics),
-              "1:1 glib-W30 LookAt: up is parallel to the view direction, +y used");
+              "1:1 glib-W30 LookAt: up is parallel to the view direction; +y is used instead");
     EXPECT_EQ(idsOf(run("LookAt 0 0 5 0 0 0 0 0 0\nSphere\n").diagnostics), "glib-W30");
 }
 
@@ -199,7 +199,7 @@ TEST(State, TheLastWindowSizeWins) {
     const Scene scene = run("WindowSize 600 600\nSphere\nWindowSize 800 700\n");
     EXPECT_EQ(scene.width, 800);
     EXPECT_EQ(scene.height, 700);
-    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-W34 WindowSize given again, 800 700 replaces 600 600");
+    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-W34 WindowSize is given twice; 800 700 replaces 600 600");
     EXPECT_EQ(idsOf(run("WindowSize 600 600\nWindowSize 600 600\n").diagnostics), "");
 }
 
@@ -209,7 +209,7 @@ TEST(State, MessagesAreNotes) {
     EXPECT_EQ(scene.diagnostics.at(0).severity, Severity::note);
 }
 
-TEST(State, VerboseTellsEveryOperationOfTheWholeFile) {
+TEST(State, VerboseReportsEveryOperationOfTheWholeFile) {
     const Scene scene = run("Translate 1 0 -2.5\nSphere 1 60 60\nProgram Dots uA 1\nSphere\nVerbose\n");
     EXPECT_TRUE(scene.verbose);
     EXPECT_EQ(textsOf(scene.diagnostics),

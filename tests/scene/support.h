@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of this room share: scenes from text, folders that vanish again.
+// Shared by the tests of `scene`: scenes from text, and temporary folders.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace glibra::scene::tests {
 
-/// Parses and interprets; the path only matters for files. The script must have no errors of its own.
+/// Parses and interprets the text. The path matters only for files. The script itself must have no errors.
 Scene run(std::string_view text, const std::filesystem::path& path = "scene.glib",
           const InterpretOptions& options = {});
 
@@ -19,12 +19,12 @@ std::vector<Draw> drawsOf(const Scene& scene);
 /// The only draw.
 Draw drawOf(std::string_view text);
 
-/// "glib-W31 glib-E06": ids in order.
+/// The ids in order: "glib-W31 glib-E06".
 std::string idsOf(const Diagnostics& diagnostics);
-/// "3:1 glib-W31 text"
+/// One line per message: "3:1 glib-W31 text".
 std::string textsOf(const Diagnostics& diagnostics);
 
-/// A folder of its own below the temporary one, removed with everything in it.
+/// A new temporary folder. The destructor removes it with its content.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -33,7 +33,7 @@ class TemporaryFolder {
     ~TemporaryFolder();
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Writes a file, with its folders.
+    /// Writes a file and makes the folders of its path.
     std::filesystem::path write(const std::filesystem::path& name, std::string_view content = "x") const;
 
   private:

@@ -15,7 +15,7 @@ using tests::run;
 using tests::TemporaryFolder;
 using tests::textsOf;
 
-/// What the slot holds at the draw; none if it is empty.
+/// The texture in the slot at the draw; none if the slot is empty.
 TextureIndex heldBy(const Scene& scene, const Draw& draw, int unit, TextureTarget target) {
     for (const Slot& slot : scene.slotTables[draw.slots])
         if (slot.unit == unit && slot.target == target) return slot.texture;
@@ -89,7 +89,7 @@ TEST(Textures, OneUnitHoldsATextureForEachTarget) {
     EXPECT_EQ(idsOf(scene.diagnostics), "");
 }
 
-TEST(Textures, EmptyOnesHaveSizesAndAFormat) {
+TEST(Textures, EmptyTexturesHaveSizesAndAFormat) {
     const Scene scene =
         run("Texture2D 6 640 480\nTexture3D 7 2 3 4 rgba16f\nTexture1D 8 5 R32F\nTexture2D 9 1 1 RGBA32F\n");
     const auto sourceOf = [&](std::size_t index) {
@@ -129,8 +129,7 @@ TEST(Textures, TextureTakesItsDimensionFromTheContentOfTheFile) {
     EXPECT_EQ(targetOfFile(folder.path()), TextureTarget::texture2D);
     const Scene scene = run("Texture 6 three.tex\nTexture2D 7 two.tex\n", folder.path() / "a.glib");
     EXPECT_EQ(textureOf(scene, TextureIndex(2)).target, TextureTarget::texture3D);
-    EXPECT_TRUE(std::get<PictureSource>(textureOf(scene, TextureIndex(2)).source).anyDimension);
-    EXPECT_FALSE(std::get<PictureSource>(textureOf(scene, TextureIndex(3)).source).anyDimension);
+    EXPECT_EQ(textureOf(scene, TextureIndex(3)).target, TextureTarget::texture2D);
 }
 
 TEST(Textures, SizesWhoseProductOverflowsFitNothing) {
@@ -158,16 +157,16 @@ TEST(Textures, StatementsThatNameTheSameFileShareItsReference) {
     EXPECT_EQ(scene.shapes.at(0).file, scene.shapes.at(1).file);
 }
 
-TEST(Textures, ReplacingTheNoiseIsTold) {
+TEST(Textures, ReplacingTheNoiseIsReported) {
     EXPECT_EQ(textsOf(run("Texture2D 2 a.bmp\nTexture3D 3 8 8 8\n").diagnostics),
-              "1:1 glib-W36 unit 2 held the noise texture, which is now replaced\n"
-              "2:1 glib-W36 unit 3 held the noise texture, which is now replaced");
+              "1:1 glib-W36 the noise texture on unit 2 is replaced\n"
+              "2:1 glib-W36 the noise texture on unit 3 is replaced");
     EXPECT_EQ(idsOf(run("Texture2D 2 a.bmp\nTexture2D 2 b.bmp\n").diagnostics), "glib-W36")
         << "it is gone already";
     EXPECT_EQ(idsOf(run("Texture3D 2 8 8 8\nTexture2D 3 a.bmp\nCubeMap 2 a b c d e f\n").diagnostics), "");
 }
 
-TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
+TEST(Textures, TheBuiltInNoiseReplacesAMissingNoiseFile) {
     const Scene scene =
         run("Texture3D 6 noise3d.064.tex\nTexture2D 7 C:\\tex\\Noise2D.128.tex\nTexture 8 noise3d.016.tex\n");
     const auto sourceOf = [&](std::size_t index) {
@@ -176,7 +175,8 @@ TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
     EXPECT_EQ(sourceOf(2).dimensions, 3);
     EXPECT_EQ(sourceOf(2).size, 64);
     EXPECT_FALSE(sourceOf(2).file);
-    EXPECT_EQ(textsOf(sourceOf(2).remarks), "1:13 file-W09 'noise3d.064.tex' not found, built-in noise used");
+    EXPECT_EQ(textsOf(sourceOf(2).remarks),
+              "1:13 file-W09 'noise3d.064.tex' not found; the built-in noise is used");
     EXPECT_EQ(sourceOf(3).dimensions, 2);
     EXPECT_EQ(sourceOf(3).size, 128);
     EXPECT_EQ(textureOf(scene, TextureIndex(4)).target, TextureTarget::texture3D);
@@ -184,7 +184,7 @@ TEST(Textures, ANoiseFileThatIsNotThereIsTheBuiltInNoise) {
     EXPECT_EQ(idsOf(scene.diagnostics), "") << "who does not need the texture does not hear of it";
 }
 
-TEST(Textures, ANoiseFileThatIsThereIsAFile) {
+TEST(Textures, AnExistingNoiseFileIsUsed) {
     const TemporaryFolder folder;
     folder.write("noise3d.016.tex", raw({16, 16, 16}, 4));
     const Scene scene = run("Texture3D 6 noise3d.016.tex\n", folder.path() / "a.glib");
@@ -220,7 +220,7 @@ TEST(Textures, NoiseBesideTheSceneIsUsedIfItFits) {
     const auto& noise = std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source);
     ASSERT_TRUE(noise.file);
     EXPECT_EQ(scene.files[noise.file].path, folder.path() / "noise3d.016.tex");
-    EXPECT_EQ(textsOf(noise.remarks), "1:1 file-N01 noise taken from 'noise3d.016.tex' beside the scene");
+    EXPECT_EQ(textsOf(noise.remarks), "1:1 file-N01 noise is read from 'noise3d.016.tex' beside the scene");
     EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).file);
 }
 
@@ -231,9 +231,9 @@ TEST(Textures, NoiseBesideTheSceneOfAnotherSizeIsIgnored) {
     const Scene scene = run("Sphere\n", folder.path() / "a.glib");
     EXPECT_FALSE(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).file);
     EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(1)).source).remarks),
-              "1:1 file-W10 'noise3d.064.tex' does not hold 64 x 64 x 64 bytes, ignored");
+              "1:1 file-W10 'noise3d.064.tex' does not hold 64 x 64 x 64 byte texels; it is ignored");
     EXPECT_EQ(textsOf(std::get<NoiseSource>(textureOf(scene, TextureIndex(0)).source).remarks),
-              "1:1 file-W10 'noise2d.064.tex' does not hold 64 x 64 bytes, ignored");
+              "1:1 file-W10 'noise2d.064.tex' does not hold 64 x 64 byte texels; it is ignored");
     EXPECT_TRUE(scene.files.empty());
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Holds tests/stress/README.md against the tests: every item of the two inventories has a row, every test that a
-row names exists, and every test of this folder stands in a row.
+"""Compares tests/stress/README.md with the tests: every item of the two inventories has a row, every test that a
+row names exists, and a row names every test of this folder.
 
 usage: tests/stress/check_items.py
 """
@@ -48,7 +48,7 @@ def main():
                 named.add((suite, test))
             else:
                 problems.append(f"{item}: there is no test {suite}.{test}")
-    problems += [f"{suite}.{test} stands in no row" for suite, test in sorted(tests_below(HERE) - named)]
+    problems += [f"{suite}.{test} is in no row" for suite, test in sorted(tests_below(HERE) - named)]
     if problems:
         sys.exit("tests/stress/README.md:\n  " + "\n  ".join(problems))
 

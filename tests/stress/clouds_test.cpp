@@ -1,5 +1,5 @@
-// Point clouds: rows of corn in the regular one, none in the jittered one (NM40). The spectrum of the number
-// of points over the picture's columns is that of the points' places themselves.
+// Point clouds: a regular cloud shows rows like a field of corn, a jittered one does not (NM40). The number
+// of points per column of the picture has the same spectrum as the positions of the points.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 constexpr int kColumns = 601;
 constexpr int kPoints = 20;  // along each axis
 
-/// Points in each column of the picture.
+/// The number of points in each column of the picture.
 std::vector<double> columns(const std::string& projection, const std::string& cloud) {
     const FloatPicture picture =
         draw(fmt::format("WindowSize {0} {0}\nBackground 0\n{1}\nVertex v.vert\nFragment f.frag\nProgram "
@@ -34,7 +34,7 @@ std::vector<double> columns(const std::string& projection, const std::string& cl
     return sums;
 }
 
-/// Share of the points that a wave with this period, in pixels, gathers.
+/// The amplitude of the wave with this period in pixels, relative to the number of points.
 double share(const std::vector<double>& sums, double period) {
     std::complex<double> wave = 0;
     double all = 0;
@@ -45,21 +45,22 @@ double share(const std::vector<double>& sums, double period) {
     return std::abs(wave) / all;
 }
 
-TEST(PointClouds, StandInRowsAndJitteredOnesDoNot) {
+TEST(PointClouds, FormRowsUnlessTheyAreJittered) {
     const std::string along = "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 5 0 0 0 0 1 0";
     const std::vector<double> regular = columns(along, "PointCloud");
     const std::vector<double> jittered = columns(along, "JitterCloud");
     double all = 0;
     for (const double each : regular) all += each;
     EXPECT_EQ(all, kPoints * kPoints * kPoints);
-    // Where the rows stand says how far apart they are.
+    // The positions of the rows give the distance between them.
     std::vector<int> rows;
     for (int x = 0; x < kColumns; ++x)
         if (regular[static_cast<std::size_t>(x)] > 0) rows.push_back(x);
     ASSERT_EQ(rows.size(), static_cast<std::size_t>(kPoints));
     const double period = static_cast<double>(rows.back() - rows.front()) / (kPoints - 1);
     for (int harmonic = 1; harmonic <= 2; ++harmonic) {
-        // Jitter is even over a cell, so nothing is left but chance: 1 / sqrt(N) of it at most, twelve times.
+        // Jitter is uniform over a cell, so only random amplitudes of about 1 / sqrt(N) remain. The limit is
+        // twelve times that.
         EXPECT_LT(share(jittered, period / harmonic), 12 / std::sqrt(all)) << harmonic;
         EXPECT_GT(share(regular, period / harmonic), .5) << harmonic;
     }

@@ -1,6 +1,6 @@
-// What the library's geometry and tessellation stages make: vertices by level (NM12), curved PN triangles
-// (NM34), triangles of one size on balls of any (NM42), levels while the eye flies through a ball (exercises'
-// accuracy table 24).
+// The output of the library's geometry and tessellation stages: vertices per level (NM12), curved PN
+// triangles (NM34), triangles of equal size on balls of any size (NM42), and levels while the eye flies
+// through a ball (exercises' accuracy table 24).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace glibra::stress {
 namespace {
 
-/// Points that a geometry stage of the library emits for one triangle; each adds 1 to a pixel.
+/// The number of points that a geometry stage of the library emits for one triangle. Each adds 1 to a pixel.
 FloatPicture emittedPoints(const std::string& name, const std::string& output, int maxVertices, int level) {
     const std::string path = "geometry/" + name;
     std::string source = replaced(shipped(path + ".geom"), "layout(" + output + ") out",
@@ -51,12 +51,12 @@ void expectVertices(const std::string& name, const std::string& output, int comp
 }
 
 TEST(SubdivisionLevels, EmitAsManyVerticesAsTheirStripsHave) {
-    // Rows of 2 c + 1 vertices, c = 2^level down to 1.
+    // One row of 2 c + 1 vertices for each c from 2^level down to 1.
     expectVertices("sphere_subdivision", "triangle_strip, max_vertices = 80", 7, {3, 8, 24, 80, 288, 1088});
 }
 
 TEST(SubdivisionLevels, EmitAsManyPointsAsTheirTriangleHas) {
-    // (n + 1)(n + 2) / 2, n = 2^level.
+    // (n + 1)(n + 2) / 2 points for n = 2^level.
     expectVertices("explosion", "points, max_vertices = 45", 7, {3, 6, 15, 45, 153, 561, 2145});
 }
 
@@ -66,7 +66,7 @@ struct PnPoint {
     glm::dvec3 tess{0}, place{0};
 };
 
-/// Points of the library's PN triangle at level 8, by the pixel that their parameters choose.
+/// The points of the library's PN triangle at level 8. Their parameters select the pixel.
 std::map<int, PnPoint> pnTriangle(const std::array<Corner, 3>& corners) {
     const std::string control = shipped("tessellation/pn_triangles.tcs");
     std::string evaluation =
@@ -95,7 +95,7 @@ std::map<int, PnPoint> pnTriangle(const std::array<Corner, 3>& corners) {
          "#version 400 core\nin vec3 tePlace;\nout vec4 fColor;\nvoid main() { fColor = vec4(tePlace, 1.); "
          "}\n"}};
     const auto drawn = [&](bool tess) {
-        // -9 stands where nothing is.
+        // -9 marks empty pixels.
         return draw(fmt::format("WindowSize 64 64\nBackground -9 -9 -9\nVertex v.vert\nTessControl "
                                 "c.tesc\nTessEvaluation e.tese\nFragment f.frag\n"
                                 "Program P uOuter 8 uInner 8 uScale 1 uTess {}\nNumPatchVertices 3\n"
@@ -136,7 +136,7 @@ TEST(PnTriangles, WithOneNormalAreTheFlatTriangle) {
     const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
     const auto corner = [&](const glm::dvec3& p) { return Corner{p.x, p.y, p.z, n.x, n.y, n.z}; };
     const auto points = pnTriangle({corner(a), corner(b), corner(c)});
-    // 3 n^2 / 4 + 3 n / 2 + 1 vertices at an even level n, all in pixels of their own.
+    // 3 n^2 / 4 + 3 n / 2 + 1 vertices at an even level n, each in its own pixel.
     EXPECT_EQ(points.size(), 3U * 8 * 8 / 4 + 3U * 8 / 2 + 1);
     for (const auto& [pixel, point] : points) {
         const glm::dvec3 flat = point.tess.x * a + point.tess.y * b + point.tess.z * c;
@@ -145,8 +145,8 @@ TEST(PnTriangles, WithOneNormalAreTheFlatTriangle) {
 }
 
 TEST(PnTriangles, OfAnOctantBulgeByTheClosedForm) {
-    // The middle of an edge between a and b of a unit sphere at right angles is 5 / 8 (a + b), that of the
-    // triangle 4 / 9 (a + b + c).
+    // Let a, b and c be unit vectors at right angles. The middle of the edge between a and b is 5 / 8 (a +
+    // b), and the middle of the triangle is 4 / 9 (a + b + c).
     const auto points = pnTriangle({{{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}}});
     std::size_t middles = 0;
     for (const auto& [pixel, point] : points) {
@@ -167,7 +167,7 @@ struct Areas {
     double count = 0, sum = 0, least = 1e9, most = 0;
 };
 
-/// The triangles of the library's octant, level uOuter = uInner = 14 times the radius.
+/// The triangles of the library's octant with uOuter = uInner = 14 times the radius.
 Areas octantAreas(double radius, double level) {
     const FloatPicture picture = draw(
         fmt::format(
@@ -216,10 +216,10 @@ TEST(OctantTriangles, KeepTheirSizeWhateverTheRadius) {
     for (const Areas& each : all) {
         EXPECT_NEAR(each.sum / each.count, all[0].sum / all[0].count, .01 * all[0].sum / all[0].count);
     }
-    // The odd level between them has a triangle in its middle, where even ones have a vertex.
+    // An odd level has a triangle in the middle, where even levels have a vertex.
     EXPECT_NEAR(all[2].most, all[0].most, .1 * all[0].most);
     EXPECT_NEAR(all[2].least, all[0].least, .1 * all[0].least);
-    // Levels that do not grow with the radius: the size grows with its square.
+    // If levels do not grow with the radius, the size of the triangles grows with its square.
     const Areas fixed = octantAreas(2, 7);
     EXPECT_NEAR(fixed.sum / fixed.count, 4 * all[0].sum / all[0].count, .05 * fixed.sum / fixed.count);
 }
@@ -232,7 +232,7 @@ TEST(AdaptiveLevels, StayInRangeWhileTheEyeFliesThroughTheBall) {
         "v.vert\nTessControl c.tesc\nTessEvaluation e.tese\nFragment f.frag\nProgram P uDetail {}\n"
         "NumPatchVertices 1\n",
         kPlaces, kFieldOfView, kDetail);
-    // The ball's centre from 3 before the eye to 3 behind it, through the eye itself.
+    // The ball's centre moves from 3 in front of the eye, through the eye, to 3 behind it.
     for (int i = 0; i < kPlaces; ++i)
         scene += fmt::format(
             "PushMatrix\nTranslate 0 0 {}\nglBegin patches\nglVertex 0 0 0 {}\nglEnd\nPopMatrix\n",
@@ -259,8 +259,8 @@ TEST(AdaptiveLevels, StayInRangeWhileTheEyeFliesThroughTheBall) {
         EXPECT_GE(level, 3) << i;
         const double distance = -(i - 60) * .05;
         if (std::abs(distance) <= kRadius) continue;
-        // Width and height of the box; its depth does not show from straight before it. The window is 121
-        // times as wide as high.
+        // The width and height of the box; its depth is not visible from the front. The window is 121 times
+        // as wide as it is high.
         const double side = 2 * kRadius * scale / std::abs(distance);
         const double size = std::hypot(side / kPlaces, side);
         EXPECT_NEAR(level, std::max(kDetail * size, 3.), 1e-5 * level) << distance;

@@ -1,6 +1,6 @@
-// Vertices at infinity and behind the eye (exercises' accuracy table 24; NM05): what GL must clip, against a
-// second rasteriser here, which never clips: it solves for each pixel's place on the triangle in homogeneous
-// coordinates (Olano and Greer 1997).
+// Vertices at infinity and behind the eye (exercises' accuracy table 24; NM05). GL must clip them. The
+// reference is a second rasteriser, which never clips: it computes each pixel's position on the triangle in
+// homogeneous coordinates (Olano and Greer 1997).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,13 +22,13 @@ namespace {
 
 using ClipTriangle = std::array<glm::dvec4, 3>;
 
-/// How many triangles surely cover a pixel, and how many may: its centre lies within a twentieth of a pixel
-/// of an edge or of the near or far plane's cut.
+/// The number of triangles that certainly cover a pixel, and the number that may cover it. A triangle may
+/// cover a pixel if the centre lies within 1/20 pixel of an edge or of the cut by the near or far plane.
 struct Coverage {
     int least = 0, most = 0;
 };
 
-/// Distance in pixels of the point where a linear function has the value and slope, from where it is 0.
+/// The distance in pixels from a point to the zero of a linear function with this value and slope there.
 double inPixels(double value, const glm::dvec3& slope, double pixel) {
     return value / (std::hypot(slope.x, slope.y) * pixel);
 }
@@ -38,7 +38,7 @@ std::vector<Coverage> coverage(const std::vector<ClipTriangle>& triangles, int s
     std::vector<Coverage> pixels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     const double pixel = 2. / size;
     for (const ClipTriangle& t : triangles) {
-        // lambda = inverse(x y w) * (px, py, 1): the point of the triangle's plane seen there, with w = 1.
+        // lambda = inverse(x y w) * (px, py, 1) is the visible point of the triangle's plane, with w = 1.
         const glm::dmat3 corners(t[0].x, t[0].y, t[0].w, t[1].x, t[1].y, t[1].w, t[2].x, t[2].y, t[2].w);
         if (std::abs(glm::determinant(corners)) < 1e-9) continue;
         const glm::dmat3 rows = glm::transpose(glm::inverse(corners));
@@ -46,7 +46,7 @@ std::vector<Coverage> coverage(const std::vector<ClipTriangle>& triangles, int s
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const glm::dvec3 p(pixel * (x + .5) - 1, 1 - pixel * (y + .5), 1);
-                double inside = 1e9;  // pixels from the nearest border, negative outside
+                double inside = 1e9;  // distance in pixels to the nearest border, negative outside
                 for (int i = 0; i < 3; ++i)
                     inside = std::min(inside, inPixels(glm::dot(rows[i], p), rows[i], pixel));
                 const double z = glm::dot(depth, p);
@@ -84,7 +84,7 @@ void expectCoverage(const FloatPicture& picture, const std::vector<ClipTriangle>
                 first = fmt::format("pixel {}, {}: {} times, not {} to {}", x, y, seen, at.least, at.most);
         }
     EXPECT_EQ(wrong, 0U) << what << ": " << first;
-    // A reference that is unsure everywhere would prove nothing.
+    // A reference that is uncertain everywhere would prove nothing.
     EXPECT_GT(sure, expected.size() * 6 / 10) << what;
 }
 
@@ -92,7 +92,7 @@ std::string vertexLine(const glm::dvec4& v) {
     return fmt::format("glVertex {} {} {} {}\n", v.x, v.y, v.z, v.w);
 }
 
-/// Numbers that a float holds, so that scene and reference have the same ones.
+/// Numbers that floats represent exactly, so that scene and reference use the same values.
 double asFloat(double value) {
     return static_cast<double>(static_cast<float>(value));
 }
@@ -104,7 +104,7 @@ std::string listOf(const std::vector<ClipTriangle>& triangles) {
     return text + "glEnd\n";
 }
 
-/// Positions go to the clip coordinates as they are.
+/// A vertex stage that copies positions to clip coordinates.
 const Files kAsTheyAre{{"v.vert", "#version 330 core\nvoid main() { gl_Position = aVertex; }\n"},
                        {"f.frag", addingFragment("1., 0., 0.")}};
 const Files kByMatrix{
@@ -112,19 +112,20 @@ const Files kByMatrix{
     {"f.frag", addingFragment("1., 0., 0.")}};
 const std::string kWindow = "WindowSize 64 64\nBackground 0\n";
 
-TEST(HomogeneousVertices, OfWeightZeroAreDirections) {
+TEST(HomogeneousVertices, WithWeightZeroAreDirections) {
     const ClipTriangle quadrant{glm::dvec4(0, 0, 0, 1), glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0)};
     const FloatPicture picture = draw(kWindow + kProgram + listOf({quadrant}), kAsTheyAre);
     ASSERT_EQ(picture.width, 64);
-    // Everything right of and above the centre, and nothing else.
+    // Exactly the pixels to the right of and above the centre.
     std::size_t wrong = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) wrong += picture.at(x, y)[0] == (x >= 32 && y < 32 ? 1.F : 0.F) ? 0 : 1;
     EXPECT_EQ(wrong, 0U);
 }
 
-TEST(HomogeneousVertices, OfNegativeWeightAreBehindTheEye) {
-    // All three: the same point of projective space, but nothing is visible. One or two: the part in front.
+TEST(HomogeneousVertices, WithNegativeWeightAreBehindTheEye) {
+    // If all three weights are negative, nothing is visible, although the points of projective space are the
+    // same. If one or two are, the part in front of the eye is visible.
     const ClipTriangle behind{glm::dvec4(-.5, -.5, 0, -1), glm::dvec4(.5, -.5, 0, -1),
                               glm::dvec4(0, .5, 0, -1)};
     EXPECT_EQ(draw(kWindow + kProgram + listOf({behind}), kAsTheyAre).sum(0), 0);
@@ -141,8 +142,9 @@ TEST(HomogeneousVertices, OfNegativeWeightAreBehindTheEye) {
     }
 }
 
-TEST(HomogeneousVertices, OfAnyWeightCoverWhatProjectiveGeometrySays) {
-    // Several triangles a picture; weights of either sign and 0, depths that the near and far planes cut.
+TEST(HomogeneousVertices, WithAnyWeightCoverThePixelsOfProjectiveGeometry) {
+    // Each picture has several triangles, with positive, negative and zero weights, and depths that the near
+    // and far planes cut.
     for (std::uint32_t i = 0; i < 60; ++i) {
         std::vector<ClipTriangle> triangles(6);
         std::uint32_t n = 1000 * i;
@@ -172,8 +174,8 @@ TEST(HomogeneousVertices, ReachTheShaderUntouched) {
     EXPECT_EQ(picture.sum(2), -4);
 }
 
-/// The difference b - a of two homogeneous points as a vertex stage computes it: the first as the vertex,
-/// the second as a uniform.
+/// The difference b - a of two homogeneous points, computed by a vertex stage. The vertex is the first point,
+/// a uniform the second.
 std::array<float, 3> difference(const glm::dvec4& a, const glm::dvec4& b) {
     const FloatPicture picture =
         draw(fmt::format("WindowSize 1 1\n{}Program P uTo [{} {} {} {}]\nglBegin points\n{}glEnd\n",
@@ -194,7 +196,7 @@ glm::dvec3 directionOf(const std::array<float, 3>& v) {
 }
 
 TEST(HomogeneousDifference, IsThatOfThePointsTimesTheirWeights) {
-    // Quarters and eighths, so that no product rounds.
+    // Multiples of 1/4 and 1/8, so that all products are exact.
     EXPECT_EQ(difference({.5, -2, 3, 2}, {4, 1.25, -.75, 4}), (std::array<float, 3>{6, 10.5, -13.5}));
     for (const double weight : {.125, 1., 64.}) {
         const glm::dvec3 direction =
@@ -210,7 +212,7 @@ TEST(HomogeneousDifference, ToADirectionIsThatDirectionFromEveryPoint) {
         const std::array<float, 3> seen = difference(from, glm::dvec4(sun, 0));
         const auto w = static_cast<float>(from.w);
         EXPECT_EQ(seen, (std::array<float, 3>{3 * w, 4 * w, -12 * w}));
-        // A point ever farther that way tends to it; 13 is the length of the direction.
+        // The difference to a point tends to this as the point moves away; 13 is the length of the direction.
         double before = 4;
         for (double weight = 1e-2; weight >= 1e-7; weight /= 10) {
             const double off =
@@ -220,7 +222,7 @@ TEST(HomogeneousDifference, ToADirectionIsThatDirectionFromEveryPoint) {
         }
         EXPECT_LT(before, 1.1e6 * 1.5e-7 / 13 + 1e-6);
     }
-    // Two directions have no difference, which is no NaN either.
+    // Two directions have no difference; the result must not be NaN.
     EXPECT_EQ(difference({1, 2, 3, 0}, {4, 5, 6, 0}), (std::array<float, 3>{0, 0, 0}));
 }
 
@@ -242,7 +244,7 @@ TEST(HomogeneousVertices, HaveFiniteFrames) {
     }
 }
 
-/// Clip coordinates of the triangles of a scene's only draw.
+/// The clip coordinates of the triangles of a scene's only draw.
 std::vector<ClipTriangle> clipTriangles(const std::string& text) {
     const scene::Scene scene = interpreted(text);
     const geometry::Mesh mesh = meshOf(text);
@@ -264,7 +266,7 @@ std::vector<ClipTriangle> clipTriangles(const std::string& text) {
 }
 
 TEST(GeometryThroughTheEye, IsCutAsProjectiveGeometrySays) {
-    // Large triangles about the eye, of which many pass close by it and some behind.
+    // Large triangles around the eye. Many pass close to it, and some pass behind it.
     for (std::uint32_t i = 0; i < 40; ++i) {
         std::string list = "Triangles";
         std::uint32_t n = 100'000 + 100 * i;

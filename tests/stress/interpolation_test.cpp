@@ -1,6 +1,6 @@
-// What reaches a fragment, and vectors at the borders of their functions: varyings with and without
-// perspective and from one vertex alone (exercises' accuracy table 9; NM02, NM32), refraction up to and
-// beyond total reflection (table 42; NM24), a curve before and after the projection (NM10).
+// Interpolation, and vector functions at the limits of their domains: smooth, noperspective and flat varyings
+// (exercises' accuracy table 9; NM02, NM32), refraction below and above the critical angle (table 42; NM24),
+// and a curve before and after the projection (NM10).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 const std::string kView = "LookAt 0 0 5 0 0 0 0 1 0\nBackground 0\n";
 
-/// A sheet over the window whose left side has w = 1 and whose right side w = 4; vAlong goes from 0 to 1.
+/// A sheet that covers the window, with w = 1 on the left and w = 4 on the right. vAlong goes from 0 to 1.
 FloatPicture recedingSheet(const std::string& qualifier) {
     const Files files{{"v.vert", fmt::format("#version 330 core\n{} out float vAlong;\nvoid main() {{\n"
                                              "  float w = aVertex.x < 0. ? 1. : 4.;\n"
@@ -29,7 +29,7 @@ FloatPicture recedingSheet(const std::string& qualifier) {
     return draw("WindowSize 64 4\n" + kView + kProgram + "QuadXY 0 1 1 1\n", files);
 }
 
-TEST(InterpolatedVaryings, FollowThePerspectiveUnlessToldNotTo) {
+TEST(InterpolatedVaryings, FollowThePerspectiveUnlessDeclaredNoperspective) {
     const FloatPicture smooth = recedingSheet("smooth"), plain = recedingSheet("noperspective");
     ASSERT_EQ(smooth.width, 64);
     ASSERT_EQ(plain.width, 64);
@@ -60,7 +60,7 @@ TEST(FlatVaryings, AreThoseOfTheLastVertexOfEachTriangle) {
     const auto vertex = [](double red, double x, double y) {
         return fmt::format("Color {} 0 0\nglVertex {} {} 0\n", red, x, y);
     };
-    // Two triangles side by side; the places that are read are their middles, (x, y) in units of the window.
+    // Two triangles side by side. Their middles are read, at (x, y) in units of the window.
     const auto redAt = [](const FloatPicture& seen, double x, double y) {
         return seen.at(static_cast<int>(x * 16), 63 - static_cast<int>(y * 16))[0];
     };
@@ -70,7 +70,7 @@ TEST(FlatVaryings, AreThoseOfTheLastVertexOfEachTriangle) {
     ASSERT_EQ(separate.width, 64);
     EXPECT_EQ(redAt(separate, .5, .5), .75F);
     EXPECT_EQ(redAt(separate, 2.5, .5), .125F);
-    // (0, 1, 2) and (1, 3, 2) with 3 as the newest: GL names the newest vertex of each.
+    // The triangles are (0, 1, 2) and (1, 3, 2). Flat varyings come from the newest vertex of each: 2 and 3.
     const FloatPicture strip =
         picture("triangle_strip", vertex(.25, 0, 0) + vertex(.5, 2, 0) + vertex(.75, 0, 2) + vertex(1, 2, 2));
     ASSERT_EQ(strip.width, 64);
@@ -84,7 +84,7 @@ TEST(FlatVaryings, AreThoseOfTheLastVertexOfEachTriangle) {
 }
 
 TEST(Refraction, KeepsSnellsLawAndIsZeroBeyondTheCriticalAngle) {
-    // Columns are angles of incidence from 0 to 90 degrees, out of glass of that ratio.
+    // Columns are angles of incidence from 0 to 90 degrees for rays that leave glass of this ratio.
     for (const double ratio : {1.1, 1.4, 1.5}) {
         const FloatPicture picture =
             draw("WindowSize 256 1\n" + kView + "Vertex v.vert\nFragment f.frag\nProgram P uRatio " +
@@ -100,7 +100,7 @@ TEST(Refraction, KeepsSnellsLawAndIsZeroBeyondTheCriticalAngle) {
             const double sine = std::sin((x + .5) / 256 * std::asin(1.));
             const double out = ratio * sine;
             const auto seen = picture.at(x, 0);
-            if (std::abs(out - 1) < 2e-3) continue;  // a root of almost nothing
+            if (std::abs(out - 1) < 2e-3) continue;  // the root is too inexact near 0
             if (out > 1) {
                 EXPECT_EQ(seen, (std::array<float, 3>{})) << ratio << " " << x;
                 ++total;
@@ -114,7 +114,7 @@ TEST(Refraction, KeepsSnellsLawAndIsZeroBeyondTheCriticalAngle) {
 }
 
 TEST(BezierCurves, AreTheSameBeforeAndAfterTheProjection) {
-    // Two ways to the same homogeneous point; the difference counts in units of w.
+    // Both ways give the same homogeneous point. The difference is measured relative to w.
     const Files files{
         {"v.vert", "#version 330 core\nvoid main() { gl_Position = vec4(sign(aVertex.xy), 0., 1.); }\n"},
         {"f.frag",

@@ -1,6 +1,6 @@
-// The library's own shaders against their closed forms: contours of negative values (NM21), parity of large
-// floats (NM23), silhouettes in perspective (NM30), normals along a bent tube (NM35), the rainbow's angles
-// (NM44).
+// The library's shaders compared with closed forms: contours of negative values (NM21), parity of large
+// floats (NM23), silhouettes in perspective (NM30), normals along a bent tube (NM35), and the angles of the
+// rainbow (NM44).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 const std::string kFlat =
     "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
 
-/// The ramp from blue over cyan, green and yellow to red.
+/// The colour ramp from blue over cyan, green and yellow to red.
 std::array<double, 3> ramp(double t) {
     const double band = 4 * std::clamp(t, 0., 1.);
     return {std::clamp(band - 2, 0., 1.), std::clamp(2 - std::abs(band - 2), 0., 1.),
@@ -68,7 +68,7 @@ TEST(CircleSquared, HasTheParityOfTheRoundedSquare) {
             for (int column = 0; column < kSide; ++column) {
                 const float x = side * (static_cast<float>(column) + .5F);
                 const float y = side * (static_cast<float>(kSide - 1 - row) + .5F);
-                // With and without a fused multiplication; drivers may do either.
+                // Drivers may fuse the multiplication and the addition or not.
                 const volatile float xx = x * x;
                 const volatile float yy = y * y;
                 const int counts[] = {static_cast<int>(xx + yy), static_cast<int>(std::fma(x, x, yy)),
@@ -86,7 +86,7 @@ TEST(CircleSquared, HasTheParityOfTheRoundedSquare) {
     }
 }
 
-/// A closed sphere as OBJ text, every vertex once.
+/// A closed sphere as OBJ text. Each vertex occurs once.
 std::string objSphere(int slices, int stacks) {
     std::string text = "v 0 1 0\n";
     for (int j = 1; j < stacks; ++j)
@@ -109,7 +109,7 @@ std::string objSphere(int slices, int stacks) {
     return text;
 }
 
-/// Pixels of `some` without one of `others` within two pixels.
+/// The number of pixels of `some` that have no pixel of `others` within two pixels.
 std::size_t apart(const std::vector<bool>& some, const std::vector<bool>& others, int side) {
     std::size_t count = 0;
     for (int y = 0; y < side; ++y)
@@ -162,13 +162,13 @@ TEST(Silhouettes, LieOnTheOutlineInAWideView) {
     EXPECT_GT(std::count(ink.begin(), ink.end(), true), 100);
     EXPECT_EQ(apart(ink, outline, kSide), 0U);
     EXPECT_EQ(apart(outline, ink, kSide), 0U);
-    // The sign of the normal's z, right in parallel projection only, draws them elsewhere.
+    // The sign of the normal's z is correct only in parallel projection. In perspective it gives other lines.
     const std::vector<bool> byNormal =
         inked(lines(replaced(shader, "dot(cross(b - a, c - a), a) < 0.", "cross(b - a, c - a).z > 0.")));
     EXPECT_GT(apart(byNormal, outline, kSide), 50U);
 }
 
-/// Share of the bent arrow's triangles whose own normal is within 14 degrees of those of their corners.
+/// The share of the bent arrow's triangles whose normal is within 14 degrees of the normals at their corners.
 double smoothShare(const std::string& vertex) {
     const FloatPicture picture = draw(
         "WindowSize 128 128\nBackground 0\nLookAt 0 0 0 0 0 -1 0 1 0\nVertex v.vert\nGeometry "
@@ -191,7 +191,7 @@ TEST(BentArrow, HasTheNormalsOfItsSurface) {
     const std::string vertex = shipped("visualization/arrow.vert");
     const double share = smoothShare(vertex);
     EXPECT_GT(share, .98);
-    // Turned by the frame alone, as if the bulge were not there.
+    // Normals that are only turned with the frame ignore the bulge.
     const double byFrame = smoothShare(
         replaced(vertex, "uNormalMatrix * bent",
                  "uNormalMatrix * (aNormal.x * tangent + aNormal.y * normal + aNormal.z * binormal)"));

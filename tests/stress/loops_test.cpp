@@ -1,5 +1,5 @@
-// Loops that a driver ends before their bound: what the picture counts falls short exactly where draw-W08
-// says so (llvmpipe after 65,535 rounds of all loops of a stage).
+// Loops that a driver ends before their bound. The count in the picture is too small exactly where draw-W08
+// is reported (llvmpipe ends the loops of a stage after 65,535 rounds in total).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 namespace glibra::stress {
 namespace {
 
-/// `body` adds 1 to `n` each round; the stage shows n.
+/// A stage that shows n. `body` adds 1 to n in each round.
 struct Counting {
     std::string body, tags;
     int rounds;
-    int slack = 0;  ///< of a sum of floats
+    int slack = 0;  ///< allowed error of a sum of floats
 };
 
 FloatPicture counted(const Counting& of, bool inVertexStage) {
@@ -34,7 +34,7 @@ FloatPicture counted(const Counting& of, bool inVertexStage) {
         files);
 }
 
-TEST(LongLoops, AreToldExactlyWhereTheDriverEndsThem) {
+TEST(LongLoops, AreReportedExactlyWhereTheDriverEndsThem) {
     const Counting cases[] = {
         {"for (int i = 0; i < uN; ++i) n += uOne;", "uN 60000", 60'000},
         {"for (int i = 0; i < uN; ++i) n += uOne;", "uN 65535", 65'535},
@@ -51,7 +51,7 @@ TEST(LongLoops, AreToldExactlyWhereTheDriverEndsThem) {
         {"for (int i = 0; i < uN; ++i) for (int j = 0; j < uM; ++j) n += uOne;", "uN 200 uM 200", 40'000},
         {"for (int i = 0; i < uN; ++i) n += uOne; for (int i = 0; i < uM; ++i) n += uOne;",
          "uN 60000 uM 60000", 120'000},
-        // Sixteen rounds that the compiler writes out are none.
+        // Sixteen rounds that the compiler unrolls do not count.
         {"for (int i = 0; i < uN; ++i) for (int j = 0; j < 16; ++j) n += uOne;", "uN 5000", 80'000},
     };
     for (const Counting& each : cases)
@@ -68,7 +68,7 @@ TEST(LongLoops, AreToldExactlyWhereTheDriverEndsThem) {
         }
 }
 
-TEST(LongLoops, AreToldWithTheirLine) {
+TEST(LongLoops, AreReportedWithTheirLine) {
     const FloatPicture picture =
         counted({"\n  for (int i = 0; i < uN; ++i) n += uOne;", "uN 1000000", 0}, false);
     for (const Diagnostic& each : picture.diagnostics) {

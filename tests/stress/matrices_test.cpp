@@ -1,4 +1,4 @@
-// Viewing directions that are none, matrices without an inverse, mirrored and very deep ones (exercises'
+// Viewing directions of length zero, singular matrices, mirrored matrices, and deep matrix stacks (exercises'
 // accuracy table 16; NM03, NM04).
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ double largest(const glm::dmat4& matrix) {
     return value;
 }
 
-/// How far the upper left 3 x 3 is from a rotation.
+/// The largest deviation of the upper left 3 x 3 from a rotation.
 double notRigid(const glm::dmat4& m) {
     const glm::dmat3 linear(m);
     const glm::dmat3 rest = glm::transpose(linear) * linear - glm::dmat3(1.);
@@ -48,8 +48,8 @@ TEST(LookAt, WithoutADirectionIsRefused) {
     }
 }
 
-TEST(LookAt, WithUpAlongTheViewTakesAnother) {
-    // Up along, against, nearly along the view, and no up at all; far away and near by.
+TEST(LookAt, WithUpAlongTheViewUsesAnotherUp) {
+    // `up` is along, against or nearly along the view direction, or zero; the eye is far away or close.
     for (const char* each :
          {"LookAt 0 5 0 0 0 0 0 1 0", "LookAt 0 5 0 0 0 0 0 -1 0", "LookAt 0 0 5 0 0 0 0 0 1",
           "LookAt 3 3 3 0 0 0 1 1 1", "LookAt .1 .2 .3 .2 .4 .6 .7 1.4 2.1", "LookAt 5 0 0 0 0 0 0 0 0",
@@ -72,7 +72,7 @@ TEST(LookAt, IsRigidWhereverTheEyeIs) {
 }
 
 TEST(LookAt, AlmostAlongUpStillShowsTheObject) {
-    // The angle between view and up is below a float's precision, but not below a double's.
+    // The angle between view and up is below the precision of floats, but not below that of doubles.
     const FloatPicture picture =
         draw("WindowSize 65 65\nBackground 0\nPerspective 40\nLookAt 0 5 0 0 0 0 1e-9 1 0\n" +
                  std::string(kProgram) + "Sphere 1 60 30\n",
@@ -88,7 +88,7 @@ TEST(SingularMatrices, GiveFiniteValuesToShaders) {
           "Scale 1e-38", "Scale 1e-40", "Scale 1e-44", "Scale 1e30", "Scale 1e38", "Scale 3e38",
           "Scale 1e-30 1e-30 0", "Scale 1e-38 1 1e38", "Rotate 30 1 2 3\nScale 1 0 1\nRotate 50 3 2 1",
           "Scale 1e-8 1 1\nRotate 45 0 0 1\nScale 1e8 1 1", "Translate 1e30 0 0\nScale 1e-30"}) {
-        // The same picture has a quad that is seen, so that these matrices are what is asked.
+        // The picture also has a visible quad, so that the matrices are evaluated.
         const auto values = [&](const std::string& expression) {
             return Files{{"v.vert", "#version 330 core\nout vec3 vValue;\nvoid main() {\n  vValue = " +
                                         expression + ";\n  gl_Position = vec4(aVertex.xy, 0., 1.);\n}\n"},
@@ -110,8 +110,8 @@ TEST(SingularMatrices, GiveFiniteValuesToShaders) {
 }
 
 TEST(SingularMatrices, FlattenWithTheRightNormal) {
-    // Squeezed flat along z, a sphere is a disk that faces z. In a shader the square of a length must fit a
-    // float, which ends at scales of about 1e-19.
+    // A sphere that is flattened along z is a disk that faces z. In a shader the square of a length must fit
+    // into a float, which is possible down to scales of about 1e-19.
     for (const char* transforms : {"Scale 1 1 0", "Scale 1 1 1e-15", "Scale 1e-10 1e-10 0\nScale 1e10"}) {
         const FloatPicture picture =
             draw(kView + std::string(transforms) + "\n" + kProgram + "Sphere 1 41 20\n",
@@ -122,7 +122,7 @@ TEST(SingularMatrices, FlattenWithTheRightNormal) {
 }
 
 TEST(SingularMatrices, KeepNormalsWhateverTheScale) {
-    // Directions of the normal matrix, where its elements themselves would leave a float's range.
+    // The normal matrix keeps directions even where its elements would not fit into floats.
     for (const double scale : {1e-300, 1e-200, 1e-45, 1e-40, 1e-38, 1e-20, 1., 1e20, 1e38, 3e38})
         for (const glm::dvec3& shape : {glm::dvec3(1, 1, 1), glm::dvec3(1, .5, .25), glm::dvec3(1, 1, 0)}) {
             const glm::dmat4 turned = scene::rotation(33, {1, 2, 3}) * scene::scaling(shape);
@@ -140,7 +140,7 @@ TEST(SingularMatrices, KeepNormalsWhateverTheScale) {
 }
 
 TEST(SingularMatrices, AreInvertedToTheConditionOfTheMatrix) {
-    // M * M^-1 for scales ever nearer to singular, through rotations so that no element is simple.
+    // M * M^-1 for scales that approach a singular matrix. Rotations make all elements irregular.
     for (int digits = 0; digits <= 12; ++digits) {
         const double factor = std::pow(10., -digits);
         const glm::dmat4 matrix =
@@ -148,7 +148,7 @@ TEST(SingularMatrices, AreInvertedToTheConditionOfTheMatrix) {
         const glm::dmat4 inverse = scene::inverseOrZero(matrix);
         ASSERT_GT(largest(inverse), 0) << factor;
         EXPECT_LT(largest(matrix * inverse - glm::dmat4(1.)), 8 * 2.3e-16 / factor) << factor;
-        // The flattened direction is found to within the condition as well.
+        // The error of the flattened direction is also limited by the condition number.
         const glm::dvec3 flat = glm::dmat3(scene::rotation(33, {1, 2, 3})) * glm::dvec3(0, 1, 0);
         const glm::dvec3 normal =
             scene::normalMatrix(matrix) *
@@ -158,7 +158,7 @@ TEST(SingularMatrices, AreInvertedToTheConditionOfTheMatrix) {
 }
 
 TEST(MirroredMatrices, ShowTheMirroredPictureAndTurnTheFaces) {
-    // What is drawn at x mirrored is what is drawn at -x, with the other side to the front.
+    // The mirrored picture shows at x what the original shows at -x, with front and back faces exchanged.
     const std::string shape = "Translate .3 .1 0\nRotate 20 1 1 0\nTorus .6 .25 12 20\n";
     const Files files = shaded("vec3(gl_FrontFacing ? 1. : 0., vMC.x, vMC.y)");
     const std::string view = std::string(kView) + kProgram;
@@ -176,8 +176,7 @@ TEST(MirroredMatrices, ShowTheMirroredPictureAndTurnTheFaces) {
                 b[0] == 1 - a[0] && std::abs(b[1] - a[1]) < 1e-5F && std::abs(b[2] - a[2]) < 1e-5F;
             differing += same ? 0 : 1;
         }
-    // Where an edge passes exactly through a pixel's centre the fill rule takes one side, and is not
-    // mirrored.
+    // The fill rule, which decides about edges exactly through the centre of a pixel, is not mirrored.
     EXPECT_LE(differing, 4U);
     EXPECT_GT(straight.count([](const auto& rgb) { return rgb[0] == 1; }), 500U);
 }
@@ -189,7 +188,7 @@ TEST(MirroredMatrices, KeepNormalsOnTheirSide) {
         const glm::dmat4 matrix = scene::rotation(180 * spread(i + 900), {1, .5, -2}) *
                                   scene::scaling(factors) *
                                   scene::rotation(180 * spread(i + 1900), {spread(i), 1, 2});
-        // A plane with its normal, and a point off it on the normal's side: it stays on that side.
+        // A point on the side of a plane to which its normal points stays on that side.
         const glm::dvec3 u(spread(i + 50), spread(i + 60), 1);
         const glm::dvec3 v(1, spread(i + 70), spread(i + 80));
         const glm::dvec3 n = glm::cross(u, v);
@@ -207,7 +206,7 @@ TEST(MatrixStack, ReturnsEveryMatrixFromItsFullDepth) {
     std::string text;
     for (int i = 0; i < 256; ++i) text += "PushMatrix\nRotate 1.40625 0 0 1\nTranslate 1 0 0\n";
     const glm::dmat4 deepest = modelViewOf(text);
-    // 256 turns by 360/256 degrees, each with a step: a closed polygon.
+    // 256 turns by 360/256 degrees with a step after each form a closed polygon.
     EXPECT_LT(largest(deepest - glm::dmat4(1.)), 1e-11);
     std::string back = text;
     for (int i = 0; i < 255; ++i) back += "PopMatrix\n";

@@ -52,7 +52,7 @@ void expectFrames(const std::string& text, const geometry::Mesh& mesh) {
     EXPECT_LT(errors.angle, 1.2e-7) << text;
 }
 
-/// Triangles without area, computed in double from the positions as the device gets them.
+/// The number of triangles without area, computed in double from the positions that the device gets.
 std::size_t withoutArea(const geometry::Mesh& mesh) {
     const geometry::Attribute& positions = *mesh.attribute(geometry::kPosition);
     std::size_t found = 0;
@@ -86,7 +86,7 @@ TEST(ShapeFrames, AreUnitAndPerpendicularAtEverySubdivision) {
 }
 
 TEST(ShapeFrames, DoNotDependOnTheSize) {
-    // From where squares of floats vanish to where they overflow.
+    // From sizes whose squares underflow in float to sizes whose squares overflow.
     for (const char* size : {"1e-37", "1e-30", "1e-20", "1e20", "1e37"}) {
         for (const char* shape : {"Sphere {} 12 7", "Cylinder {0} {0} 12 3", "Cone {0} {0} 12 3",
                                   "Cone 1 {} 12 3", "Cone {} 1 12 3", "Torus {} 1 7 9", "Soccerball {}",
@@ -98,7 +98,7 @@ TEST(ShapeFrames, DoNotDependOnTheSize) {
 }
 
 TEST(ShapeFrames, LatitudesOfASphereAreExactWhateverTheSubdivision) {
-    // Integer division of degrees bunches rows unless the count divides 180.
+    // Integer division of degrees would space rows unevenly unless the count divides 180.
     for (const int stacks : {7, 24, 48, 500}) {
         const geometry::Mesh mesh = meshOf("Sphere 1 5 " + std::to_string(stacks));
         const geometry::Attribute& positions = *mesh.attribute(geometry::kPosition);
@@ -117,8 +117,8 @@ TEST(TeapotFrames, AtTheDegeneratePatchesAreTheLimits) {
     const geometry::Attribute& positions = *mesh.attribute(geometry::kPosition);
     const geometry::Attribute& normals = *mesh.attribute(geometry::kNormal);
     const geometry::Attribute& tangents = *mesh.attribute(geometry::kTangent);
-    // A pole is where a whole row of a patch is one point: on the axis, with four patches of 17 vertices
-    // each.
+    // At a pole a whole row of a patch is a single point on the axis. Four patches with 17 vertices each meet
+    // there.
     int bottom = 0;
     int knob = 0;
     for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
@@ -141,7 +141,7 @@ TEST(DegenerateTriangles, OfAListHaveNormalsAndDrawNothing) {
         "Triangles [0 0 0] [1 1 1] [0 0 0]",          // a line there and back
         "Triangles [0 0 0] [1e-30 0 0] [0 1e-30 0]",  // an area that vanishes in float
         "Triangles [1e30 0 0] [1e30 1 0] [1e30 0 1]",
-        "Triangles [.1 .1 .1] [.2 .2 .2] [.7 .7 .7]",  // collinear but for rounding
+        "Triangles [.1 .1 .1] [.2 .2 .2] [.7 .7 .7]",  // collinear except for rounding
         "glBegin triangle_strip\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd",
         "glBegin quads\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 1 0 0\nglVertex 0 0 0\nglEnd",
         "glBegin polygon\nglVertex 0 0 0\nglVertex 1 0 0\nglVertex 2 0 0\nglVertex 3 0 0\nglEnd"};
@@ -174,7 +174,7 @@ TEST(DegenerateTriangles, OfAModelHaveFrames) {
 }
 
 TEST(DegenerateTriangles, ThatAGeometryStageShrinksToPointsCoverNothing) {
-    // Shrink factor 0: every triangle becomes its centroid; at 1 the surface is whole again.
+    // With shrink factor 0 every triangle becomes its centroid; with 1 the surface is whole.
     const std::string geometry =
         "#version 330 core\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\n"
         "uniform float uShrink;\nvoid main() {\n"

@@ -1,5 +1,5 @@
-// What the stages between a vertex and a pixel do to values: transfer functions before and after
-// interpolation (NM26), normals in bytes, coarse height fields, clip planes of any length, discarded
+// How the stages between a vertex and a pixel change values: transfer functions before and after
+// interpolation (NM26), normals in bytes, coarse height fields, clip planes of any length, and discarded
 // fragments (exercises' accuracy table 18, 21, 33, 35).
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ TEST(TransferFunctions, OfTheInterpolatedValueAreNotTheInterpolatedColours) {
     }
 }
 
-TEST(NormalsInBytes, TiltByHalfAStepAndFloatOnesDoNot) {
+TEST(NormalsInBytes, TiltByHalfAStepUnlessTheyAreFloats) {
     for (const auto& [format, step] :
          {std::pair("RGBA8", 1 / 255.), std::pair("RGBA16F", 0.), std::pair("RGBA32F", 0.)}) {
         Files files = shaded("2. * texture(uTex, vST.st).rgb - 1.", "uniform sampler2D uTex;\n");
@@ -65,7 +65,7 @@ TEST(NormalsInBytes, TiltByHalfAStepAndFloatOnesDoNot) {
         ASSERT_EQ(picture.width, 4);
         for (int i = 0; i < 16; ++i) {
             const auto n = picture.at(i % 4, i / 4);
-            // One half is the middle between two bytes.
+            // One half lies in the middle between two bytes.
             EXPECT_NEAR(std::abs(static_cast<double>(n[0])), step, 1e-6) << format;
             EXPECT_NEAR(std::abs(static_cast<double>(n[1])), step, 1e-6) << format;
             EXPECT_EQ(n[2], 1.F) << format;
@@ -94,7 +94,7 @@ TEST(HeightFields, ComeCloserWithTheSquareOfTheGrid) {
             squares += off * off;
             most = std::max(most, std::abs(off));
         }
-        // A chord misses a curve by an eighth of the second derivative times the square of its length.
+        // The distance of a chord from its curve is 1/8 of the second derivative times its length squared.
         const double cell = 2. / cells;
         EXPECT_LT(most, cell * cell / 8 * (9 + 2 * 6 + 4)) << cells;
         errors.push_back(std::sqrt(squares / (256 * 256)));
@@ -130,7 +130,7 @@ TEST(ClipPlanes, CutTheSameWhateverTheirLength) {
 }
 
 TEST(DiscardedFragments, LeaveWhatGeometryWouldHaveLeft) {
-    // A red sheet, of which 20 of 64 columns stay, before a green one.
+    // A red sheet in front of a green one. 20 of its 64 columns are kept.
     const std::string behind = "Fragment green.frag\nProgram G\nQuadXY 0 1\n";
     const auto drawn = [&](const std::string& fragment, const std::string& sheet) {
         return draw(
@@ -150,7 +150,7 @@ TEST(DiscardedFragments, LeaveWhatGeometryWouldHaveLeft) {
     EXPECT_EQ(discarded.sum(0), 20 * 64);
     EXPECT_EQ(discarded.sum(1), 44 * 64);
     EXPECT_EQ(discarded.values, cut.values);
-    // A transparent sheet hides what is behind it.
+    // A transparent sheet, in contrast, hides the sheet behind it.
     const FloatPicture clear = drawn("fColor = vec4(1., 0., 0., gl_FragCoord.x > 20. ? 0. : 1.);", whole);
     EXPECT_EQ(clear.sum(1), 0);
 }

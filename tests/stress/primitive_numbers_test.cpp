@@ -1,5 +1,5 @@
-// gl_PrimitiveID and gl_PrimitiveIDIn of large draws: each patch or triangle colours the pixel of the number
-// that it is told, and every pixel is coloured once.
+// gl_PrimitiveID and gl_PrimitiveIDIn of large draws. Each patch or triangle colours the pixel with its
+// number, and every pixel must be coloured once.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,13 +20,13 @@ std::string start(const std::string& stages) {
 
 const char* const kVertex = "#version 400 core\nvoid main() { gl_Position = aVertex; }\n";
 
-/// "gl_Position = the middle of pixel `number`".
+/// The GLSL statement that sets gl_Position to the middle of pixel `number`.
 std::string toPixel(const std::string& number) {
     return fmt::format("gl_Position = vec4((vec2({0} % {1}, {0} / {1}) + .5) / {2}. - 1., 0., 1.)", number,
                        kSide, kSide / 2);
 }
 
-/// Pixels 0 .. count - 1, from the lower left in rows, are 1; the others 0.
+/// Expects that pixels 0 .. count - 1, in rows from the lower left, are 1 and all others 0.
 void expectEachOnce(const FloatPicture& picture, int count) {
     int wrong = 0, first = -1;
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -45,7 +45,7 @@ std::string patches(int count, int vertices) {
 }
 
 TEST(PatchNumbers, WithoutAControlStageAreThoseOfTheWholeDraw) {
-    // The driver takes 1024 vertices at a time.
+    // The driver processes 1024 vertices at a time.
     for (const int vertices : {1, 3, 32})
         for (const int count : {32, 3000}) {
             SCOPED_TRACE(fmt::format("{} of {} vertices", count, vertices));
@@ -67,7 +67,7 @@ const char* const kControl =
     "  gl_TessLevelInner[0] = gl_TessLevelInner[1] = uLevel;\n}\n";
 
 TEST(PatchNumbers, InTheFragmentStageAreThoseOfTheWholeDraw) {
-    // What a patch of level 16 becomes has 289 vertices: 3000 of them have 13 times as many as 16 bits
+    // A patch of level 16 becomes 289 vertices. 3000 patches have 13 times as many vertices as 16 bits can
     // number.
     for (const std::string stages :
          {"TessEvaluation e.tese\n", "TessControl c.tesc\nTessEvaluation e.tese\n"}) {
@@ -93,7 +93,7 @@ std::string geometry(const std::string& input) {
            "; EmitVertex(); }\n";
 }
 
-TEST(TriangleNumbers, BehindTessellationAreThoseOfTheWholeDraw) {
+TEST(TriangleNumbers, AfterTessellationAreThoseOfTheWholeDraw) {
     // 120 patches of 512 triangles.
     const FloatPicture picture =
         draw(start("TessControl c.tesc\nTessEvaluation e.tese\nGeometry g.geom\n") + patches(120, 1),

@@ -1,6 +1,5 @@
-// Textures at the places where filters, wrapping and faces meet (exercises' accuracy table 36, 47; NM25,
-// NM28, NM29, NM43): texel centres, borders, ties between the faces of a cube, and what a target's format
-// keeps.
+// Textures where filters, wrapping and faces meet (exercises' accuracy table 36, 47; NM25, NM28, NM29, NM43):
+// texel centres, borders, ties between the faces of a cube, and the precision of target formats.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ namespace {
 
 const std::string kView = "LookAt 0 0 5 0 0 0 0 1 0\nBackground 0\n";
 
-/// A raw texture of floats: red as given, s fastest.
+/// A raw float texture with these red values, s fastest.
 std::string rawTexture(std::uint32_t width, std::uint32_t height, const std::vector<float>& red) {
     std::vector<float> texels;
     for (const float value : red) texels.insert(texels.end(), {value, 0, 0, 1});
@@ -31,7 +30,7 @@ std::string rawTexture(std::uint32_t width, std::uint32_t height, const std::vec
     return bytes;
 }
 
-/// Values that no neighbours share.
+/// Values that differ between neighbours.
 std::vector<float> scattered(int count) {
     std::vector<float> values;
     values.reserve(static_cast<std::size_t>(count));
@@ -59,14 +58,14 @@ TEST(TexelCentres, GiveTheTexelItselfWhateverTheSize) {
                     red[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(x)];
                 EXPECT_EQ(picture.at(x, y)[1], wanted) << width << ": " << x << " " << y;
-                // A weight is a fraction of coordinates up to `width`.
+                // A weight is the fraction of a coordinate up to `width`.
                 EXPECT_NEAR(picture.at(x, y)[0], wanted, 1e-7F * static_cast<float>(width)) << x << " " << y;
             }
     }
 }
 
-TEST(TextureBorders, RepeatOrEndAsTheSceneSays) {
-    // Coordinates from -2 to 3 at eighths of texels; linear filtering by the definition, in double.
+TEST(TextureBorders, RepeatOrClampAsTheSceneSays) {
+    // Coordinates from -2 to 3 in steps of 1/8 texel. Linear filtering follows the definition, in double.
     constexpr int kTexels = 8, kSteps = 5 * kTexels * 8;
     const std::vector<float> red = scattered(kTexels);
     Files files = shaded("vec3(texture(uTex, vec2((gl_FragCoord.x - .5) / 64. - 2., .5)).r)",
@@ -93,7 +92,7 @@ TEST(TextureBorders, RepeatOrEndAsTheSceneSays) {
 }
 
 TEST(RenderedTextures, KeepWhatTheirFormatCan) {
-    // Values from -1 to 3; a byte keeps 255ths of 0..1, a half float 11 bits, a float everything.
+    // Values from -1 to 3. A byte keeps multiples of 1/255 in 0..1, a half float 11 bits, a float everything.
     const std::string values = "(floor(gl_FragCoord.x) * .01568603515625 - 1.)";
     Files files = shaded("vec3(" + values + ")");
     files["show.frag"] =
@@ -111,7 +110,7 @@ TEST(RenderedTextures, KeepWhatTheirFormatCan) {
             const double value = x * 257. / 16384 - 1, seen = static_cast<double>(picture.at(x, 0)[0]);
             const double inside = std::clamp(value, 0., 1.);
             if (format == "RGBA8") {
-                // Either neighbour where the value lies halfway.
+                // A value halfway between two bytes may become either.
                 EXPECT_NEAR(seen * 255, inside * 255, .5001) << x;
                 EXPECT_NEAR(seen * 255, std::round(seen * 255), 1e-4) << x;
                 if (inside != value) ++limited;
@@ -134,7 +133,7 @@ const std::array<Face, 6> kFaces{{{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}},
                                   {{{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}}}};
 constexpr int kSide = 16;
 
-/// The six pictures of a cube, 16 bits a component, coloured by the direction of each texel.
+/// The six pictures of a cube with 16 bits per component, coloured by the direction of each texel.
 Files cubeFiles(glm::dvec3 (*color)(int face, const glm::dvec3& direction)) {
     Files files;
     for (std::size_t face = 0; face < 6; ++face) {
@@ -158,7 +157,7 @@ Files cubeFiles(glm::dvec3 (*color)(int face, const glm::dvec3& direction)) {
     return files;
 }
 
-/// What the cube shows in these directions, one after the other.
+/// The colours of the cube in these directions, in their order.
 std::vector<std::array<float, 3>> looked(Files files, const std::vector<glm::dvec3>& directions) {
     const auto count = static_cast<std::uint32_t>(directions.size());
     std::vector<float> texels;
@@ -213,8 +212,8 @@ TEST(CubeMaps, ShowTheFaceOfTheLargestComponentAndOnlyTiedOnesAtTies) {
 }
 
 TEST(CubeMaps, HaveNoSeamsBetweenTheirFaces) {
-    // A smooth colour of the direction: filtered across an edge it is as near as inside a face. Clamped at
-    // the faces, it would be off by half a texel, which is a 16th.
+    // The colour is a smooth function of the direction. Filtered across an edge, it is as exact as inside a
+    // face. Clamped at the faces, it would be off by half a texel, which is 1/16.
     const Files files = cubeFiles([](int, const glm::dvec3& direction) { return (direction + 1.) / 2.; });
     std::vector<glm::dvec3> directions;
     for (int i = 0; i < 720; ++i) {

@@ -1,6 +1,5 @@
-// Formulas of the shading chapters against double: hue at the end of its circle (NM20), light that falls with
-// the distance and a spot light's edge (NM31), hyperbolic compression (NM36), fog (exercises' accuracy table
-// 52).
+// Shading formulas compared with double precision: hue at the end of its circle (NM20), attenuation of light
+// and the edge of a spot light (NM31), hyperbolic compression (NM36), and fog (exercises' accuracy table 52).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +18,7 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 constexpr double kDegree = std::numbers::pi / 180;
-/// Eye space is the scene's own, and the quad fills the window.
+/// A view in which eye space equals model space and the quad fills the window.
 const std::string kFlat =
     "Background 0\nOrtho -1 1 -1 1\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\n";
 
@@ -54,7 +53,7 @@ Rgb turned(const Rgb& rgb, double degrees) {
 }
 
 TEST(HueShift, ComesBackAtTheFullCircleAndIsRightAtEverySector) {
-    // Red from below: its hue is 360 degrees less a few millionths.
+    // Red, approached from below: the hue is a few millionths less than 360 degrees.
     const std::vector<Rgb> colors{{1, 0, 0},    {1, 1, 0},    {0, 1, 0},    {0, 1, 1},    {0, 0, 1},
                                   {1, 0, 1},    {0, 0, 0},    {1, 1, 1},    {.5, .5, .5}, {1, 0, 1e-7},
                                   {1, 1e-7, 0}, {.2, .7, .4}, {.3, .1, .9}, {1, .5, .25}, {1e-30, 0, 0}};
@@ -82,7 +81,7 @@ TEST(HueShift, ComesBackAtTheFullCircleAndIsRightAtEverySector) {
 }
 
 TEST(LightAttenuation, IsTheQuotientOfItsPolynomial) {
-    // A column each for distances from a hundredth to a million, the same on the CPU in double.
+    // One column per distance, from 1/100 to 1e6, compared with double precision on the CPU.
     constexpr int kColumns = 64;
     for (const auto& [a, b, c] : {std::array{1., 0., 0.}, std::array{1., .7, 1.8}, std::array{0., 0., 1.},
                                   std::array{0., 1e-3, 0.}, std::array{1., 1e-6, 1e-12}}) {
@@ -96,13 +95,13 @@ TEST(LightAttenuation, IsTheQuotientOfItsPolynomial) {
             const auto d = static_cast<double>(picture.at(x, 0)[1]);
             EXPECT_NEAR(d, std::exp2(x * .4 - 6), 1e-5 * d);
             const double expected = 1 / (a + b * d + c * d * d);
-            // Three roundings of the sum and one of the quotient, in half units.
+            // The sum has three rounding errors and the quotient one, of half a unit each.
             EXPECT_NEAR(static_cast<double>(picture.at(x, 0)[0]), expected, 4 * 0x1p-23 * expected) << d;
         }
     }
 }
 
-TEST(LightAttenuation, OfTheLightsThatScenesCannotDefineIsNone) {
+TEST(LightAttenuation, DoesNotApplyToLightsThatScenesCannotDefine) {
     const FloatPicture picture = draw(
         "WindowSize 8 1\n" + kFlat + "Program P\nQuadXY 0 999\n",
         {{"v.vert",
@@ -144,7 +143,7 @@ TEST(SpotLight, FallsFromFullLightToNoneAcrossItsEdge) {
                 const double cone = t * t * (3 - 2 * t);
                 ++kinds[t <= 0 ? 0 : t < 1 ? 1 : 2];
                 const double expected = .12 + .88 * cone * std::abs(toFragment.z);
-                // The cosines' rounding, in parts of the edge.
+                // The rounding error of the cosines, relative to the width of the edge.
                 const double bound = 1e-5 + 1.5 * .88 * 6 * 0x1p-24 / (inner - outer);
                 EXPECT_NEAR(static_cast<double>(picture.at(x, y)[0]), expected, bound)
                     << angle << " " << width << " at " << x << ", " << y;
@@ -175,7 +174,7 @@ TEST(HyperbolicZoom, CompressesEveryDistanceIntoOne) {
             EXPECT_EQ(seen[0], -picture.at(kColumns - 1 - i, 0)[0]) << "odd";
             EXPECT_GE(seen[0], picture.at(std::max(0, i - 1), 0)[0]) << "rising";
         }
-        // For k towards 0 it tends to the sign of x, not to x.
+        // For k towards 0 the result tends to the sign of x, not to x.
         if (k == 1e-6) {
             EXPECT_EQ(picture.at(0, 0)[0], -1.F);
             EXPECT_EQ(picture.at(64, 0)[0], 1.F);

@@ -1,5 +1,5 @@
-// Every shipped scene with its sliders at both ends (NM06, NM09, NM14 to NM20): no NaN, no infinity, no
-// error. A slider at 0 is what divides by 0.
+// Every shipped scene with its sliders at both ends (NM06, NM09, NM14 to NM20) has no NaN, no infinity and no
+// error. A slider at 0 often leads to a division by 0.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<fs::path> scenes() {
     return found;
 }
 
-/// The scene's ranges: name, least, most.
+/// The sliders of the scene: name, minimum, maximum.
 struct Slider {
     std::string name;
     double least = 0, most = 0;
@@ -45,7 +45,7 @@ std::vector<Slider> slidersOf(const fs::path& scene) {
     return sliders;
 }
 
-/// What the search says about the scene with these values.
+/// The result of the search for the scene with these values.
 Diagnostics searched(const fs::path& scene, const std::vector<std::string>& set, double time) {
     RenderOptions options;
     options.width = 96;

@@ -1,4 +1,4 @@
-// The smallest pictures and scenes (NM27): nothing drawn, one pixel, one row, one column, and tiles of every
+// The smallest pictures and scenes (NM27): empty scenes, one pixel, one row, one column, and tiles of every
 // size.
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ TEST(SmallPictures, OfOnePixelShowTheMiddle) {
 }
 
 TEST(SmallPictures, OfOneRowOrColumnAreThoseOfALargeOne) {
-    // Ortho keeps the box whole: one row of 2^14 pixels over a box that is 2^14 wide and 1 high.
+    // Ortho shows the whole box: one row of 2^14 pixels covers a box of width 2^14 and height 1.
     const Files files = shaded("vMC.xyz");
     for (const int length : {1, 7, 4096, 16384}) {
         const std::string row = fmt::format(
@@ -63,14 +63,13 @@ TEST(SmallPictures, OfOneRowOrColumnAreThoseOfALargeOne) {
             worst = std::max(worst, std::abs(static_cast<double>(across.at(i, 0)[0]) - (i + .5)));
             worst = std::max(worst, std::abs(static_cast<double>(down.at(0, length - 1 - i)[1]) - (i + .5)));
         }
-        // A pixel's place is interpolated over 40,000 units in float.
+        // The position of a pixel is interpolated in float over 40,000 units.
         EXPECT_LT(worst, 40'000 * 2.4e-7) << length;
     }
 }
 
 TEST(Tiles, OfAnySizeJoinToTheSamePicture) {
-    // Also the smallest, and sizes that leave a last tile of one pixel. Edges may fall otherwise by a
-    // rounding.
+    // Includes the smallest size, and sizes whose last tile has one pixel. Rounding may move edges.
     const std::string scene =
         "WindowSize 97 65\nBackground 0\nPerspective 40\nLookAt 1 2 3 0 0 0 0 1 0\n" + std::string(kProgram) +
         "Torus 1 .4 24 48\nLineWidth 1\nWireSphere 1.2 12 7\nPointSize 5\nPointCloud 4 4 4\n";

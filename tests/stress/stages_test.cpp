@@ -1,5 +1,5 @@
-// Geometry stages at the driver's vertex limit and one past it (NM12): what is lowered is said, and what fits
-// is all there. Each emitted point adds 1 to a pixel.
+// Geometry stages at the driver's vertex limit and one above it (NM12). A lowered limit is reported, and all
+// vertices within the limit are drawn. Each emitted point adds 1 to a pixel.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace glibra::stress {
 namespace {
 
-/// A geometry stage that emits uCount points with `floats` varying components each besides the position.
+/// A geometry stage that emits uCount points, each with a position and `floats` varying components.
 Files emitting(int maxVertices, int floats) {
     std::string declarations;
     std::string writes;
@@ -67,7 +67,7 @@ TEST(GeometryStage, EmitsAllVerticesUpToTheDriversLimit) {
 }
 
 TEST(GeometryStage, DropsWhatItEmitsBeyondItsLimit) {
-    // GL leaves it open which vertices are lost; no pixel may be hit by what was never emitted, and no
+    // GL does not define which vertices are lost. Vertices that were not emitted must hit no pixel and no
     // memory.
     const int most = context().capabilities().maxGeometryOutputVertices;
     for (const auto& [count, limit] :
@@ -76,13 +76,13 @@ TEST(GeometryStage, DropsWhatItEmitsBeyondItsLimit) {
         EXPECT_LE(picture.sum(0), limit) << count;
         EXPECT_EQ(picture.nonFinite(), 0U);
     }
-    // Many primitives at once, each beyond its limit.
+    // Many primitives in one draw, each above its limit.
     const FloatPicture many = emitted(4000, 16, 16, "PointCloud 20 20 20");
     EXPECT_LE(many.sum(0), 16 * 8000);
     EXPECT_EQ(many.nonFinite(), 0U);
 }
 
-TEST(GeometryStage, EmitsFromEveryOneOfManyPrimitives) {
+TEST(GeometryStage, EmitsFromEachOfManyPrimitives) {
     const int most = std::min(context().capabilities().maxGeometryOutputVertices,
                               context().capabilities().maxGeometryTotalOutputComponents / 4);
     EXPECT_EQ(emitted(most, most, 0, "PointCloud 10 10 10").sum(0), 1000. * most);

@@ -21,14 +21,14 @@ const char* word(Spacing spacing) {
                                       : "fractional_odd_spacing";
 }
 
-/// Segments of an edge of that level (GL 4.6, 11.2.2), for a positive level; a driver with levels to 64.
+/// The number of segments of an edge with this positive level, for a maximum of 64 (GL 4.6, 11.2.2).
 int segments(double level, Spacing spacing) {
     if (spacing == Spacing::equal) return static_cast<int>(std::ceil(std::clamp(level, 1., 64.)));
     if (spacing == Spacing::even) return 2 * static_cast<int>(std::ceil(std::clamp(level, 2., 64.) / 2));
     return 2 * static_cast<int>(std::ceil((std::clamp(level, 1., 63.) - 1) / 2)) + 1;
 }
 
-/// Distinct vertices of a subdivided quad whose edges have `outer` and whose inside has `inner` segments.
+/// The number of distinct vertices of a subdivided quad with `outer` and `inner` segments.
 int quadVertices(int outer, int inner, Spacing spacing) {
     if (outer == 1 && inner == 1) return 4;
     // An inside of one segment counts as slightly more than one.
@@ -43,7 +43,7 @@ int triangleVertices(int outer, int inner, Spacing spacing) {
     return vertices;
 }
 
-/// Points that one patch becomes. Levels travel as bits, since no scene can write NaN.
+/// The number of points of one tessellated patch. Levels are passed as bits, since scenes cannot write NaN.
 double pointsOf(const std::string& domain, Spacing spacing, float outer, float inner) {
     const std::string scene = fmt::format(
         "WindowSize 64 64\nBackground 0\nVertex v.vert\nTessControl c.tesc\nTessEvaluation e.tese\nFragment "
@@ -69,7 +69,7 @@ double pointsOf(const std::string& domain, Spacing spacing, float outer, float i
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-TEST(TessellationLevels, OfOutsideNaNOrNotPositiveDiscardThePatch) {
+TEST(TessellationLevels, ThatAreNaNOrNotPositiveOutsideDiscardThePatch) {
     for (const Spacing spacing : {Spacing::equal, Spacing::even, Spacing::odd})
         for (const char* domain : {"quads", "triangles", "isolines"})
             for (const float level : {kNaN, -kNaN, 0.F, -0.F, -1.F, -kInfinite})
@@ -85,7 +85,7 @@ TEST(TessellationLevels, AreRoundedAndLimitedByTheRules) {
             const std::string what = fmt::format("{} {}", word(spacing), level);
             EXPECT_EQ(pointsOf("quads", spacing, level, level), quadVertices(n, n, spacing)) << what;
             EXPECT_EQ(pointsOf("triangles", spacing, level, level), triangleVertices(n, n, spacing)) << what;
-            // The number of lines is always equally spaced.
+            // Isolines are always equally spaced.
             EXPECT_EQ(pointsOf("isolines", spacing, level, level),
                       segments(static_cast<double>(level), Spacing::equal) * (n + 1))
                 << what;
@@ -104,9 +104,9 @@ TEST(TessellationLevels, OfTheInsideAloneAreLimitedToo) {
         }
 }
 
-/// 64 x 64 cells; in cell (a, b) a patch of level a and one of level b share a curved edge, which has the
-/// larger of the two levels. Each adds its facing: every pixel of a sheet without cracks or overlaps ends at
-/// exactly 1, folded or not, since its boundary goes round it once.
+/// 64 x 64 cells. In cell (a, b) a patch of level a and one of level b share a curved edge, which has the
+/// larger of the two levels. Front faces add 1 and back faces subtract 1. In a sheet without cracks or
+/// overlaps every pixel ends at exactly 1, folded or not, since the boundary winds around it once.
 FloatPicture pairsOfLevels(Spacing spacing, bool opposed) {
     std::string scene =
         "WindowSize 1024 1024\nBackground 0\nVertex v.vert\nTessControl c.tesc\nTessEvaluation "
@@ -122,7 +122,7 @@ FloatPicture pairsOfLevels(Spacing spacing, bool opposed) {
          "#version 400 core\nlayout(vertices = 1) out;\nvoid main() {\n  vec4 p = gl_in[0].gl_Position;\n"
          "  gl_out[gl_InvocationID].gl_Position = p;\n  float own = p.z == 0. ? p.x : p.y;\n"
          "  for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = own;\n"
-         // The inside does not reach the edge; a few rows of it keep the picture cheap.
+         // The inner level does not affect the edge; a low one makes the picture cheap.
          "  gl_TessLevelInner[0] = gl_TessLevelInner[1] = min(own, 6.);\n"
          // Edge 2 is u = 1, edge 0 is u = 0.
          "  gl_TessLevelOuter[p.z == 0. || " +
@@ -152,8 +152,8 @@ TEST(TessellatedEdges, HaveNoCracksForAnyPairOfLevels) {
 }
 
 TEST(TessellatedEdges, OfAClosedMeshStayClosedHoweverManyVerticesItBecomes) {
-    // 7,080 patches of 331 vertices: 36 times as many as 16 bits can number. Front and back cover each pixel
-    // equally often, as in any closed mesh.
+    // 7,080 patches of 331 vertices are 36 times as many vertices as 16 bits can number. Front and back faces
+    // cover each pixel equally often, as in any closed mesh.
     const Files files{{"v.vert", "#version 400 core\nvoid main() { gl_Position = aVertex; }\n"},
                       {"c.tesc",
                        "#version 400 core\nlayout(vertices = 3) out;\nuniform float uLevel;\nvoid main() {\n"
@@ -171,20 +171,19 @@ TEST(TessellatedEdges, OfAClosedMeshStayClosedHoweverManyVerticesItBecomes) {
         "v.vert\nTessControl "
         "c.tesc\nTessEvaluation e.tese\nFragment f.frag\nProgram P uLevel 20.\nSphere 1 60 60\n",
         files);
-    // Points inside an edge are sums in another order from its two sides, so a pixel may be missed here and
-    // there.
+    // The two sides of an edge add in a different order, so a few pixels may be missed.
     const std::size_t covered = picture.count([](const auto& rgb) { return rgb[0] == 1 && rgb[1] == 1; });
     const std::size_t other = picture.count([](const auto& rgb) { return rgb[0] != rgb[1] || rgb[0] > 1; });
     EXPECT_LT(other, 20U);
-    // The circle that a sphere is seen as.
+    // The outline of the sphere is a circle.
     const double radius =
         200 * std::tan(std::asin(1 / std::sqrt(14.))) / std::tan(22.5 * 3.14159265358979 / 180);
     EXPECT_NEAR(static_cast<double>(covered), 3.14159265358979 * radius * radius,
                 .005 * static_cast<double>(covered));
 }
 
-/// Quads whose tessellation stages read the patch's number: red counts points, green adds the mean of the
-/// numbers that the two stages see.
+/// Quads whose tessellation stages read the patch's number. Red counts points; green adds the mean of the
+/// numbers in the two stages.
 FloatPicture numberedPatches(int patches, int level, bool translated = true) {
     std::string scene =
         "WindowSize 64 64\nBackground 0\nVertex v.vert\nTessControl c.tesc\nTessEvaluation e.tese\nFragment "
@@ -209,7 +208,7 @@ FloatPicture numberedPatches(int patches, int level, bool translated = true) {
 }
 
 TEST(TessellatedPatches, HaveTheirNumberWithinTheWholeDraw) {
-    // 100 patches of level 1 are 400 vertices, of level 64 422,500: more than llvmpipe takes at once.
+    // 100 patches have 400 vertices at level 1 and 422,500 at level 64: more than llvmpipe processes at once.
     for (const int level : {1, 64})
         for (const int patches : {1, 15, 16, 100}) {
             const FloatPicture picture = numberedPatches(patches, level);
@@ -225,7 +224,7 @@ TEST(TessellatedPatches, DrawnInPartsAreThoseOfOneDraw) {
 }
 
 TEST(TessellatedEdges, OfUnequalLevelsDoCrack) {
-    // The same picture with each patch's own level on the shared edge shows that cracks would be seen.
+    // With different levels on both sides of the shared edge, the same picture must show cracks.
     const std::string scene =
         "WindowSize 256 256\nBackground 0\nVertex v.vert\nTessControl c.tesc\nTessEvaluation "
         "e.tese\nFragment f.frag\n"

@@ -14,7 +14,7 @@
 namespace glibra::stress {
 namespace {
 
-/// One value from a fragment stage.
+/// The value of an expression in a fragment stage.
 std::array<float, 3> valueOf(const std::string& rgb, const std::string& uniforms = "",
                              const std::string& tags = "", double time = 0, const std::string& scene = "") {
     RenderOptions options;
@@ -33,7 +33,7 @@ TEST(Timer, IsTheFractionAfterAMillionSeconds) {
             const double expected = static_cast<double>(turns - std::floor(turns));
             const double seen = static_cast<double>(valueOf("vec3(Timer)", "uniform float Timer;\n", "", time,
                                                             fmt::format("Timer {}\n", period))[0]);
-            // The rounding of the expected value at this many turns, and a float's of the result.
+            // The rounding error of the expected value after this many turns, and that of the float result.
             const double bound = 1.1e-19 * static_cast<double>(turns) + 6e-8;
             const double difference = std::abs(seen - expected);
             EXPECT_LE(std::min(difference, 1 - difference), bound) << period << " " << time;
@@ -41,7 +41,7 @@ TEST(Timer, IsTheFractionAfterAMillionSeconds) {
 }
 
 TEST(Timer, NeverReachesOne) {
-    // fract() of anything is below 1, also where float or double would round up.
+    // fract() is always below 1, even where float or double would round up.
     for (const double time : {10 - 1e-9, 1e6 + 10 - 1e-8, 10 * (1 - 1e-16), -1e-20, -1e-12, 1e9 - 1e-7})
         for (const double period : {10., 1.}) {
             const float seen = valueOf("vec3(Timer)", "uniform float Timer;\n", "", time,
@@ -57,7 +57,7 @@ TEST(Timer, PicturesASecondApartAreEqualAfterAMillionSeconds) {
     EXPECT_EQ(early, late);
 }
 
-// The language's noise1 to noise4, written down again from its definition, in double.
+// noise1 to noise4 of the language, implemented a second time from their definition, in double.
 
 std::uint32_t mixed(std::uint32_t x) {
     x ^= x >> 16U;
@@ -101,8 +101,8 @@ double noise(const std::array<double, 4>& p, int dimension, std::uint32_t compon
 
 TEST(NoiseFunctions, AreRightAtCoordinatesToTenMillion) {
     for (const double base : {0., -3., 1000., -1000., 65'536., 1e6, -1e6, 4e6, 1e7, -1e7, 1e9, 2e9}) {
-        // Columns step by an eighth along x, rows along y; what a float cannot hold is rounded alike here and
-        // there.
+        // Columns step by 1/8 along x, rows along y. Test and shader round coordinates to float in the same
+        // way.
         const FloatPicture picture = draw(
             "WindowSize 32 32\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\nProgram P uBase " +
                 number(base) + "\nQuadXY 0 10\n",
@@ -139,7 +139,7 @@ TEST(NoiseFunctions, AreFiniteAtAnyCoordinate) {
     }
 }
 
-/// |texture(p + far) - texture(p)| at points p an eighth of a texel off the texels' centres.
+/// |texture(p + far) - texture(p)| at points p that are 1/8 texel off the texel centres.
 FloatPicture noiseShiftedBy(const std::string& far, const std::string& sampled) {
     return draw(
         "WindowSize 16 16\nLookAt 0 0 5 0 0 0 0 1 0\nVertex v.vert\nFragment f.frag\nProgram P uFar " + far +
@@ -151,8 +151,8 @@ FloatPicture noiseShiftedBy(const std::string& far, const std::string& sampled) 
 }
 
 TEST(NoiseTextures, RepeatExactlyAtWholeCoordinates) {
-    // A period of 64 texels, in eighths: coordinates to 2^15 times that are exact in a float, and so is the
-    // value.
+    // A period has 64 texels, and p is a multiple of 1/8 texel. Coordinates up to 2^15 periods are exact in a
+    // float, and so is the value.
     for (const char* sampled : {"texture(Noise3, p)", "texture(Noise2, p.xy)"})
         for (const char* far : {"1", "-1", "1000", "-4096", "30000"}) {
             const FloatPicture picture = noiseShiftedBy(far, sampled);
@@ -162,8 +162,8 @@ TEST(NoiseTextures, RepeatExactlyAtWholeCoordinates) {
 }
 
 TEST(NoiseTextures, StayInRangeFarBeyondTheirPrecision) {
-    // A driver may multiply by the size before it takes the fraction; then the value is one of the texels
-    // nearby.
+    // A driver may multiply by the size before it takes the fraction. The value then comes from a nearby
+    // texel.
     for (const char* sampled : {"texture(Noise3, p)", "texture(Noise2, p.xy)"})
         for (const char* far : {"1e5", "1e6", "1e7", "-1e7", "1e9", "1e30"}) {
             const FloatPicture picture = noiseShiftedBy(far, sampled);
@@ -181,7 +181,7 @@ TEST(BuiltInFunctions, AreDefinedAtTheBordersOfTheirDomains) {
         double value, tolerance;
     };
     constexpr double kPi = std::numbers::pi;
-    // uOne is 1 and uZero 0 at run time only, so that no compiler computes them beforehand.
+    // uOne is 1 and uZero is 0, but only at run time, so that compilers cannot evaluate the expressions.
     for (const Row& row : {Row{"acos(uOne)", 0, 5e-4},
                            Row{"acos(-uOne)", kPi, 5e-4},
                            Row{"asin(uOne)", kPi / 2, 5e-4},
@@ -223,8 +223,8 @@ TEST(BuiltInFunctions, AreDefinedAtTheBordersOfTheirDomains) {
 }
 
 TEST(BuiltInFunctions, SmoothstepWithEqualEdgesIsAStep) {
-    // GLSL leaves it open, and a slider at 0 asks for it: a sharp edge, and no NaN where x is the edge
-    // itself.
+    // GLSL does not define this, but a slider at 0 leads to it. The result must be a sharp edge, without NaN
+    // where x equals the edge.
     const std::string declarations = "uniform float uTol;\n";
     for (const char* tolerance : {"0", "1e-30", "1e-7"}) {
         const FloatPicture picture = draw(
@@ -245,7 +245,7 @@ TEST(BuiltInFunctions, SmoothstepWithEqualEdgesIsAStep) {
 }
 
 TEST(DenormalNumbers, AreKeptOrZeroAndNeverBroken) {
-    // A driver may flush them; the scene's own arithmetic must not make something else of them.
+    // A driver may flush them to zero. glibra's own arithmetic must not change them in any other way.
     for (const char* value : {"1e-39", "-1e-39", "1.4e-45", "1e-50", "-1e-300"}) {
         const double written = std::stod(std::string(value));
         const auto asFloat = static_cast<float>(written);

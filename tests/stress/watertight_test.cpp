@@ -1,4 +1,4 @@
-// Every pixel once: adjacent triangles leave no gap and no overlap, and two passes agree about depth
+// Adjacent triangles cover every pixel once, without gap or overlap, and two passes have equal depths
 // (exercises' accuracy table 8; NM39).
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ std::string randomAxis(std::uint32_t seed) {
     return fmt::format("{} {} {}", spread(seed), spread(seed + 1), spread(seed + 2));
 }
 
-/// 100 x 100 closed meshes, each turned, stretched and often mirrored at random, in a cell of its own.
+/// 100 x 100 closed meshes, each in its own cell, randomly turned, stretched and often mirrored.
 std::string closedMeshes(const std::string& view) {
     constexpr std::array kShapes{"Sphere .6 12 8", "Box .7 .7 .7", "Cylinder .4 .6 14 2", "Cone .5 .7 12 3",
                                  "Sphere .6 31 17"};
@@ -47,10 +47,10 @@ const Files kCountFacings{
 
 void expectClosed(const FloatPicture& picture) {
     ASSERT_EQ(picture.width, 1600);
-    // The boundary of a closed mesh is nothing, so front and back cover every pixel equally often, exactly.
+    // A closed mesh has no boundary, so front and back faces cover every pixel exactly equally often.
     EXPECT_EQ(picture.count([](const auto& rgb) { return rgb[0] != rgb[1]; }), 0U);
-    // These are convex: a ray goes in once. Moved to the rasteriser's grid, a sliver at the outline may fold
-    // over.
+    // The meshes are convex, so a ray enters once. Rounding to the rasteriser's grid may fold a sliver at the
+    // outline.
     const std::size_t twice = picture.count([](const auto& rgb) { return rgb[0] > 1; });
     const std::size_t once = picture.count([](const auto& rgb) { return rgb[0] == 1; });
     EXPECT_GT(once, 1600U * 1600 / 20);
@@ -68,8 +68,8 @@ TEST(ClosedMeshes, CoverEachPixelOnceInPerspective) {
 }
 
 TEST(OpenSheets, CoverEachPixelOnceUnderTenThousandTransforms) {
-    // Sheets that reach beyond the window in all directions, drawn over each other. Each adds a 1 to red, and
-    // to green a number of its own, so that a pixel missed by one sheet and hit twice by another is seen.
+    // Sheets that reach beyond the window in all directions, drawn over each other. Each adds 1 to red and
+    // its own number to green, so that a pixel that one sheet misses and another hits twice is detected.
     for (const char* view : {"Ortho -1 1 -1 1\n", "Perspective 50 .1 1000\n"}) {
         std::string scene = "WindowSize 64 64\nBackground 0\n" + std::string(view) + kProgram;
         double weights = 0;
@@ -77,7 +77,7 @@ TEST(OpenSheets, CoverEachPixelOnceUnderTenThousandTransforms) {
             const std::uint32_t n = 700'000 + 20 * i;
             const double weight = i % 1009 / 1024.;
             weights += weight;
-            // Tilted by 35 degrees at most, a sheet of size 40 at distance 4 covers the view.
+            // A sheet of size 40 at distance 4 covers the view if it is tilted by at most 35 degrees.
             scene += fmt::format(
                 "Color {} 0 0\nPushMatrix\nTranslate {} {} -4\nRotate {} {} {} 0\nRotate {} 0 0 1\nScale {} "
                 "{} 1\n"
@@ -99,8 +99,8 @@ TEST(OpenSheets, CoverEachPixelOnceUnderTenThousandTransforms) {
     }
 }
 
-/// Draws everything with `first` in red, then again with `second` in green; number of pixels that stay red,
-/// because the second pass is deeper there, if only by a bit.
+/// Draws everything with `first` in red, then again with `second` in green. Returns the number of pixels that
+/// stay red because the second pass is deeper there, if only by one bit.
 std::size_t deeperInSecondPass(const std::string& first, const std::string& second) {
     std::string shapes;
     for (std::uint32_t i = 0; i < 60; ++i)
@@ -140,7 +140,7 @@ std::string lit(const std::string& position) {
 TEST(TwoPasses, WithTheSameExpressionHaveTheSameDepth) {
     const std::string product = "uModelViewProjectionMatrix * aVertex";
     EXPECT_EQ(deeperInSecondPass(plain(product), lit(product)), 0U);
-    // Nor is the first deeper: then equal is meant.
+    // The first pass is not deeper either, so the depths are equal.
     EXPECT_EQ(deeperInSecondPass(
                   "#version 330 core\nout vec3 vN;\nout vec3 vL;\nvoid main() {\n  vec4 ec = "
                   "uModelViewMatrix * aVertex;\n  vN = ec.xyz;\n  vL = ec.zxy;\n  gl_Position = " +
@@ -170,7 +170,7 @@ TEST(TwoPasses, OfOldAndNewSpellingHaveTheSameDepth) {
 }
 
 TEST(TwoPasses, WithTheBuiltInProgramHaveTheSameDepth) {
-    // A flat first pass without a program, then the lit one over it.
+    // The first pass has flat colours and no program; the lit pass is drawn over it.
     const std::string view =
         "WindowSize 300 300\nBackground 0\nPerspective 45 .1 100\nLookAt 1 2 6 0 0 0 0 1 0\n";
     const std::string shape = "Rotate 33 1 2 3\nScale 1 .7 1.3\nTeapot\n";
@@ -182,7 +182,7 @@ TEST(TwoPasses, WithTheBuiltInProgramHaveTheSameDepth) {
 }
 
 TEST(TwoPasses, WithOtherArithmeticDiffer) {
-    // The counting can fail: a product in another order gives other depths somewhere.
+    // This shows that the check can fail: products in another order give different depths at some pixels.
     const std::size_t differing = deeperInSecondPass(plain("uModelViewProjectionMatrix * aVertex"),
                                                      lit("uProjectionMatrix * (uModelViewMatrix * aVertex)"));
     EXPECT_GT(differing, 0U);

@@ -14,13 +14,13 @@ Shot shotThatNames(std::initializer_list<const char*> uniforms) {
 
 TEST(UnknownUniforms, OfTheShotAreErrorsWithTheirPlaceInTheSuite) {
     Diagnostics all{diagnose("glib-W23", "no program of the scene has a uniform 'uKe'; did you mean 'uKd'?"),
-                    diagnose("glib-W23", "no Program 'Dots' has a uniform 'uA'")};
+                    diagnose("glib-W23", "no program 'Dots' has a uniform 'uA'")};
     reportUnknownUniforms(shotThatNames({"uK", "uKe", "Dots:uA"}), all);
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(
         toString(all[0]),
         "s.toml:4:9: error: no program of the scene has a uniform 'uKe'; did you mean 'uKd'? [suite-E19]");
-    EXPECT_EQ(toString(all[1]), "s.toml:5:9: error: no Program 'Dots' has a uniform 'uA' [suite-E19]");
+    EXPECT_EQ(toString(all[1]), "s.toml:5:9: error: no program 'Dots' has a uniform 'uA' [suite-E19]");
 }
 
 TEST(UnknownUniforms, OfDefaultsAndOfTheSceneStayWarnings) {

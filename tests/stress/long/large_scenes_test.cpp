@@ -1,5 +1,6 @@
-// The largest scenes the language allows: a model of ten million triangles, a million draws, a thousand
-// programs, pictures of 16,384 pixels a side (exercises' accuracy table 30). What each takes is printed.
+// The largest scenes that the language allows: a model of ten million triangles, a million draws, a thousand
+// programs, and pictures of 16,384 pixels per side (exercises' accuracy table 30). The tests print their
+// times and memory.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes with its files.
+/// A temporary folder. The destructor removes it with its files.
 class Folder {
   public:
     Folder() {
@@ -48,7 +49,7 @@ class Folder {
     fs::path path_;
 };
 
-/// Largest resident memory of this process so far, in MiB; 0 where the system does not say.
+/// The peak resident memory of this process in MiB; 0 if the system does not report it.
 long peakMemory() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -66,7 +67,8 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A torus about z of ring radius 1 and tube radius 1/2 as OBJ text: every vertex once, no seam.
+/// A torus around z with ring radius 1 and tube radius 1/2 as OBJ text. Each vertex occurs once; there is no
+/// seam.
 constexpr int kRings = 2240;
 constexpr int kSides = 2236;
 fs::path writeTorus(const Folder& folder) {
@@ -120,8 +122,8 @@ TEST(LargeModel, OfTenMillionTrianglesIsReadWhole) {
         static_cast<double>(triangles) / 1e6, bytes / 1048576, seconds, bytes / 1048576 / seconds,
         peakMemory(), before);
 
-    // Volume 2 pi^2 R r^2, less what a polygon of n corners loses: sin(2 pi / n) / (2 pi / n) in the tube,
-    // and about the same in the ring. Normals are those of the torus.
+    // The volume is 2 pi^2 R r^2, reduced by the factor sin(2 pi / n) / (2 pi / n) of a polygon with n
+    // corners for the tube, and by about the same factor for the ring. Normals are those of the torus.
     const geometry::Attribute& positions = *mesh->attribute(geometry::kPosition);
     const geometry::Attribute& normals = *mesh->attribute(geometry::kNormal);
     const auto at = [](const geometry::Attribute& attribute, std::uint32_t i) {
@@ -141,7 +143,7 @@ TEST(LargeModel, OfTenMillionTrianglesIsReadWhole) {
         const glm::dvec3 n((1 - 1 / ring) * p.x, (1 - 1 / ring) * p.y, p.z);
         worst = std::max(worst, glm::length(2. * n - at(normals, i)));
     }
-    EXPECT_LT(worst, 2e-3);  // the seven digits of the file against faces of .001
+    EXPECT_LT(worst, 2e-3);  // the file has seven digits, and faces have a size of .001
 }
 
 TEST(LargeModel, OfTenMillionTrianglesIsDrawn) {
@@ -173,8 +175,8 @@ TEST(LargeModel, OfTenMillionTrianglesIsDrawn) {
     EXPECT_LT(differing, 200U);  // pixels of the silhouette
 }
 
-TEST(ManyDraws, AMillionCoverEachPixelOnceAFrame) {
-    // As many draws as the 200,000 statements of a scene allow, in eleven frames.
+TEST(ManyDraws, AMillionCoverEachPixelOncePerFrame) {
+    // The largest number of draws that 200,000 statements per scene allow, in eleven frames.
     constexpr int kSide = 307;
     std::string scene = fmt::format(
         "WindowSize {0} {0}\nBackground 0\nOrtho 0 {0} 0 {0}\nLookAt -.5 -.5 5 -.5 -.5 0 0 1 0\n{1}", kSide,
@@ -208,11 +210,11 @@ TEST(ManyDraws, AMillionCoverEachPixelOnceAFrame) {
         }
         EXPECT_EQ(wrong, 0U) << frame;
     }
-    std::printf("%zu draws in %.2f s: %.2f microseconds a draw, peak memory %ld MiB\n", draws,
+    std::printf("%zu draws in %.2f s: %.2f microseconds per draw, peak memory %ld MiB\n", draws,
                 watch.seconds(), watch.seconds() / static_cast<double>(draws) * 1e6, peakMemory());
 }
 
-TEST(ManyDraws, BeyondTheStatementsOfASceneAreRefused) {
+TEST(ManyDraws, BeyondTheStatementsOfASceneAreRejected) {
     std::string scene;
     for (int i = 0; i < 200'001; ++i) scene += "Box\n";
     const Result<FloatPicture> picture = tryDraw(scene);
@@ -238,7 +240,7 @@ TEST(ManyPrograms, AThousandDifferentOnesDrawTheirOwnColours) {
                 fmt::format("Fragment {0}.frag\nProgram P{0} uScale {1}\nQuadXY 0 .5 1 1\nTranslate 0 1 0\n",
                             i, 2 + i % 3);
         }
-        // A quad of half size .5 about y = i covers the pixel whose centre is i + .5 above the box's lower
+        // A quad of half size .5 around y = i covers the pixel whose centre lies i + .5 above the box's lower
         // edge at -.5.
         const FloatPicture picture = draw(script, files);
         ASSERT_EQ(picture.height, 250);
@@ -254,7 +256,7 @@ TEST(ManyPrograms, AThousandDifferentOnesDrawTheirOwnColours) {
     std::printf("1000 programs in %.2f s, peak memory %ld MiB\n", watch.seconds(), peakMemory());
 }
 
-TEST(ManyPrograms, MoreThanASceneMayHaveAreRefused) {
+TEST(ManyPrograms, MoreThanASceneMayHaveAreRejected) {
     std::string scene;
     for (int i = 0; i < 257; ++i) scene += fmt::format("Program P{}\n", i);
     const Result<FloatPicture> picture = tryDraw(scene);
@@ -262,7 +264,7 @@ TEST(ManyPrograms, MoreThanASceneMayHaveAreRefused) {
     EXPECT_TRUE(has(picture.diagnostics, "glib-E15")) << text(picture.diagnostics);
 }
 
-TEST(LargePicture, Of16384PixelsASideHasTheStripsOfSmallOnes) {
+TEST(LargePicture, Of16384PixelsPerSideEqualsSmallPicturesOfItsStrips) {
     constexpr int kSide = 16384;
     const Folder folder;
     for (const auto& [name, content] : shaded("fract(vMC.xyz * .75) * (gl_FrontFacing ? 1. : .5)"))
@@ -291,7 +293,7 @@ TEST(LargePicture, Of16384PixelsASideHasTheStripsOfSmallOnes) {
     struct Strip {
         int x, y, width, height;
     };
-    // Across the joints of the tiles at 4096, along the border, in the middle.
+    // Strips across the joints of the tiles at 4096, along the border, and in the middle.
     for (const Strip& strip :
          {Strip{0, 4080, kSide, 32}, Strip{8180, 0, 24, kSide}, Strip{0, 8192, 2048, 512},
           Strip{kSide - 64, 0, 64, 64}, Strip{12'200, 12'200, 300, 300}}) {
@@ -311,7 +313,7 @@ TEST(LargePicture, Of16384PixelsASideHasTheStripsOfSmallOnes) {
         }
         const std::size_t pixels =
             static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height);
-        // Pixels of an edge, and of a colour's jump from 1 to 0.
+        // Pixels on an edge, and pixels where the colour jumps from 1 to 0.
         EXPECT_LT(differing, pixels / 200) << strip.x << " " << strip.y;
         std::printf("strip %d x %d: %zu of %zu pixels differ\n", strip.width, strip.height, differing,
                     pixels);
