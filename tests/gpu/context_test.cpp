@@ -133,7 +133,8 @@ TEST(OpenContext, WithoutAnyLibraryEveryWayTriedIsNamed) {
 TEST(OpenContext, ALibraryThatIsSomethingElseIsRefused) {
     const auto egl = openContext({.driver = Driver::egl, .eglLibrary = "libm.so.6"});
     ASSERT_FALSE(egl);
-    EXPECT_NE(egl.diagnostics[0].text.find("is not an EGL library"), std::string::npos) << egl.diagnostics[0].text;
+    EXPECT_NE(egl.diagnostics[0].text.find("is not an EGL library"), std::string::npos)
+        << egl.diagnostics[0].text;
     const auto osmesa = openContext({.driver = Driver::osmesa, .osmesaLibraries = {"libm.so.6"}});
     ASSERT_FALSE(osmesa);
     EXPECT_NE(osmesa.diagnostics[0].text.find("not an OSMesa library"), std::string::npos)
