@@ -57,10 +57,9 @@ double timerAt(double time, double period) {
     return std::min((rest < 0 ? rest + period : rest) / period, 1 - 0x1p-24);
 }
 
-FrameDrawer::FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
+FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& plan,
                          const ProgramLibrary& programs, DeviceScene& device, Stats& stats)
     : context_(context),
-      scene_(scene),
       plan_(plan),
       programs_(programs),
       device_(device),

@@ -36,8 +36,8 @@ struct Frame {
 /// that hold for all frames that follow, in any order.
 class FrameDrawer {
   public:
-    FrameDrawer(const gpu::Context& context, const scene::Scene& scene, const plan::FramePlan& plan,
-                const ProgramLibrary& programs, DeviceScene& device, Stats& stats);
+    FrameDrawer(const gpu::Context& context, const plan::FramePlan& plan, const ProgramLibrary& programs,
+                DeviceScene& device, Stats& stats);
 
     /// Draws one frame into `window`, which has the size of the frame's tile.
     Diagnostics draw(const gpu::Target& window, const Frame& frame);
@@ -103,7 +103,6 @@ class FrameDrawer {
                    Diagnostics& diagnostics);
 
     const gpu::Context& context_;
-    const scene::Scene& scene_;
     const plan::FramePlan& plan_;
     const ProgramLibrary& programs_;
     DeviceScene& device_;

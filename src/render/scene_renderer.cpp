@@ -162,7 +162,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
 
-    state->drawer.emplace(context, state->scene, state->plan, state->programs, state->device, stats);
+    state->drawer.emplace(context, state->plan, state->programs, state->device, stats);
     state->isStateful = state->mayShowEarlierFrames();
     if (options.skip && state->tiles.size() > 1) state->drawer->cullToTile(state->options.samples);
     if (options.skip && !options.floatPixels) state->drawer->skipOpaqueBlending();

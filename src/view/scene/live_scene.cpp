@@ -76,7 +76,7 @@ Diagnostics LiveScene::State::prepare(State* previous) {
     for (const plan::PlannedMesh& each : plan.meshes)
         device.bounds(each.shape, hasTangents(each), &diagnostics);
     append(diagnostics, device.prepare(plan, programs));
-    drawer.emplace(context, scene, plan, programs, device, drawStats);
+    drawer.emplace(context, plan, programs, device, drawStats);
     drawer->cullToTile(kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
