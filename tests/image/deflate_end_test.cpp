@@ -56,8 +56,8 @@ std::vector<Bytes> texts() {
     Bytes skewed(300'000);
     for (std::size_t at = 0; at < skewed.size(); ++at) {
         const std::uint32_t random = testing::hash(static_cast<std::uint32_t>(at));
-        skewed[at] =
-            static_cast<std::byte>(random % 1500 == 0 ? random >> 24U : std::countr_zero(random | 1U << 20U));
+        skewed[at] = static_cast<std::byte>(random % 1500 == 0 ? static_cast<int>(random >> 24U)
+                                                               : std::countr_zero(random | 1U << 20U));
     }
     all.push_back(std::move(skewed));
     // The same for lengths and distances: each occurs half as often as the one before.
