@@ -349,8 +349,8 @@ void CompatibilityProgram::bindAttributes(const geometry::Mesh& mesh, const glm:
 }
 
 void CompatibilityProgram::unbindAttributes() const {
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
-        gl_.DisableClientState(array);
+    for (const int array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+        gl_.DisableClientState(static_cast<GLenum>(array));
     for (GLuint i = 0; i < 16; ++i) gl_.DisableVertexAttribArray(i);
 }
 

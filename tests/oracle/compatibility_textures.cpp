@@ -104,8 +104,8 @@ void CompatibilityTextures::bind(scene::TextureIndex index, GLuint unit, bool cl
     gl_.BindTexture(target, name);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(scene_.textures[index].source);
     const bool clamped = target == GL_TEXTURE_CUBE_MAP || (clamp && !isNoise);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        gl_.TexParameteri(target, wrap, clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);
+    for (const int wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl_.TexParameteri(target, static_cast<GLenum>(wrap), clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);
     gl_.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl_.ActiveTexture(GL_TEXTURE0);

@@ -10,7 +10,7 @@ namespace glibra::suite {
 namespace {
 
 TEST(Pieces, HoldEveryItemOnceInOrder) {
-    for (const std::size_t count : {0, 1, 2, 7, 100, 5000})
+    for (const std::size_t count : {0U, 1U, 2U, 7U, 100U, 5000U})
         for (const int workers : {1, 2, 16}) {
             std::size_t next = 0;
             for (const auto& piece : planPieces(count, workers, [](std::size_t) { return true; }))
