@@ -14,6 +14,7 @@
 #include "glib/suggest.h"
 #include "glib/text.h"
 #include "suite/file/toml_syntax.h"
+#include "suite/report/utf8.h"
 
 namespace glibra::suite {
 namespace {
@@ -235,10 +236,10 @@ void TomlReader::wrongType(const TomlValue& value, std::string_view name, std::s
            placeOf(value));
 }
 
-void TomlReader::report(const char* id, std::string text, Place place) {
+void TomlReader::report(const char* id, const std::string& text, Place place) {
     ++count_;
     if (problems_.size() < kMostMessages)
-        problems_.push_back(diagnose(id, std::move(text), std::move(place)));
+        problems_.push_back(diagnose(id, printableText(text), std::move(place)));  // keys may have line ends
 }
 
 Diagnostics TomlReader::take() {

@@ -71,7 +71,7 @@ class TomlReader {
     void unknownKey(const TomlEntry& entry, std::string_view where, std::span<const std::string_view> keys);
     /// suite-E03: "NAME: expected EXPECTED, found the text 'x'".
     void wrongType(const TomlValue& value, std::string_view name, std::string_view expected);
-    void report(const char* id, std::string text, Place place);
+    void report(const char* id, const std::string& text, Place place);
 
     [[nodiscard]] std::size_t errorCount() const { return count_; }
     [[nodiscard]] bool hasErrors() const { return count_ > 0; }
