@@ -66,14 +66,16 @@ configure() (
 build() (
     preset=$1
     shift
+    build_folder=build/$preset
+    [ "$preset" != test ] || build_folder=build/release  # as CMakePresets.json says
     say "building ($preset)"
     if [ -t 2 ]; then
-        NINJA_STATUS='glibra: building %p ' ninja -C "build/$preset" "$@" >&2 || exit 4
+        NINJA_STATUS='glibra: building %p ' ninja -C "$build_folder" "$@" >&2 || exit 4
         return
     fi
     failed=$(mktemp)
     trap 'rm -f "$failed"' EXIT
-    { NINJA_STATUS='@%p ' ninja -C "build/$preset" "$@" 2>&1 || echo failed >"$failed"; } | tee "build/$preset.log" |
+    { NINJA_STATUS='@%p ' ninja -C "$build_folder" "$@" 2>&1 || echo failed >"$failed"; } | tee "build/$preset.log" |
         awk '/^@ *[0-9]+%/ { now = substr($0, 2) + 0
                              if (now >= shown + 10) { shown = now - now % 10; print "glibra: built " shown "%"; fflush() } }' >&2
     if [ -s "$failed" ]; then
