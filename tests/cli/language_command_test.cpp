@@ -54,7 +54,7 @@ TEST(LanguageCommand, SaysWhichMarkerIsWrong) {
 
 TEST(LanguageCommand, PagesOfTheDocumentationAreCurrent) {
     const fs::path pages = fs::path(GLIBRA_SOURCE_DIR) / "docs";
-    if (!fs::is_directory(pages)) GTEST_SKIP() << "no docs";
+    ASSERT_TRUE(fs::is_directory(pages));
     const Folder folder;
     for (const fs::directory_entry& each : fs::directory_iterator(pages)) {
         if (each.path().extension() != ".md") continue;
