@@ -11,7 +11,7 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_options.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
 

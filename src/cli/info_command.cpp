@@ -8,7 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::cli {
 namespace {

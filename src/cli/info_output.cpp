@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "gpu/info.h"
+#include "gpu/context/info.h"
 
 namespace glibra::cli {
 

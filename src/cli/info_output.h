@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::cli {
 

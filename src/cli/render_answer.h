@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "cli/commands.h"
-#include "render/animation.h"
+#include "render/file/animation.h"
 
 namespace glibra::cli {
 

@@ -13,15 +13,15 @@
 #include <span>
 #include <utility>
 
+#include "base/workers.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
-#include "gpu/context.h"
-#include "gpu/hardware.h"
+#include "gpu/context/context.h"
+#include "gpu/context/hardware.h"
 #include "image/file.h"
-#include "render/animation.h"
-#include "render/job.h"
-#include "render/workers.h"
+#include "render/file/animation.h"
+#include "render/file/job.h"
 #include "suite/run/run.h"
 
 namespace glibra::cli {
@@ -88,7 +88,7 @@ class JobRunner {
     JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts)
         : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts) {}
 
-    std::string operator()(std::size_t piece, const render::Step& step) {
+    std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
         Answer answer;
         if (!context_) {
@@ -168,13 +168,13 @@ class SceneBatch {
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
         JobRunner runner(arguments_, outputs_, parts_);
         const Interruption interruption;
-        render::runInWorkers(
+        base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
              .stop = [&] { return interruption.signal() != 0; }},
             std::ref(runner),
-            [this](std::size_t piece, const render::Outcome& outcome) { pieceEnds(piece, outcome); },
+            [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
             [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
         progress_.clear();
         print(render::joined(remarks_));
@@ -191,13 +191,13 @@ class SceneBatch {
         progress_.show(doneCount_, arguments_.scenes[piece / parts_]);
     }
 
-    void pieceEnds(std::size_t piece, const render::Outcome& outcome) {
+    void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
         const std::size_t index = piece / parts_;
         const std::string& scene = arguments_.scenes[index];
         // A worker that ends by itself cannot remove what it has half written.
-        if (outcome.end != render::Outcome::End::finished)
+        if (outcome.end != base::Outcome::End::finished)
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
-        if (outcome.end == render::Outcome::End::stopped) return;
+        if (outcome.end == base::Outcome::End::stopped) return;
         Answer answer = answerOf(outcome, scene);
         progress_.clear();
         if (parts_ > 1)
@@ -216,11 +216,11 @@ class SceneBatch {
     }
 
     /// The worker's own answer, or the error that stands for one.
-    [[nodiscard]] Answer answerOf(const render::Outcome& outcome, const std::string& scene) const {
-        if (outcome.end == render::Outcome::End::finished) return unpack(outcome.answer);
+    [[nodiscard]] Answer answerOf(const base::Outcome& outcome, const std::string& scene) const {
+        if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
         const Place place{scene, 1, 1};
         Answer answer{.status = kSceneIsWrong};
-        if (outcome.end == render::Outcome::End::timedOut)
+        if (outcome.end == base::Outcome::End::timedOut)
             answer.remarks.general = {diagnose(
                 "draw-E07",
                 fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};

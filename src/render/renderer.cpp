@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "gpu/context.h"
-#include "render/nan_search.h"
+#include "gpu/context/context.h"
+#include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
 
 namespace glibra {

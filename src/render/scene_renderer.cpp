@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "gpu/readback.h"
+#include "gpu/object/readback.h"
+#include "render/draw/tiles.h"
 #include "render/scene_state.h"
-#include "render/tiles.h"
 
 namespace glibra::render {
 namespace {

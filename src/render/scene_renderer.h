@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
-#include "render/shared_parts.h"
+#include "render/load/shared_parts.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "budget/budget.h"
-#include "gpu/loop_limit.h"
-#include "render/patch_probe.h"
-#include "render/picture_probe.h"
-#include "render/sight.h"
+#include "gpu/context/loop_limit.h"
+#include "render/draw/sight.h"
+#include "render/probe/patch_probe.h"
+#include "render/probe/picture_probe.h"
 #include "scene/primitives.h"
 #include "scene/view.h"
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "render/axes.h"
-#include "render/device_scene.h"
-#include "render/frame.h"
-#include "render/programs.h"
+#include "render/draw/axes.h"
+#include "render/draw/frame.h"
+#include "render/draw/tile.h"
+#include "render/draw/view_matrices.h"
+#include "render/load/device_scene.h"
+#include "render/load/programs.h"
+#include "render/load/shared_parts.h"
 #include "render/scene_renderer.h"
-#include "render/shared_parts.h"
-#include "render/tile.h"
-#include "render/view_matrices.h"
 
 namespace glibra::render {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <thread>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bench/subjects/builtin_precision.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,12 +1,12 @@
 // Compares counted calls with calls made by hand.
 
-#include "gpu/call_counter.h"
+#include "gpu/context/call_counter.h"
 
 #include <vector>
 
 #include "fixture.h"
-#include "gpu/buffer.h"
-#include "gpu/texture.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/texture.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,9 +1,9 @@
-#include "gpu/capabilities.h"
+#include "gpu/context/capabilities.h"
 
 #include <algorithm>
 
 #include "fixture.h"
-#include "gpu/info.h"
+#include "gpu/context/info.h"
 
 namespace glibra::gpu {
 namespace {

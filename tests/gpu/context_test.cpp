@@ -1,4 +1,4 @@
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 #include <dlfcn.h>
 #include <glad/gl.h>
@@ -9,7 +9,7 @@
 #include <map>
 
 #include "fixture.h"
-#include "gpu/vertex_array.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,7 +1,7 @@
-#include "gpu/debug.h"
+#include "gpu/context/debug.h"
 
 #include "fixture.h"
-#include "gpu/errors.h"
+#include "gpu/context/errors.h"
 
 namespace glibra::gpu {
 namespace {

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/context.h"
-#include "gpu/program.h"
-#include "gpu/readback.h"
-#include "gpu/reflection.h"
-#include "gpu/target.h"
+#include "gpu/context/context.h"
+#include "gpu/object/program.h"
+#include "gpu/object/readback.h"
+#include "gpu/object/reflection.h"
+#include "gpu/object/target.h"
 
 namespace glibra::gpu::test {
 

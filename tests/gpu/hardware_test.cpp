@@ -1,6 +1,6 @@
 // Whether a graphics card may draw, decided from folders that stand for /dev.
 
-#include "gpu/hardware.h"
+#include "gpu/context/hardware.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

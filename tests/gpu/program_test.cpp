@@ -1,4 +1,4 @@
-#include "gpu/program.h"
+#include "gpu/object/program.h"
 
 #include <fmt/format.h>
 

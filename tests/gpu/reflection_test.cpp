@@ -1,11 +1,11 @@
-#include "gpu/reflection.h"
+#include "gpu/object/reflection.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "fixture.h"
-#include "gpu/value_type.h"
+#include "gpu/format/value_type.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,10 +1,10 @@
-#include "gpu/target.h"
+#include "gpu/object/target.h"
 
 #include <cmath>
 #include <utility>
 
 #include "fixture.h"
-#include "gpu/vertex_array.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,4 +1,4 @@
-#include "gpu/texture.h"
+#include "gpu/object/texture.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "gpu/uniform.h"
+#include "gpu/object/uniform.h"
 
 #include <cmath>
 #include <cstring>
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "fixture.h"
-#include "gpu/buffer.h"
-#include "gpu/number.h"
-#include "gpu/value_type.h"
+#include "gpu/format/number.h"
+#include "gpu/format/value_type.h"
+#include "gpu/object/buffer.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,10 +1,10 @@
-#include "gpu/vertex_array.h"
+#include "gpu/object/vertex_array.h"
 
 #include <cstring>
 
 #include "fixture.h"
-#include "gpu/timer.h"
-#include "gpu/value_type.h"
+#include "gpu/format/value_type.h"
+#include "gpu/object/timer.h"
 
 namespace glibra::gpu {
 namespace {

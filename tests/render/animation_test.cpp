@@ -1,7 +1,7 @@
 // Whether an animation is worth dividing, decided without a context, and how the diagnostics of its parts are
 // joined.
 
-#include "render/animation.h"
+#include "render/file/animation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The search for NaN: compares the draws that it names with the draws that were written to make NaN.
 
-#include "render/nan_search.h"
+#include "render/probe/nan_search.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gpu/context.h"
-#include "render/job.h"
+#include "gpu/context/context.h"
+#include "render/file/job.h"
 #include "scene_text.h"
 
 namespace glibra::render {

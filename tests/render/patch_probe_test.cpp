@@ -1,6 +1,6 @@
 // The patches of a scene that are captured for the choice of tessellation levels.
 
-#include "render/patch_probe.h"
+#include "render/probe/patch_probe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Several threads write frames while others are drawn.
 
-#include "render/picture_writer.h"
+#include "render/file/picture_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // What scenes drawn one after another share, and frames that cannot differ: nothing is made twice, and every
 // picture equals that of a separate process.
 
-#include "render/shared_parts.h"
+#include "render/load/shared_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "render/job.h"
+#include "render/file/job.h"
 #include "render/scene_renderer.h"
 #include "skip_runs.h"
 

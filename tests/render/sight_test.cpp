@@ -1,6 +1,6 @@
 // Compares what is reported as out of sight with vertices computed in floats, as a driver does.
 
-#include "render/sight.h"
+#include "render/draw/sight.h"
 
 #include <gtest/gtest.h>
 

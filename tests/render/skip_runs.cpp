@@ -10,7 +10,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "render/scene_renderer.h"
 #include "scene_text.h"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "gpu/call_counter.h"
-#include "gpu/context.h"
-#include "render/shared_parts.h"
+#include "gpu/context/call_counter.h"
+#include "gpu/context/context.h"
+#include "render/load/shared_parts.h"
 #include "render/stats.h"
 
 namespace glibra::test {

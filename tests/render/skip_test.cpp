@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-#include "render/job.h"
+#include "render/file/job.h"
 #include "render/scene_renderer.h"
 #include "skip_runs.h"
 

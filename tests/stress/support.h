@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "scene/scene.h"
 
 namespace glibra::stress {

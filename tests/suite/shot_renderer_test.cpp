@@ -7,7 +7,7 @@
 #include <initializer_list>
 
 #include "folder.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::suite {
 namespace {

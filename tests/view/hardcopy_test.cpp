@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "image/read.h"
-#include "render/view_matrices.h"
+#include "render/draw/view_matrices.h"
 #include "scene_folder.h"
 
 namespace glibra::test {

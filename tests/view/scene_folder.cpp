@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "gpu/readback.h"
+#include "gpu/object/readback.h"
 
 namespace glibra::test {
 

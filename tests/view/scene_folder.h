@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "view/session/session.h"
 
 namespace glibra::test {

@@ -1,6 +1,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
-#include "render/view_matrices.h"
+#include "render/draw/view_matrices.h"
 #include "scene_folder.h"
 
 namespace glibra::test {

@@ -1,7 +1,7 @@
 #include "view/export/suite_shot.h"
 
+#include "render/draw/view_matrices.h"
 #include "render/scene_renderer.h"
-#include "render/view_matrices.h"
 #include "scene_folder.h"
 #include "suite/file/suite_file.h"
 

@@ -10,7 +10,7 @@
 
 #include "bench/core/apart.h"
 #include "bench/core/measurement.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::bench {
 

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "bench/draw/offscreen.h"
-#include "gpu/buffer.h"
-#include "gpu/errors.h"
-#include "gpu/readback.h"
+#include "gpu/context/errors.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/readback.h"
 
 namespace glibra::bench {
 namespace {

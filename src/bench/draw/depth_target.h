@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/reference/depth_kinds.h"
-#include "gpu/framebuffer.h"
-#include "gpu/program.h"
+#include "gpu/object/framebuffer.h"
+#include "gpu/object/program.h"
 
 namespace glibra::bench {
 

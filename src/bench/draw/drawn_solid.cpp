@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "bench/draw/offscreen.h"
-#include "gpu/buffer.h"
-#include "gpu/program.h"
-#include "gpu/readback.h"
-#include "gpu/target.h"
-#include "gpu/vertex_array.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
+#include "gpu/object/readback.h"
+#include "gpu/object/target.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "bench/reference/analytic_lighting.h"
 #include "geometry/mesh.h"
-#include "gpu/buffer.h"
-#include "gpu/capabilities.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
-#include "gpu/vertex_array.h"
+#include "gpu/context/capabilities.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
 

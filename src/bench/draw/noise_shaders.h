@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/draw/noise_volume.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
 
 namespace glibra::bench {
 

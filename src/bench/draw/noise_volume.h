@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/capabilities.h"
-#include "gpu/texture.h"
+#include "gpu/context/capabilities.h"
+#include "gpu/object/texture.h"
 #include "noise/noise.h"
 
 namespace glibra::bench {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "gpu/buffer.h"
-#include "gpu/errors.h"
-#include "gpu/readback.h"
+#include "gpu/context/errors.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/readback.h"
 
 namespace glibra::bench {
 namespace {

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/capabilities.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
-#include "gpu/vertex_array.h"
+#include "gpu/context/capabilities.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
 

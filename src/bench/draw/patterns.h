@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/buffer.h"
-#include "gpu/program.h"
-#include "gpu/vertex_array.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
+#include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/call_counter.h"
+#include "gpu/context/call_counter.h"
 #include "image/compare/flip.h"
 #include "render/scene_renderer.h"
 

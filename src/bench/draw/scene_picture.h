@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "image/image.h"
 
 namespace glibra::bench {

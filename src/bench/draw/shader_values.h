@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bench/core/bench.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
-#include "gpu/texture.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
+#include "gpu/object/texture.h"
 
 namespace glibra::bench {
 

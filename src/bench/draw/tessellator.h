@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/buffer.h"
-#include "gpu/capabilities.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
+#include "gpu/context/capabilities.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
 
 namespace glibra::bench {
 

@@ -6,7 +6,7 @@
 #include "bench/subjects/builtin_precision.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gpu/errors.h"
+#include "gpu/context/errors.h"
 
 namespace glibra::bench {
 namespace {

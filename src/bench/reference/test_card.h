@@ -9,8 +9,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "gpu/name.h"
-#include "gpu/texture.h"
+#include "gpu/object/name.h"
+#include "gpu/object/texture.h"
 
 namespace glibra::bench {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "bench/reference/builtin_functions.h"
-#include "gpu/capabilities.h"
-#include "gpu/program.h"
-#include "gpu/target.h"
-#include "gpu/texture.h"
+#include "gpu/context/capabilities.h"
+#include "gpu/object/program.h"
+#include "gpu/object/target.h"
+#include "gpu/object/texture.h"
 
 namespace glibra::bench {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gpu/capabilities.h"
+#include "gpu/context/capabilities.h"
 
 namespace glibra::suite {
 

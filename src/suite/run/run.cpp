@@ -9,8 +9,8 @@
 #include <set>
 #include <thread>
 
+#include "base/workers.h"
 #include "image/file.h"
-#include "render/workers.h"
 #include "suite/run/run_messages.h"
 #include "suite/run/run_pieces.h"
 #include "suite/run/run_worker.h"
@@ -21,7 +21,7 @@ namespace glibra::suite {
 namespace {
 
 namespace fs = std::filesystem;
-using End = render::Outcome::End;
+using End = base::Outcome::End;
 
 /// The parent process of a run. It gives out pieces, collects their results, and gives out again what a
 /// worker had not finished when it ended.
@@ -74,13 +74,13 @@ class Run {
         }
         begun_.assign(plan_.pieces.size(), {});
         ShotWorker worker(plan_);
-        const render::WorkerOptions options{
+        const base::WorkerOptions options{
             .workers = jobs_,
             .timeoutOf = [this](std::size_t piece) { return timeoutOf(plan_.pieces[piece].front()); },
             .stop = [this] { return stopped(); }};
-        render::runInWorkers(
+        base::runInWorkers(
             plan_.pieces.size(), options, std::ref(worker),
-            [this](std::size_t piece, const render::Outcome& outcome) { pieceEnds(piece, outcome); },
+            [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
             [this](std::size_t piece, const std::string& text) { hear(piece, text); });
     }
 
@@ -104,7 +104,7 @@ class Run {
             if (events_.done) events_.done(each);
     }
 
-    void pieceEnds(std::size_t piece, const render::Outcome& outcome) {
+    void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
         if (outcome.end == End::finished) {
             if (outcome.answer.empty() || end_.noDriver) return;
             end_.noDriver = true;
@@ -145,7 +145,7 @@ class Run {
         return prepared;
     }
 
-    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const render::Outcome& outcome) const {
+    [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const base::Outcome& outcome) const {
         const bool late = outcome.end == End::timedOut;
         const std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
                                    : outcome.signal > 0

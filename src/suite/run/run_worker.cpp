@@ -140,7 +140,7 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
     }
 }
 
-std::string ShotWorker::operator()(std::size_t piece, const render::Step& step) {
+std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
     std::mutex sending;
     const auto send = [&](const Message& message) {
         const std::scoped_lock lock(sending);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
-#include "render/workers.h"
+#include "base/workers.h"
+#include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "suite/run/run_messages.h"
 #include "suite/run/shot_renderer.h"
@@ -31,7 +31,7 @@ class ShotWorker {
     explicit ShotWorker(const RunPlan& plan) : plan_(plan) {}
 
     /// Does a piece and sends a message per step. The answer is empty, or says why there is no driver.
-    std::string operator()(std::size_t piece, const render::Step& step);
+    std::string operator()(std::size_t piece, const base::Step& step);
 
   private:
     /// Opens the context. Returns nothing, or why there is none.

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "render/job.h"
+#include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
 
 namespace glibra::suite {

@@ -11,9 +11,9 @@
 #include <span>
 #include <utility>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
+#include "render/load/shared_parts.h"
 #include "render/scene_renderer.h"
-#include "render/shared_parts.h"
 #include "render/stats.h"
 #include "suite/run/background.h"
 #include "suite/run/verdict.h"

@@ -17,7 +17,7 @@
 #include <system_error>
 #include <utility>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "view/browse/thumbnails.h"
 
 namespace glibra::view {

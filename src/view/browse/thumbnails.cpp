@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "gpu/readback.h"
+#include "gpu/object/readback.h"
 #include "image/file.h"
 #include "image/image.h"
 #include "image/write.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 
 namespace glibra::view {
 

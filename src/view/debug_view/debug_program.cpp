@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "glsl/emit/wrapped_main.h"
-#include "gpu/reflection.h"
-#include "gpu/uniform.h"
-#include "render/derived_program.h"
-#include "render/gl_names.h"
+#include "gpu/object/reflection.h"
+#include "gpu/object/uniform.h"
+#include "render/load/derived_program.h"
+#include "render/load/gl_names.h"
 
 namespace glibra::view {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "base/program_resources.h"
-#include "gpu/context.h"
-#include "gpu/program.h"
-#include "render/programs.h"
+#include "gpu/context/context.h"
+#include "gpu/object/program.h"
+#include "render/load/programs.h"
 #include "view/debug_view/debug_view.h"
 
 namespace glibra::view {

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <vector>
 
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/target.h"
-#include "gpu/vertex_array.h"
+#include "gpu/context/context.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/target.h"
+#include "gpu/object/vertex_array.h"
 #include "view/debug_view/debug_program.h"
 #include "view/debug_view/debug_view.h"
 #include "view/scene/live_scene.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/framebuffer.h"
-#include "gpu/name.h"
+#include "gpu/object/framebuffer.h"
+#include "gpu/object/name.h"
 
 namespace glibra::view {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/target.h"
-#include "gpu/texture.h"
+#include "gpu/object/target.h"
+#include "gpu/object/texture.h"
 #include "scene/scene.h"
 
 namespace glibra::view {

@@ -10,7 +10,7 @@
 
 #include "image/file.h"
 #include "image/write.h"
-#include "render/job.h"
+#include "render/file/job.h"
 #include "render/scene_renderer.h"
 #include "view/export/video_encoder.h"
 

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "view/export/hardcopy.h"
 
 namespace glibra::view {

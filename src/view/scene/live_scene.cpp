@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "gpu/loop_limit.h"
+#include "gpu/context/loop_limit.h"
 #include "plan/loop_rounds.h"
-#include "render/axes.h"
-#include "render/device_scene.h"
-#include "render/programs.h"
+#include "render/draw/axes.h"
+#include "render/load/device_scene.h"
+#include "render/load/programs.h"
 #include "render/scene_renderer.h"
 #include "scene/view.h"
 

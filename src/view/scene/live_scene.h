@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "glsl/emit/emitted_lines.h"
-#include "gpu/context.h"
-#include "gpu/target.h"
+#include "gpu/context/context.h"
+#include "gpu/object/target.h"
 #include "plan/frame_plan.h"
-#include "render/frame.h"
+#include "render/draw/frame.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"

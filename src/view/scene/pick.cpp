@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "gpu/name.h"
+#include "gpu/object/name.h"
 #include "scene/matrices.h"
 
 namespace glibra::view {

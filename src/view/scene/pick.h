@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "gpu/target.h"
+#include "gpu/object/target.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {

@@ -5,8 +5,8 @@
 #include <array>
 #include <chrono>
 
-#include "gpu/name.h"
-#include "gpu/timer.h"
+#include "gpu/object/name.h"
+#include "gpu/object/timer.h"
 
 namespace glibra::view {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "plan/overrides.h"
-#include "render/view_matrices.h"
+#include "render/draw/view_matrices.h"
 #include "scene/matrices.h"
 
 namespace glibra::view {

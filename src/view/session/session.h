@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
-#include "gpu/target.h"
+#include "gpu/context/context.h"
+#include "gpu/object/target.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/scene/knobs.h"
 #include "view/scene/live_scene.h"

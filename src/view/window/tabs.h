@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "view/scene/file_watch.h"
 #include "view/session/session.h"
 #include "view/window/panels/ui.h"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <thread>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "image/file.h"
 #include "view/scene/file_watch.h"
 #include "view/session/frame_pacer.h"

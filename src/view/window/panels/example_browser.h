@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/texture.h"
+#include "gpu/object/texture.h"
 #include "view/browse/example_scenes.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "gpu/texture.h"
+#include "gpu/object/texture.h"
 #include "noise/noise_file.h"
 
 namespace glibra::view {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "render/view_matrices.h"
+#include "render/draw/view_matrices.h"
 #include "view/edit/source_lines.h"
 #include "view/window/panels/ui.h"
 

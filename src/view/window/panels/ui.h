@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "view/debug_view/texels.h"
 #include "view/export/hardcopy_job.h"
 #include "view/session/frame_cost.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "render/view_matrices.h"
+#include "render/draw/view_matrices.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {

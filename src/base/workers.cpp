@@ -1,0 +1,276 @@
+#include "base/workers.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+namespace glibra::base {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+enum class MessageKind : std::uint32_t { step, answer };
+struct Header {
+    MessageKind kind{};
+    std::uint32_t bytes = 0;
+};
+
+bool writeAll(int file, const void* data, std::size_t size) {
+    const char* next = static_cast<const char*>(data);
+    while (size > 0) {
+        const ssize_t written = ::write(file, next, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        next += written;
+        size -= static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+bool readAll(int file, void* data, std::size_t size) {
+    char* next = static_cast<char*>(data);
+    while (size > 0) {
+        const ssize_t got = ::read(file, next, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        next += got;
+        size -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+void send(int file, MessageKind kind, const std::string& text) {
+    const Header header{kind, static_cast<std::uint32_t>(text.size())};
+    if (!writeAll(file, &header, sizeof header) || !writeAll(file, text.data(), text.size())) ::_exit(1);
+}
+
+/// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
+[[noreturn]] void serve(int requests, int answers, const WorkerOptions& options, const Work& work) {
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // When memory runs out, the kernel should end a worker, not the parent that holds all results.
+    if (std::FILE* score = std::fopen("/proc/self/oom_score_adj", "w")) {
+        std::fputs("1000", score);
+        std::fclose(score);
+    }
+#endif
+    for (const int each : {SIGINT, SIGHUP, SIGQUIT}) ::signal(each, SIG_IGN);
+    ::signal(SIGTERM, SIG_DFL);
+    if (options.memory > 0) {
+        const rlimit limit{options.memory, options.memory};
+        ::setrlimit(RLIMIT_AS, &limit);
+    }
+    std::uint64_t index = 0;
+    while (readAll(requests, &index, sizeof index)) {
+        const std::string answer =
+            work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
+        send(answers, MessageKind::answer, answer);
+    }
+    std::fflush(nullptr);
+    ::_exit(0);
+}
+
+struct Worker {
+    pid_t process = -1;
+    int requests = -1;  ///< we write
+    int answers = -1;   ///< we read
+    std::optional<std::size_t> piece;
+    Clock::time_point deadline = Clock::time_point::max();
+};
+
+std::optional<Worker> start(const WorkerOptions& options, const Work& work,
+                            const std::vector<Worker>& others) {
+    std::array<int, 2> requests{};
+    std::array<int, 2> answers{};
+    if (::pipe(requests.data()) != 0) return std::nullopt;
+    if (::pipe(answers.data()) != 0) {
+        ::close(requests[0]);
+        ::close(requests[1]);
+        return std::nullopt;
+    }
+    std::fflush(nullptr);
+    const pid_t process = ::fork();
+    if (process == 0) {
+        // Close the other workers' pipes: open ends here would hide from the parent that a worker died.
+        for (const Worker& other : others) {
+            if (other.requests >= 0) ::close(other.requests);
+            if (other.answers >= 0) ::close(other.answers);
+        }
+        ::close(requests[1]);
+        ::close(answers[0]);
+        serve(requests[0], answers[1], options, work);
+    }
+    ::close(requests[0]);
+    ::close(answers[1]);
+    if (process < 0) {
+        ::close(requests[1]);
+        ::close(answers[0]);
+        return std::nullopt;
+    }
+    Worker worker;
+    worker.process = process;
+    worker.requests = requests[1];
+    worker.answers = answers[0];
+    return worker;
+}
+
+/// Closes the pipes and waits; returns the signal that ended the worker, or 0.
+int finish(Worker& worker) {
+    if (worker.requests >= 0) ::close(worker.requests);
+    if (worker.answers >= 0) ::close(worker.answers);
+    int status = 0;
+    if (worker.process > 0)
+        while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+        }
+    worker = Worker{};
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+class Pool {
+  public:
+    Pool(std::size_t count, const WorkerOptions& options, const Work& work,
+         const std::function<void(std::size_t, const Outcome&)>& done,
+         const std::function<void(std::size_t, const std::string&)>& progress)
+        : count_(count), options_(options), work_(work), done_(done), progress_(progress) {}
+
+    void run() {
+        const auto wanted = static_cast<std::size_t>(std::max(1, options_.workers));
+        workers_.resize(std::min(wanted, count_));
+        // A worker that dies during this write is detected when its pipe is read.
+        struct sigaction ignore {};
+        struct sigaction before {};
+        ignore.sa_handler = SIG_IGN;
+        ::sigaction(SIGPIPE, &ignore, &before);
+        while (next_ < count_ || busy() > 0) {
+            if (options_.stop && options_.stop()) {
+                for (Worker& worker : workers_)
+                    if (worker.piece) end(worker, {.end = Outcome::End::stopped});
+                break;
+            }
+            for (Worker& worker : workers_)
+                if (!worker.piece && next_ < count_) give(worker);
+            if (busy() > 0) waitForNews();
+        }
+        for (Worker& worker : workers_) finish(worker);
+        ::sigaction(SIGPIPE, &before, nullptr);
+    }
+
+  private:
+    [[nodiscard]] std::size_t busy() const {
+        return static_cast<std::size_t>(std::count_if(
+            workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
+    }
+
+    void beginStep(Worker& worker) const {
+        const double seconds = options_.timeoutOf ? options_.timeoutOf(*worker.piece) : options_.timeout;
+        worker.deadline = seconds > 0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                           std::chrono::duration<double>(seconds))
+                                      : Clock::time_point::max();
+    }
+
+    void give(Worker& worker) {
+        if (worker.process < 0) {
+            std::optional<Worker> started = start(options_, work_, workers_);
+            if (!started) {
+                if (busy() > 0) return;  // try again when another worker is done
+                done_(next_++, {.end = Outcome::End::crashed});
+                return;
+            }
+            worker = *started;
+        }
+        worker.piece = next_++;
+        const std::uint64_t index = *worker.piece;
+        writeAll(worker.requests, &index, sizeof index);
+        beginStep(worker);
+    }
+
+    void end(Worker& worker, Outcome outcome) {
+        const std::size_t piece = *worker.piece;
+        outcome.process = worker.process;
+        if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
+        const int signal = finish(worker);
+        if (outcome.end == Outcome::End::crashed) outcome.signal = signal;
+        done_(piece, outcome);
+    }
+
+    void receive(Worker& worker) {
+        Header header;
+        std::string text;
+        bool whole = readAll(worker.answers, &header, sizeof header);
+        if (whole) {
+            text.resize(header.bytes);
+            whole = readAll(worker.answers, text.data(), text.size());
+        }
+        if (!whole) {
+            end(worker, {.end = Outcome::End::crashed});
+        } else if (header.kind == MessageKind::step) {
+            beginStep(worker);
+            progress_(*worker.piece, text);
+        } else {
+            const std::size_t piece = *worker.piece;
+            worker.piece.reset();
+            done_(piece, {.answer = std::move(text)});
+        }
+    }
+
+    void waitForNews() {
+        std::vector<pollfd> files;
+        std::vector<std::size_t> owners;
+        Clock::time_point first = Clock::time_point::max();
+        for (std::size_t i = 0; i < workers_.size(); ++i) {
+            if (!workers_[i].piece) continue;
+            files.push_back({workers_[i].answers, POLLIN, 0});
+            owners.push_back(i);
+            first = std::min(first, workers_[i].deadline);
+        }
+        int milliseconds = -1;
+        if (first != Clock::time_point::max()) {
+            const auto left =
+                std::chrono::duration_cast<std::chrono::milliseconds>(first - Clock::now()).count() + 1;
+            milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+        }
+        constexpr int kBetweenQuestions = 200;
+        if (options_.stop && (milliseconds < 0 || milliseconds > kBetweenQuestions))
+            milliseconds = kBetweenQuestions;
+        if (::poll(files.data(), files.size(), milliseconds) < 0) return;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            Worker& worker = workers_[owners[i]];
+            if (files[i].revents != 0)
+                receive(worker);
+            else if (Clock::now() >= worker.deadline)
+                end(worker, {.end = Outcome::End::timedOut});
+        }
+    }
+
+    std::size_t count_;
+    const WorkerOptions& options_;
+    const Work& work_;
+    const std::function<void(std::size_t, const Outcome&)>& done_;
+    const std::function<void(std::size_t, const std::string&)>& progress_;
+    std::vector<Worker> workers_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
+                  const std::function<void(std::size_t, const Outcome&)>& done,
+                  const std::function<void(std::size_t, const std::string&)>& progress) {
+    Pool(count, options, work, done, progress).run();
+}
+
+}  // namespace glibra::base

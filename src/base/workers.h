@@ -1,0 +1,45 @@
+#pragma once
+// Runs work in separate processes, so that a piece that crashes the driver, hangs or runs out of memory
+// affects only itself.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace glibra::base {
+
+/// How one piece of work ended.
+struct Outcome {
+    enum class End { finished, timedOut, crashed, stopped };
+    End end = End::finished;
+    std::string answer{};  ///< what the work returned, if it finished
+    int signal = 0;        ///< that ended the process, if it crashed; 0: it exited
+    int process = 0;       ///< the process id, if it did not finish
+};
+
+struct WorkerOptions {
+    int workers = 1;         ///< number of processes, at least 1
+    double timeout = 0;      ///< seconds that one step of a piece may take; 0: no limit
+    std::size_t memory = 0;  ///< bytes of address space that a worker may reserve; 0: no limit
+    /// The time limit of one piece, if the pieces have different limits.
+    std::function<double(std::size_t index)> timeoutOf{};
+    /// Called five times a second. After it returns true, no further piece begins and the running ones are
+    /// ended.
+    std::function<bool()> stop{};
+};
+
+/// Reports to the parent that a step is done, such as a frame; the time limit starts again. The text is
+/// passed to `progress`.
+using Step = std::function<void(const std::string& text)>;
+/// Does piece `index`. It runs in a worker, which keeps its state between pieces.
+using Work = std::function<std::string(std::size_t index, const Step& step)>;
+
+/// Does pieces 0 to count - 1, each exactly once, in forked workers; a worker that ends is replaced. `done`
+/// and `progress` run in the calling process, in the order of events. Call it before any thread or GL context
+/// exists. Workers ignore the signals that a terminal sends to the whole group (Ctrl-C); the caller ends them
+/// by `stop`. After a stop `done` is called for the running pieces only.
+void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
+                  const std::function<void(std::size_t index, const Outcome&)>& done,
+                  const std::function<void(std::size_t index, const std::string& text)>& progress);
+
+}  // namespace glibra::base

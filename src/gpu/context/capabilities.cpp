@@ -1,0 +1,156 @@
+#include "gpu/context/capabilities.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace glibra::gpu {
+namespace {
+
+constexpr GLenum kMaxAnisotropy = GL_MAX_TEXTURE_MAX_ANISOTROPY;
+
+int integer(GLenum what) {
+    GLint value = 0;
+    glGetIntegerv(what, &value);
+    return value;
+}
+
+std::string text(GLenum what) {
+    const auto* value = reinterpret_cast<const char*>(glGetString(what));
+    return value ? value : "";
+}
+
+/// "4.50 NVIDIA ..." -> 450.
+int glslNumber(std::string_view words) {
+    int major = 0;
+    int minor = 0;
+    const char* end = words.data() + words.size();
+    const auto [dot, failed] = std::from_chars(words.data(), end, major);
+    if (failed != std::errc{} || dot == end || *dot != '.') return 410;
+    std::from_chars(dot + 1, end, minor);
+    return major * 100 + (minor < 10 ? minor * 10 : minor);
+}
+
+std::string lowered(std::string_view words) {
+    std::string low(words);
+    for (char& c : low)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return low;
+}
+
+std::string familyOf(const Capabilities& driver, bool throughOsmesa) {
+    const std::string renderer = lowered(driver.renderer);
+    const std::string vendor = lowered(driver.vendor);
+    const auto in = [](const std::string& words, std::string_view word) {
+        return words.find(word) != std::string::npos;
+    };
+    const std::string prefix = throughOsmesa ? "osmesa-" : "";
+    // Layered drivers name the device below them too, so they come first.
+    if (in(renderer, "zink")) return "zink";
+    if (in(renderer, "d3d12")) return "d3d12";
+    if (in(renderer, "llvmpipe")) return prefix + "llvmpipe";
+    if (in(renderer, "softpipe")) return prefix + "softpipe";
+    if (in(vendor, "nvidia") || in(renderer, "nvidia")) return "nvidia";
+    if (in(vendor, "apple")) return "apple";
+    if (in(vendor, "intel") || in(renderer, "intel")) return "intel";
+    if (in(vendor, "amd") || in(vendor, "ati ") || in(renderer, "amd") || in(renderer, "radeon"))
+        return "amd";
+    return "other";
+}
+
+void readExtensions(Capabilities& driver) {
+    const int count = integer(GL_NUM_EXTENSIONS);
+    driver.extensions.reserve(static_cast<std::size_t>(std::max(count, 0)));
+    for (GLuint i = 0; i < static_cast<GLuint>(std::max(count, 0)); ++i)
+        if (const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)))
+            driver.extensions.emplace_back(name);
+    std::sort(driver.extensions.begin(), driver.extensions.end());
+}
+
+void readSizes(Capabilities& driver) {
+    driver.max2DTextureSide = integer(GL_MAX_TEXTURE_SIZE);
+    driver.max1DTextureSide = driver.max2DTextureSide;
+    driver.max3DTextureSide = integer(GL_MAX_3D_TEXTURE_SIZE);
+    driver.maxCubeSide = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    driver.maxRenderbufferSide = integer(GL_MAX_RENDERBUFFER_SIZE);
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    driver.maxViewportWidth = viewport[0];
+    driver.maxViewportHeight = viewport[1];
+    driver.maxSamples = std::max(1, integer(GL_MAX_SAMPLES));
+    driver.maxIntegerSamples = std::max(1, integer(GL_MAX_INTEGER_SAMPLES));
+    driver.maxDrawBuffers = integer(GL_MAX_DRAW_BUFFERS);
+    driver.maxColorAttachments = integer(GL_MAX_COLOR_ATTACHMENTS);
+}
+
+void readUnits(Capabilities& driver) {
+    driver.vertexTextureUnits = integer(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS);
+    driver.tessControlTextureUnits = integer(GL_MAX_TESS_CONTROL_TEXTURE_IMAGE_UNITS);
+    driver.tessEvaluationTextureUnits = integer(GL_MAX_TESS_EVALUATION_TEXTURE_IMAGE_UNITS);
+    driver.geometryTextureUnits = integer(GL_MAX_GEOMETRY_TEXTURE_IMAGE_UNITS);
+    driver.fragmentTextureUnits = integer(GL_MAX_TEXTURE_IMAGE_UNITS);
+    driver.combinedTextureUnits = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    if (driver.atLeast(4, 2)) driver.imageUnits = integer(GL_MAX_IMAGE_UNITS);
+    if (driver.atLeast(4, 6) || driver.hasExtension("GL_ARB_texture_filter_anisotropic") ||
+        driver.hasExtension("GL_EXT_texture_filter_anisotropic"))
+        driver.maxAnisotropy = std::max(1, integer(kMaxAnisotropy));
+}
+
+void readStages(Capabilities& driver) {
+    driver.maxVertexAttributes = integer(GL_MAX_VERTEX_ATTRIBS);
+    driver.maxGeometryOutputVertices = integer(GL_MAX_GEOMETRY_OUTPUT_VERTICES);
+    driver.maxGeometryTotalOutputComponents = integer(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS);
+    driver.maxTessellationLevel = integer(GL_MAX_TESS_GEN_LEVEL);
+    driver.maxPatchVertices = integer(GL_MAX_PATCH_VERTICES);
+    driver.maxClipDistances = integer(GL_MAX_CLIP_DISTANCES);
+    driver.maxVertexUniformComponents = integer(GL_MAX_VERTEX_UNIFORM_COMPONENTS);
+    driver.maxFragmentUniformComponents = integer(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
+    driver.maxUniformBlockBytes = integer(GL_MAX_UNIFORM_BLOCK_SIZE);
+    driver.maxUniformBufferBindings = integer(GL_MAX_UNIFORM_BUFFER_BINDINGS);
+    if (driver.atLeast(4, 3))
+        driver.maxStorageBufferBindings = integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
+}
+
+void readRaster(Capabilities& driver) {
+    std::array<GLfloat, 2> range{1, 1};
+    glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
+    driver.minLineWidth = static_cast<double>(range[0]);
+    driver.maxLineWidth = static_cast<double>(range[1]);
+    const bool forwardCompatible = (integer(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
+    driver.wideLines = !forwardCompatible && driver.maxLineWidth > 1;
+    glGetFloatv(GL_POINT_SIZE_RANGE, range.data());
+    driver.minPointSize = static_cast<double>(range[0]);
+    driver.maxPointSize = static_cast<double>(range[1]);
+}
+
+}  // namespace
+
+bool Capabilities::hasExtension(std::string_view name) const {
+    return std::binary_search(extensions.begin(), extensions.end(), name);
+}
+
+Capabilities readCapabilities(bool throughOsmesa) {
+    Capabilities driver;
+    driver.vendor = text(GL_VENDOR);
+    driver.renderer = text(GL_RENDERER);
+    driver.version = text(GL_VERSION);
+    driver.shadingLanguage = text(GL_SHADING_LANGUAGE_VERSION);
+    driver.major = integer(GL_MAJOR_VERSION);
+    driver.minor = integer(GL_MINOR_VERSION);
+    driver.glslVersion = glslNumber(driver.shadingLanguage);
+    driver.family = familyOf(driver, throughOsmesa);
+    driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
+    readExtensions(driver);
+    readSizes(driver);
+    readUnits(driver);
+    readStages(driver);
+    readRaster(driver);
+    driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
+    driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");
+    driver.debugOutput = driver.atLeast(4, 3) || driver.hasExtension("GL_KHR_debug");
+    return driver;
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,156 @@
+#include "gpu/context/context.h"
+
+#include <glad/gl.h>
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/context/backend.h"
+#include "gpu/context/call_counter.h"
+
+namespace glibra::gpu {
+
+struct Context::State {
+    DebugLog log;  // outlives the context, which calls back into it
+    std::unique_ptr<Backend> backend;
+    Capabilities capabilities;
+    std::string howOpened;
+    std::vector<std::string> failedWays;
+
+    ~State() {
+        // An adopted context continues to exist.
+        if (backend && backend->driver() == Driver::automatic) log.detach();
+    }
+};
+
+namespace {
+
+/// A context that another library made and owns.
+class AdoptedBackend final : public Backend {
+  public:
+    explicit AdoptedBackend(std::function<void*(const char*)> loader) : loader_(std::move(loader)) {}
+    bool makeCurrent() override { return true; }
+    void release() override {}
+    void* address(const char* function) override { return loader_(function); }
+    [[nodiscard]] Driver driver() const override { return Driver::automatic; }
+    [[nodiscard]] std::string description() const override { return "context of a window"; }
+
+  private:
+    std::function<void*(const char*)> loader_;
+};
+
+using Opener = Attempt (*)(const ContextOptions&);
+
+std::vector<Opener> openers(Driver driver) {
+    switch (driver) {
+        case Driver::egl:
+            return {openEglSurfaceless};
+        case Driver::eglDevice:
+            return {openEglDevice};
+        case Driver::osmesa:
+            return {openOsmesa};
+        case Driver::automatic:
+            break;
+    }
+    return {openEglSurfaceless, openEglDevice, openOsmesa};
+}
+
+/// Fills glad's table of functions from the current context. False if functions are missing or the context is
+/// older than 4.1.
+bool loadFunctions(Backend& backend) {
+    const auto address = [](void* from, const char* function) {
+        return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
+    };
+    const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+    if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
+    return isLoaded;
+}
+
+/// The state that every picture starts from, where it differs from GL's own.
+void setInitialState() {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
+
+std::string joined(const std::vector<std::string>& phrases) {
+    std::string text;
+    for (const std::string& each : phrases) text += (text.empty() ? "" : "; ") + each;
+    return text;
+}
+
+}  // namespace
+
+void prepareEnvironment(const ContextOptions& options) {
+    // A value that the user has set is kept.
+    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
+}
+
+Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
+
+const Capabilities& Context::capabilities() const {
+    return state_->capabilities;
+}
+DebugLog& Context::debugLog() const {
+    return state_->log;
+}
+Driver Context::driver() const {
+    return state_->backend->driver();
+}
+const std::string& Context::howOpened() const {
+    return state_->howOpened;
+}
+const std::vector<std::string>& Context::failedWays() const {
+    return state_->failedWays;
+}
+
+bool Context::makeCurrent() {
+    return state_->backend->makeCurrent() && loadFunctions(*state_->backend);
+}
+
+Result<Context> openContext(const ContextOptions& options) {
+    prepareEnvironment(options);
+    std::vector<std::string> failures;
+    for (const Opener open : openers(options.driver)) {
+        Attempt attempt = open(options);
+        if (auto* phrases = std::get_if<std::vector<std::string>>(&attempt)) {
+            failures.insert(failures.end(), phrases->begin(), phrases->end());
+            continue;
+        }
+        auto& backend = std::get<std::unique_ptr<Backend>>(attempt);
+        if (!loadFunctions(*backend)) {
+            failures.push_back(backend->description() + ": no OpenGL 4.1");
+            continue;
+        }
+        auto state = std::make_unique<Context::State>();
+        state->capabilities = readCapabilities(backend->driver() == Driver::osmesa);
+        state->howOpened = backend->description();
+        state->failedWays = std::move(failures);
+        state->backend = std::move(backend);
+        state->log.attach(state->capabilities.debugOutput);
+        setInitialState();
+        return Context(std::move(state));
+    }
+    return diagnose("gpu-E01",
+                    "no usable OpenGL driver (4.1 core or later is needed); tried: " + joined(failures));
+}
+
+Result<Context> adopt(const std::function<void*(const char*)>& loader) {
+    auto state = std::make_unique<Context::State>();
+    state->backend = std::make_unique<AdoptedBackend>(loader);
+    if (!loader || !loadFunctions(*state->backend))
+        return diagnose("gpu-E01", "no usable OpenGL driver: the window's context is older than OpenGL 4.1");
+    state->capabilities = readCapabilities(false);
+    state->howOpened = state->backend->description();
+    state->log.attach(state->capabilities.debugOutput);
+    setInitialState();
+    return Context(std::move(state));
+}
+
+}  // namespace glibra::gpu

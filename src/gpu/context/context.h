@@ -1,0 +1,75 @@
+#pragma once
+// A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, or an adopted one
+// that another library made. EGL and OSMesa are opened at run time; the program links neither.
+// A process uses one context at a time, because it has one table of GL functions. A context belongs to the
+// thread that opened it. Every GL object must be destroyed before its context.
+
+#include <glibra/driver.h>
+#include <glibra/result.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/context/capabilities.h"
+#include "gpu/context/debug.h"
+
+namespace glibra::gpu {
+
+using glibra::Driver;
+
+struct ContextOptions {
+    Driver driver = Driver::automatic;
+    bool debugContext =
+        false;  ///< requests the driver's own checks as well; errors are collected in any case
+    /// Makes llvmpipe filter byte textures in float, as hardware does. This sets the environment variable
+    /// GALLIVM_PERF unless the user has set it, and takes effect at the first context of a process.
+    bool floatFiltering = true;
+    std::string eglLibrary = "libEGL.so.1";
+    std::vector<std::string> osmesaLibraries = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+};
+
+class Context {
+  public:
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+    ~Context();
+
+    [[nodiscard]] const Capabilities& capabilities() const;
+    /// The driver's messages so far. The log keeps its address while the context exists.
+    [[nodiscard]] DebugLog& debugLog() const;
+    /// The driver that was opened; `automatic` for an adopted context.
+    [[nodiscard]] Driver driver() const;
+    /// How it was opened, as one phrase: "EGL without a surface (libEGL.so.1, EGL 1.5)".
+    [[nodiscard]] const std::string& howOpened() const;
+    /// The ways that were tried first and why they failed, one phrase each; empty if the first way worked.
+    [[nodiscard]] const std::vector<std::string>& failedWays() const;
+    /// Makes the context current on the calling thread again after another one was. False if the driver
+    /// refuses.
+    bool makeCurrent();
+
+  private:
+    friend Result<Context> openContext(const ContextOptions& options);
+    friend Result<Context> adopt(const std::function<void*(const char*)>& loader);
+    struct State;
+    explicit Context(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// Opens a core profile context of the highest version that the driver has, at least 4.1, and makes it
+/// current on the calling thread. It has the state that every picture starts from: seamless cube maps,
+/// tightly packed pixel rows, no dithering. The error gpu-E01 names each way that was tried and why it
+/// failed.
+Result<Context> openContext(const ContextOptions& options = {});
+
+/// Sets the environment variables that drivers read when they are loaded (ContextOptions::floatFiltering).
+/// openContext calls it. Call it before making a context to adopt, and before any thread exists.
+void prepareEnvironment(const ContextOptions& options = {});
+
+/// Adopts a context that is current on this thread, such as a window's. `loader` returns the address of a GL
+/// function or null. The adopted context is not destroyed with the Context. Reports gpu-E01 if it is older
+/// than 4.1.
+Result<Context> adopt(const std::function<void*(const char*)>& loader);
+
+}  // namespace glibra::gpu

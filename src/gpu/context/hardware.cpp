@@ -1,0 +1,45 @@
+#include "gpu/context/hardware.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace glibra::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool canOpen(const fs::path& file) {
+    return ::access(file.c_str(), R_OK | W_OK) == 0;
+}
+
+/// True if the variable holds what Mesa reads as yes, in upper or lower case.
+bool mesaMustUseSoftware() {
+    const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+    std::string word = value ? value : "";
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    constexpr std::array<std::string_view, 4> kYes{"1", "true", "y", "yes"};
+    return std::find(kYes.begin(), kYes.end(), word) != kYes.end();
+}
+
+}  // namespace
+
+bool mayUseHardware(Driver driver, const fs::path& devices) {
+    if (driver == Driver::osmesa) return false;
+    if (canOpen(devices / "nvidiactl")) return true;
+    if (mesaMustUseSoftware()) return false;
+    if (canOpen(devices / "dxg")) return true;  // the Windows GPU, as WSL shows it
+    std::error_code failure;
+    for (fs::directory_iterator each(devices / "dri", failure); !failure && each != fs::directory_iterator();
+         each.increment(failure))
+        if (each->path().filename().string().starts_with("renderD") && canOpen(each->path())) return true;
+    return false;
+}
+
+}  // namespace glibra::gpu

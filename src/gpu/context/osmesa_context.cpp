@@ -1,0 +1,123 @@
+// OSMesa contexts. OSMesa is Mesa's off-screen interface; Mesa dropped it in 25.1, so it is loaded at run
+// time. Its functions and constants are declared here as in GL/osmesa.h, version 11.2.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/context/backend.h"
+#include "gpu/context/library.h"
+
+namespace glibra::gpu {
+namespace {
+
+struct OsmesaContextRecord;
+using OsmesaContext = OsmesaContextRecord*;
+
+constexpr int kFormat = 0x22;
+constexpr int kDepthBits = 0x30;
+constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
+constexpr int kContextMajorVersion = 0x36;
+constexpr int kContextMinorVersion = 0x37;
+constexpr int kRgba = 0x1908;
+constexpr unsigned kUnsignedByte = 0x1401;
+
+struct OsmesaLibrary {
+    std::string name;
+    OsmesaContext (*createContextAttribs)(const int* attributes, OsmesaContext shared) = nullptr;
+    void (*destroyContext)(OsmesaContext context) = nullptr;
+    unsigned char (*makeCurrent)(OsmesaContext context, void* buffer, unsigned type, int width,
+                                 int height) = nullptr;
+    void* (*getProcAddress)(const char* function) = nullptr;
+};
+
+class OsmesaBackend final : public Backend {
+  public:
+    OsmesaBackend(OsmesaLibrary library, OsmesaContext context)
+        : library_(std::move(library)), context_(context) {}
+    OsmesaBackend(const OsmesaBackend&) = delete;
+    OsmesaBackend& operator=(const OsmesaBackend&) = delete;
+    ~OsmesaBackend() override {
+        OsmesaBackend::release();
+        library_.destroyContext(context_);
+    }
+
+    bool makeCurrent() override {
+        return library_.makeCurrent(context_, pixel_.data(), kUnsignedByte, 1, 1) != 0;
+    }
+    void release() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
+    void* address(const char* function) override { return library_.getProcAddress(function); }
+    [[nodiscard]] Driver driver() const override { return Driver::osmesa; }
+    [[nodiscard]] std::string description() const override { return "OSMesa (" + library_.name + ")"; }
+
+  private:
+    OsmesaLibrary library_;
+    OsmesaContext context_;
+    std::array<std::byte, 4>
+        pixel_{};  ///< the default framebuffer that OSMesa requires; nothing is drawn there
+};
+
+std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
+    auto opened = Library::open(name);
+    if (const std::string* why = std::get_if<std::string>(&opened)) return *why;
+    const Library& library = std::get<Library>(opened);
+    OsmesaLibrary osmesa;
+    osmesa.name = name;
+    osmesa.createContextAttribs =
+        library.function<decltype(osmesa.createContextAttribs)>("OSMesaCreateContextAttribs");
+    osmesa.destroyContext = library.function<decltype(osmesa.destroyContext)>("OSMesaDestroyContext");
+    osmesa.makeCurrent = library.function<decltype(osmesa.makeCurrent)>("OSMesaMakeCurrent");
+    osmesa.getProcAddress = library.function<decltype(osmesa.getProcAddress)>("OSMesaGetProcAddress");
+    if (!osmesa.createContextAttribs || !osmesa.destroyContext || !osmesa.makeCurrent ||
+        !osmesa.getProcAddress)
+        return name + " is not an OSMesa library, or too old";
+    return osmesa;
+}
+
+/// Makes the best context that the library offers, and makes it current.
+std::variant<std::unique_ptr<Backend>, std::string> tryLibrary(const OsmesaLibrary& library) {
+    for (const int minor : kMinorVersions) {
+        const std::array<int, 11> attributes{kFormat,
+                                             kRgba,
+                                             kDepthBits,
+                                             0,
+                                             kProfile,
+                                             kCoreProfile,
+                                             kContextMajorVersion,
+                                             4,
+                                             kContextMinorVersion,
+                                             minor,
+                                             0};
+        OsmesaContext context = library.createContextAttribs(attributes.data(), nullptr);
+        if (!context) continue;
+        auto backend = std::make_unique<OsmesaBackend>(library, context);
+        if (!backend->makeCurrent()) return "OSMesaMakeCurrent failed";
+        return backend;
+    }
+    return "no OpenGL 4.1 core context";
+}
+
+}  // namespace
+
+Attempt openOsmesa(const ContextOptions& options) {
+    std::vector<std::string> failures;
+    for (const std::string& name : options.osmesaLibraries) {
+        const auto opened = openLibrary(name);
+        if (const std::string* why = std::get_if<std::string>(&opened)) {
+            failures.push_back("OSMesa: " + *why);
+            continue;
+        }
+        const auto& library = std::get<OsmesaLibrary>(opened);
+        auto outcome = tryLibrary(library);
+        if (auto* backend = std::get_if<std::unique_ptr<Backend>>(&outcome)) return std::move(*backend);
+        // The other names are links to this library, or older versions.
+        failures.push_back("OSMesa (" + name + "): " + std::get<std::string>(outcome));
+        break;
+    }
+    return failures;
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,49 @@
+#include "gpu/object/buffer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "gpu/context/errors.h"
+
+namespace glibra::gpu {
+namespace {
+
+// Uploads use a binding point that no other state depends on; GL_ELEMENT_ARRAY_BUFFER, for one, belongs to
+// the bound vertex array.
+constexpr GLenum kUploadTarget = GL_COPY_WRITE_BUFFER;
+
+}  // namespace
+
+Result<Buffer> Buffer::allocate(const std::byte* content, std::size_t bytes, GLenum usage) {
+    if (bytes > static_cast<std::size_t>(std::numeric_limits<GLsizeiptr>::max()))
+        return allocationError(GL_OUT_OF_MEMORY, "a buffer of " + readableBytes(bytes));
+    Buffer buffer;
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    buffer.name_ = Name<deleteBuffer>(name);
+    buffer.size_ = bytes;
+    clearErrors();
+    glBindBuffer(kUploadTarget, name);
+    glBufferData(kUploadTarget, static_cast<GLsizeiptr>(bytes), content, usage);
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return allocationError(code, "a buffer of " + readableBytes(bytes));
+    return buffer;
+}
+
+Result<Buffer> Buffer::create(std::span<const std::byte> content, GLenum usage) {
+    return allocate(content.data(), content.size(), usage);
+}
+
+Result<Buffer> Buffer::create(std::size_t bytes, GLenum usage) {
+    return allocate(nullptr, bytes, usage);
+}
+
+void Buffer::update(std::size_t offset, std::span<const std::byte> content) {
+    if (offset >= size_) return;
+    const std::size_t bytes = std::min(content.size(), size_ - offset);
+    glBindBuffer(kUploadTarget, id());
+    glBufferSubData(kUploadTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                    content.data());
+}
+
+}  // namespace glibra::gpu

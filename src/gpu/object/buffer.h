@@ -1,0 +1,46 @@
+#pragma once
+
+#include <glad/gl.h>
+#include <glibra/result.h>
+
+#include <cstddef>
+#include <span>
+
+#include "gpu/object/name.h"
+
+namespace glibra::gpu {
+
+inline void deleteBuffer(GLuint name) {
+    glDeleteBuffers(1, &name);
+}
+
+/// Device memory for vertices, indices and uniform blocks. Its size never changes.
+class Buffer {
+  public:
+    /// `usage` is GL_STATIC_DRAW, GL_DYNAMIC_DRAW ... Reports draw-E05 if the device has no memory for it.
+    static Result<Buffer> create(std::span<const std::byte> content, GLenum usage = GL_STATIC_DRAW);
+    /// The content is undefined.
+    static Result<Buffer> create(std::size_t bytes, GLenum usage = GL_DYNAMIC_DRAW);
+
+    /// Overwrites a part. Bytes that would lie outside are ignored.
+    void update(std::size_t offset, std::span<const std::byte> content);
+    /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER.
+    void bindBase(GLenum target, GLuint index) const { glBindBufferBase(target, index, id()); }
+    void bind(GLenum target) const { glBindBuffer(target, id()); }
+
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+  private:
+    static Result<Buffer> allocate(const std::byte* content, std::size_t bytes, GLenum usage);
+    Name<deleteBuffer> name_;
+    std::size_t size_ = 0;
+};
+
+/// The bytes of any span of plain values, for Buffer::create.
+template <class T>
+std::span<const std::byte> bytesOf(std::span<const T> values) {
+    return std::as_bytes(values);
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,98 @@
+#include "gpu/object/program.h"
+
+#include <array>
+
+namespace glibra::gpu {
+namespace {
+
+std::string shaderLog(GLuint shader) {
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    if (length <= 1) return {};
+    std::string log(static_cast<std::size_t>(length), '\0');
+    GLsizei written = 0;
+    glGetShaderInfoLog(shader, length, &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+std::string programLog(GLuint program) {
+    GLint length = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    if (length <= 1) return {};
+    std::string log(static_cast<std::size_t>(length), '\0');
+    GLsizei written = 0;
+    glGetProgramInfoLog(program, length, &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+}  // namespace
+
+ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource& source)
+    : program_(glCreateProgram()), canAsk_(capabilities.parallelCompile) {
+    // Request everything before querying anything: a query waits. A stage that does not compile only makes
+    // the link fail.
+    for (const StageSource& each : source.stages) {
+        Name<deleteShader> shader(glCreateShader(each.stage));
+        // An empty view may hold a null pointer, which GL refuses even with length 0.
+        const std::array<const GLchar*, 1> texts{each.text.empty() ? "" : each.text.data()};
+        const std::array<GLint, 1> lengths{static_cast<GLint>(each.text.size())};
+        glShaderSource(shader.get(), 1, texts.data(), lengths.data());
+        glCompileShader(shader.get());
+        glAttachShader(program_.get(), shader.get());
+        stages_.push_back({each.stage, std::move(shader)});
+    }
+    for (const NamedLocation& each : source.vertexInputs)
+        glBindAttribLocation(program_.get(), each.location, each.name.c_str());
+    for (const NamedLocation& each : source.fragmentOutputs)
+        glBindFragDataLocation(program_.get(), each.location, each.name.c_str());
+    if (!source.captured.empty()) {
+        std::vector<const GLchar*> names;
+        for (const std::string& each : source.captured) names.push_back(each.c_str());
+        glTransformFeedbackVaryings(program_.get(), static_cast<GLsizei>(names.size()), names.data(),
+                                    GL_INTERLEAVED_ATTRIBS);
+    }
+    if (source.separable) glProgramParameteri(program_.get(), GL_PROGRAM_SEPARABLE, GL_TRUE);
+    glLinkProgram(program_.get());
+}
+
+bool ProgramBuild::isReady() const {
+    if (!canAsk_) return true;
+    GLint done = GL_TRUE;
+    glGetProgramiv(program_.get(), GL_COMPLETION_STATUS_KHR, &done);
+    return done != GL_FALSE;
+}
+
+BuildOutcome ProgramBuild::finish() {
+    BuildOutcome outcome;
+    bool allCompiled = true;
+    for (const StageBuild& each : stages_) {
+        GLint compiled = GL_FALSE;
+        glGetShaderiv(each.shader.get(), GL_COMPILE_STATUS, &compiled);
+        outcome.stages.push_back({each.stage, compiled != GL_FALSE, shaderLog(each.shader.get())});
+        allCompiled = allCompiled && compiled != GL_FALSE;
+    }
+    if (!allCompiled) return outcome;
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program_.get(), GL_LINK_STATUS, &linked);
+    outcome.linkLog = programLog(program_.get());
+    // The linked program no longer needs its shaders.
+    for (const StageBuild& each : stages_) glDetachShader(program_.get(), each.shader.get());
+    stages_.clear();
+    if (linked != GL_FALSE) outcome.program.emplace(program_.release());
+    return outcome;
+}
+
+BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source) {
+    return ProgramBuild(capabilities, source).finish();
+}
+
+std::pair<bool, std::string> validate(const Program& program) {
+    glValidateProgram(program.id());
+    GLint valid = GL_FALSE;
+    glGetProgramiv(program.id(), GL_VALIDATE_STATUS, &valid);
+    return {valid != GL_FALSE, programLog(program.id())};
+}
+
+}  // namespace glibra::gpu

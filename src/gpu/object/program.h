@@ -1,0 +1,95 @@
+#pragma once
+// Builds a linked program from shader sources, in two steps, so that a driver with its own compiler threads
+// can build several at once.
+
+#include <glad/gl.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gpu/context/capabilities.h"
+#include "gpu/object/name.h"
+
+namespace glibra::gpu {
+
+inline void deleteShader(GLuint name) {
+    glDeleteShader(name);
+}
+inline void deleteProgram(GLuint name) {
+    glDeleteProgram(name);
+}
+
+/// A linked program.
+class Program {
+  public:
+    explicit Program(GLuint linked) : name_(linked) {}
+    void use() const { glUseProgram(name_.get()); }
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+
+  private:
+    Name<deleteProgram> name_;
+};
+
+/// One stage, GL_VERTEX_SHADER ..., and its complete text.
+struct StageSource {
+    GLenum stage = GL_VERTEX_SHADER;
+    std::string_view text;
+};
+
+/// The name of a vertex input or fragment output and its location, unless the shader states one.
+struct NamedLocation {
+    std::string name;
+    GLuint location = 0;
+};
+
+struct ProgramSource {
+    std::span<const StageSource> stages{};
+    std::vector<NamedLocation> vertexInputs{};
+    std::vector<NamedLocation> fragmentOutputs{};
+    std::vector<std::string> captured{};  ///< outputs that transform feedback writes, interleaved
+    bool separable = false;
+};
+
+/// The driver's log of one stage. A log without an error contains warnings.
+struct StageLog {
+    GLenum stage = GL_VERTEX_SHADER;
+    bool compiled = false;
+    std::string log;
+};
+
+struct BuildOutcome {
+    std::optional<Program> program;  ///< nothing if a stage did not compile or they did not link
+    std::vector<StageLog> stages;    ///< in the order given
+    std::string linkLog;             ///< empty if a stage did not compile
+};
+
+/// A program being built: compiling and linking are requested, and nothing has waited for them.
+class ProgramBuild {
+  public:
+    ProgramBuild(const Capabilities& capabilities, const ProgramSource& source);
+    /// True if finish() will not wait. Always true without GL_KHR_parallel_shader_compile.
+    [[nodiscard]] bool isReady() const;
+    /// Waits for the build and returns its outcome. Call it once.
+    BuildOutcome finish();
+
+  private:
+    struct StageBuild {
+        GLenum stage;
+        Name<deleteShader> shader;
+    };
+    std::vector<StageBuild> stages_;
+    Name<deleteProgram> program_;
+    bool canAsk_ = false;
+};
+
+/// Does both steps.
+BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source);
+
+/// Whether the program can run with the current state (glValidateProgram); the log says why not.
+std::pair<bool, std::string> validate(const Program& program);
+
+}  // namespace glibra::gpu

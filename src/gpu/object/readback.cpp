@@ -1,0 +1,115 @@
+#include "gpu/object/readback.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/context/errors.h"
+
+namespace glibra::gpu {
+namespace {
+
+/// Reverses the order of the rows.
+void flipRows(std::span<std::byte> pixels, std::size_t rowBytes) {
+    if (rowBytes == 0) return;
+    std::vector<std::byte> kept(rowBytes);
+    const std::size_t rows = pixels.size() / rowBytes;
+    for (std::size_t low = 0, high = rows; low + 1 < high; ++low) {
+        --high;
+        std::byte* lower = pixels.data() + low * rowBytes;
+        std::byte* upper = pixels.data() + high * rowBytes;
+        std::memcpy(kept.data(), lower, rowBytes);
+        std::memcpy(lower, upper, rowBytes);
+        std::memcpy(upper, kept.data(), rowBytes);
+    }
+}
+
+/// Copies the first three of the four bytes of every pixel.
+void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
+    const std::byte* from = rgba.data();
+    const std::byte* const end = from + rgba.size();
+    if constexpr (std::endian::native == std::endian::little)
+        for (; from + 16 <= end; from += 16, to += 12) {
+            std::uint64_t a = 0, b = 0;  // two pixels each
+            std::memcpy(&a, from, sizeof a);
+            std::memcpy(&b, from + sizeof a, sizeof b);
+            const std::uint64_t first = (a & 0xffffffU) | (a >> 8U & 0xffffff000000U) | b << 48U;
+            const auto last = static_cast<std::uint32_t>((b >> 16U & 0xffU) | (b >> 24U & 0xffffff00U));
+            std::memcpy(to, &first, sizeof first);
+            std::memcpy(to + sizeof first, &last, sizeof last);
+        }
+    for (; from < end; from += 4, to += 3) std::memcpy(to, from, 3);
+}
+
+/// Reads RGB bytes as RGBA, the drivers' own format, and packs them here. Mesa converts to three components
+/// pixel by pixel, which takes five times as long. Reads parts of bounded size, from the top.
+void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte> pixels) {
+    constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+    const auto width = static_cast<std::size_t>(rectangle.width);
+    const int most = static_cast<int>(std::clamp<std::size_t>(kMostBytes / (4 * width), 1, 1U << 20U));
+    const int rowsAtOnce = std::min(most, rectangle.height);
+    const auto part =
+        std::make_unique_for_overwrite<std::byte[]>(4 * width * static_cast<std::size_t>(rowsAtOnce));
+    std::byte* to = pixels.data();
+    for (int done = 0; done < rectangle.height; done += rowsAtOnce) {
+        const int rows = std::min(rowsAtOnce, rectangle.height - done);
+        const int y = rectangle.y + (topFirst ? rectangle.height - done - rows : done);
+        glReadPixels(rectangle.x, y, rectangle.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, part.get());
+        const std::size_t count = width * static_cast<std::size_t>(rows);
+        dropFourth({part.get(), 4 * count}, to);
+        to += 3 * count;
+    }
+}
+
+}  // namespace
+
+std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout) {
+    if (rectangle.width <= 0 || rectangle.height <= 0) return 0;
+    return static_cast<std::size_t>(rectangle.width) * static_cast<std::size_t>(rectangle.height) *
+           layout.bytes();
+}
+
+Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& framebuffer, int index,
+                       const PixelRectangle& rectangle, const PixelLayout& layout,
+                       std::span<std::byte> pixels) {
+    const std::size_t needed = byteCount(rectangle, layout);
+    if (layout.components < 1 || layout.components > 4 || needed == 0 || needed != pixels.size())
+        return {diagnose("gpu-E03", "reading " + std::to_string(rectangle.width) + " x " +
+                                        std::to_string(rectangle.height) + " pixels takes " +
+                                        std::to_string(needed) + " bytes, not " +
+                                        std::to_string(pixels.size()))};
+    if (index < 0 || index >= framebuffer.colorCount())
+        return {diagnose("gpu-E03", "the framebuffer has no colour " + std::to_string(index))};
+
+    clearErrors();
+    framebuffer.bindForReading();
+    glReadBuffer(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index));
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    if (capabilities.packInvert) glPixelStorei(GL_PACK_INVERT_MESA, GL_TRUE);
+    if (layout.components == 3 && layout.type == TexelType::u8)
+        readRgb(rectangle, capabilities.packInvert, pixels);
+    else
+        glReadPixels(rectangle.x, rectangle.y, rectangle.width, rectangle.height, glFormat(layout.components),
+                     glType(layout.type), pixels.data());
+    if (capabilities.packInvert) glPixelStorei(GL_PACK_INVERT_MESA, GL_FALSE);
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return {allocationError(code, "reading the picture back")};
+    if (!capabilities.packInvert) flipRows(pixels, needed / static_cast<std::size_t>(rectangle.height));
+    return {};
+}
+
+Result<std::vector<std::byte>> readPixels(const Capabilities& capabilities, const Framebuffer& framebuffer,
+                                          int index, const PixelRectangle& rectangle,
+                                          const PixelLayout& layout) {
+    std::vector<std::byte> pixels(byteCount(rectangle, layout));
+    Diagnostics problems = readPixels(capabilities, framebuffer, index, rectangle, layout, pixels);
+    if (!problems.empty()) return problems;
+    return pixels;
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,60 @@
+#pragma once
+// What a pass is drawn into: colours and depth of one size, with any number of samples, readable after
+// resolve().
+
+#include <glibra/result.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/object/framebuffer.h"
+
+namespace glibra::gpu {
+
+/// A depth buffer that several targets may share.
+using SharedDepth = std::shared_ptr<const Renderbuffer>;
+
+class Target {
+  public:
+    /// Makes a substitute for a window: one colour of that format and a depth buffer of 24 bits.
+    static Result<Target> window(const Capabilities& capabilities, int width, int height, TexelFormat format,
+                                 int samples = 1);
+    /// Makes a target of 2D textures of one size, which must outlive the target: colour output i goes to
+    /// textures[i]. With several samples, the textures get their content at resolve(). Without `depth` the
+    /// target makes a depth buffer; a given one must have the same size and number of samples.
+    static Result<Target> textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
+                                   int samples = 1, SharedDepth depth = {});
+
+    /// Binds the target for drawing and sets the viewport to the whole of it.
+    void bind() const;
+    /// Clears a colour of the bound target, all samples. Only float formats keep values outside 0..1.
+    void clearColor(int index, const std::array<float, 4>& rgba) const;
+    /// Clears the depth of the bound target to the far plane.
+    void clearDepth() const;
+    /// Averages the samples into what readable() reads; does nothing for one sample. Call bind() again before
+    /// drawing more.
+    void resolve() const;
+
+    /// The framebuffer that pixels are read from, after resolve().
+    [[nodiscard]] const Framebuffer& readable() const { return resolved_ ? *resolved_ : drawn_; }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] int samples() const { return samples_; }
+    [[nodiscard]] TexelFormat format() const { return format_; }
+    [[nodiscard]] const SharedDepth& depth() const { return depth_; }
+
+  private:
+    // Storage is declared before the framebuffers that refer to it, so that it is destroyed after them.
+    // Framebuffers refer to renderbuffers by address, hence the pointers.
+    std::vector<std::unique_ptr<const Renderbuffer>> storage_;
+    SharedDepth depth_;
+    Framebuffer drawn_;
+    std::optional<Framebuffer> resolved_;
+    int width_ = 0, height_ = 0, samples_ = 1;
+    TexelFormat format_ = TexelFormat::rgba8;
+};
+
+}  // namespace glibra::gpu

@@ -1,0 +1,261 @@
+#include "gpu/object/uniform.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "gpu/format/number.h"
+
+namespace glibra::gpu {
+namespace {
+
+/// The number of elements, from firstElement on, that the values fill.
+int elementsFilled(const base::ActiveUniform& uniform, std::size_t valueCount, int firstElement) {
+    if (uniform.type.base == base::BaseType::other || firstElement < 0 || firstElement >= uniform.arraySize)
+        return 0;
+    const std::size_t given = valueCount / static_cast<std::size_t>(uniform.type.components());
+    const auto room = static_cast<std::size_t>(uniform.arraySize - firstElement);
+    return static_cast<int>(std::min(given, room));
+}
+
+/// Values in the driver's type. Most uniforms fit `few_` and need no allocation.
+template <class T>
+class Converted {
+  public:
+    template <class Convert>
+    Converted(std::span<const double> values, Convert convert) {
+        T* to = few_.data();
+        if (values.size() > few_.size()) {
+            many_.resize(values.size());
+            to = many_.data();
+        }
+        std::transform(values.begin(), values.end(), to, convert);
+    }
+    [[nodiscard]] const T* data() const { return many_.empty() ? few_.data() : many_.data(); }
+
+  private:
+    std::array<T, 64> few_;
+    std::vector<T> many_;
+};
+
+/// The glProgramUniformMatrix* function for a number of columns and rows; null for vectors.
+PFNGLPROGRAMUNIFORMMATRIX4FVPROC floatMatrixCall(int columns, int rows) {
+    switch (columns * 10 + rows) {
+        case 22:
+            return glProgramUniformMatrix2fv;
+        case 23:
+            return glProgramUniformMatrix2x3fv;
+        case 24:
+            return glProgramUniformMatrix2x4fv;
+        case 32:
+            return glProgramUniformMatrix3x2fv;
+        case 33:
+            return glProgramUniformMatrix3fv;
+        case 34:
+            return glProgramUniformMatrix3x4fv;
+        case 42:
+            return glProgramUniformMatrix4x2fv;
+        case 43:
+            return glProgramUniformMatrix4x3fv;
+        case 44:
+            return glProgramUniformMatrix4fv;
+        default:
+            return nullptr;
+    }
+}
+
+PFNGLPROGRAMUNIFORMMATRIX4DVPROC doubleMatrixCall(int columns, int rows) {
+    switch (columns * 10 + rows) {
+        case 22:
+            return glProgramUniformMatrix2dv;
+        case 23:
+            return glProgramUniformMatrix2x3dv;
+        case 24:
+            return glProgramUniformMatrix2x4dv;
+        case 32:
+            return glProgramUniformMatrix3x2dv;
+        case 33:
+            return glProgramUniformMatrix3dv;
+        case 34:
+            return glProgramUniformMatrix3x4dv;
+        case 42:
+            return glProgramUniformMatrix4x2dv;
+        case 43:
+            return glProgramUniformMatrix4x3dv;
+        case 44:
+            return glProgramUniformMatrix4dv;
+        default:
+            return nullptr;
+    }
+}
+
+/// Picks the function for vectors of 1 to 4 components.
+template <class Call>
+Call vectorCall(Call one, Call two, Call three, Call four, int rows) {
+    return rows == 1 ? one : rows == 2 ? two : rows == 3 ? three : four;
+}
+
+void setFloats(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+               const GLfloat* values) {
+    if (const auto matrix = floatMatrixCall(type.columns, type.rows)) {
+        matrix(program, location, count, GL_FALSE, values);
+        return;
+    }
+    vectorCall(glProgramUniform1fv, glProgramUniform2fv, glProgramUniform3fv, glProgramUniform4fv, type.rows)(
+        program, location, count, values);
+}
+
+void setDoubles(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+                const GLdouble* values) {
+    if (const auto matrix = doubleMatrixCall(type.columns, type.rows)) {
+        matrix(program, location, count, GL_FALSE, values);
+        return;
+    }
+    vectorCall(glProgramUniform1dv, glProgramUniform2dv, glProgramUniform3dv, glProgramUniform4dv, type.rows)(
+        program, location, count, values);
+}
+
+void setInts(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+             const GLint* values) {
+    vectorCall(glProgramUniform1iv, glProgramUniform2iv, glProgramUniform3iv, glProgramUniform4iv, type.rows)(
+        program, location, count, values);
+}
+
+void setUnsigneds(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
+                  const GLuint* values) {
+    vectorCall(glProgramUniform1uiv, glProgramUniform2uiv, glProgramUniform3uiv, glProgramUniform4uiv,
+               type.rows)(program, location, count, values);
+}
+
+/// The bytes of one component in a block.
+struct ComponentBytes {
+    std::array<std::byte, 8> bytes{};
+    std::size_t count = 4;
+};
+
+ComponentBytes componentBytes(base::BaseType base, double value) {
+    ComponentBytes result;
+    const auto store = [&](const auto& number) {
+        result.count = sizeof number;
+        std::memcpy(result.bytes.data(), &number, sizeof number);
+    };
+    switch (base) {
+        case base::BaseType::floating:
+            store(toFloat(value));
+            break;
+        case base::BaseType::doublePrecision:
+            store(value);
+            break;
+        case base::BaseType::unsignedInteger:
+            store(toUnsigned(value));
+            break;
+        case base::BaseType::boolean:
+            store(static_cast<std::uint32_t>(value != 0 ? 1 : 0));
+            break;
+        default:
+            store(toInt(value));
+            break;
+    }
+    return result;
+}
+
+/// The offset in bytes of a component from the start of its element.
+std::size_t componentOffset(const base::ActiveUniform& uniform, int column, int row, std::size_t size) {
+    if (uniform.type.columns == 1) return static_cast<std::size_t>(row) * size;
+    const auto stride = static_cast<std::size_t>(std::max(uniform.matrixStride, 0));
+    const auto major = static_cast<std::size_t>(uniform.rowMajor ? row : column);
+    const auto minor = static_cast<std::size_t>(uniform.rowMajor ? column : row);
+    return major * stride + minor * size;
+}
+
+}  // namespace
+
+int setUniform(const Program& program, const base::ActiveUniform& uniform, std::span<const double> values,
+               int firstElement) {
+    const int count = elementsFilled(uniform, values.size(), firstElement);
+    if (count == 0 || uniform.location < 0) return 0;
+    const std::span<const double> used =
+        values.first(static_cast<std::size_t>(count) * static_cast<std::size_t>(uniform.type.components()));
+    const GLint location = uniform.location + firstElement;
+    switch (uniform.type.base) {
+        case base::BaseType::floating:
+            setFloats(program.id(), uniform.type, location, count, Converted<GLfloat>(used, toFloat).data());
+            return count;
+        case base::BaseType::doublePrecision:
+            setDoubles(program.id(), uniform.type, location, count, used.data());
+            return count;
+        case base::BaseType::unsignedInteger:
+            setUnsigneds(program.id(), uniform.type, location, count,
+                         Converted<GLuint>(used, toUnsigned).data());
+            return count;
+        case base::BaseType::boolean: {
+            const auto truth = [](double value) { return value != 0 ? 1 : 0; };
+            setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, truth).data());
+            return count;
+        }
+        case base::BaseType::other:
+            return 0;
+        case base::BaseType::integer:
+        case base::BaseType::sampler:
+        case base::BaseType::image:
+            break;
+    }
+    setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, toInt).data());
+    return count;
+}
+
+int writeBlockMember(std::span<std::byte> block, const base::ActiveUniform& uniform,
+                     std::span<const double> values, int firstElement) {
+    const int count = elementsFilled(uniform, values.size(), firstElement);
+    if (uniform.block < 0 || uniform.offset < 0) return 0;
+    std::size_t next = 0;
+    for (int element = firstElement; element < firstElement + count; ++element) {
+        const std::size_t start =
+            static_cast<std::size_t>(uniform.offset) +
+            static_cast<std::size_t>(element) * static_cast<std::size_t>(std::max(uniform.arrayStride, 0));
+        for (int column = 0; column < uniform.type.columns; ++column)
+            for (int row = 0; row < uniform.type.rows; ++row) {
+                const ComponentBytes component = componentBytes(uniform.type.base, values[next++]);
+                const std::size_t at = start + componentOffset(uniform, column, row, component.count);
+                if (at + component.count > block.size()) continue;
+                std::memcpy(block.data() + at, component.bytes.data(), component.count);
+            }
+    }
+    return count;
+}
+
+std::vector<double> getUniform(const Program& program, const base::ActiveUniform& uniform, int element) {
+    if (uniform.location < 0 || element < 0 || element >= uniform.arraySize) return {};
+    const GLint location = uniform.location + element;
+    const auto components = static_cast<std::size_t>(uniform.type.components());
+    std::vector<double> values(components);
+    switch (uniform.type.base) {
+        case base::BaseType::floating: {
+            std::array<GLfloat, 16> read{};
+            glGetUniformfv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        case base::BaseType::doublePrecision: {
+            std::array<GLdouble, 16> read{};
+            glGetUniformdv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        case base::BaseType::unsignedInteger: {
+            std::array<GLuint, 4> read{};
+            glGetUniformuiv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+        default: {
+            std::array<GLint, 4> read{};
+            glGetUniformiv(program.id(), location, read.data());
+            std::copy_n(read.begin(), components, values.begin());
+            break;
+        }
+    }
+    return values;
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,69 @@
+#include "gpu/object/vertex_array.h"
+
+#include "gpu/format/number.h"
+
+namespace glibra::gpu {
+namespace {
+
+const void* byteOffset(std::size_t offset) {
+    // GL takes the offset as a pointer.
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
+void connect(const AttributeSource& source) {
+    source.buffer->bind(GL_ARRAY_BUFFER);
+    const auto stride = static_cast<GLsizei>(source.stride);
+    switch (source.type) {
+        case AttributeSource::Type::floating:
+            glVertexAttribPointer(source.location, source.components, GL_FLOAT, GL_FALSE, stride,
+                                  byteOffset(source.offset));
+            break;
+        case AttributeSource::Type::integer:
+            glVertexAttribIPointer(source.location, source.components, GL_INT, stride,
+                                   byteOffset(source.offset));
+            break;
+        case AttributeSource::Type::unsignedInteger:
+            glVertexAttribIPointer(source.location, source.components, GL_UNSIGNED_INT, stride,
+                                   byteOffset(source.offset));
+            break;
+    }
+    glEnableVertexAttribArray(source.location);
+    if (source.divisor != 0) glVertexAttribDivisor(source.location, source.divisor);
+}
+
+}  // namespace
+
+VertexArray::VertexArray(std::span<const AttributeSource> sources, const Buffer* indices) {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    name_ = Name<deleteVertexArray>(name);
+    glBindVertexArray(name);
+    for (const AttributeSource& each : sources)
+        if (each.buffer) connect(each);
+    if (indices) indices->bind(GL_ELEMENT_ARRAY_BUFFER);
+    glBindVertexArray(0);
+}
+
+void setConstantAttribute(GLuint location, const base::ValueType& type, const std::array<double, 4>& value) {
+    for (GLuint column = 0; column < static_cast<GLuint>(type.columns); ++column) {
+        const GLuint at = location + column;
+        switch (type.base) {
+            case base::BaseType::integer:
+                glVertexAttribI4i(at, toInt(value[0]), toInt(value[1]), toInt(value[2]), toInt(value[3]));
+                break;
+            case base::BaseType::unsignedInteger:
+                glVertexAttribI4ui(at, toUnsigned(value[0]), toUnsigned(value[1]), toUnsigned(value[2]),
+                                   toUnsigned(value[3]));
+                break;
+            case base::BaseType::doublePrecision:
+                glVertexAttribL4dv(at, value.data());
+                break;
+            default:
+                glVertexAttrib4f(at, static_cast<float>(value[0]), static_cast<float>(value[1]),
+                                 static_cast<float>(value[2]), static_cast<float>(value[3]));
+                break;
+        }
+    }
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,126 @@
+#pragma once
+// Draws a FramePlan: the passes in order, each draw with its complete state.
+
+#include <cstddef>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <set>
+
+#include "gpu/context/context.h"
+#include "gpu/object/target.h"
+#include "plan/frame_plan.h"
+#include "render/draw/tile.h"
+#include "render/draw/view_matrices.h"
+#include "render/load/device_scene.h"
+#include "render/load/programs.h"
+#include "render/load/supplied.h"
+#include "render/stats.h"
+#include "scene/view.h"
+
+namespace glibra::render {
+
+/// The value of Timer: the fraction of the period that has passed, from 0 to less than 1 (as a float).
+double timerAt(double time, double period);
+
+/// One frame to draw: what is seen, how large, and when.
+struct Frame {
+    const ViewMatrices& view;
+    int width = 1, height = 1;  ///< pixels of the whole picture, which the window's aspect comes from
+    Tile tile;                  ///< the part of it that the window's target shows
+    double time = 0;            ///< seconds since loading
+    bool texturePasses = true;  ///< false: only the window's passes are drawn
+};
+
+/// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
+/// that hold for all frames that follow, in any order.
+class FrameDrawer {
+  public:
+    FrameDrawer(const gpu::Context& context, const plan::FramePlan& plan, const ProgramLibrary& programs,
+                DeviceScene& device, Stats& stats);
+
+    /// Draws one frame into `window`, which has the size of the frame's tile.
+    Diagnostics draw(const gpu::Target& window, const Frame& frame);
+
+    /// Draws triangles as their edges.
+    void setWireframe(bool on) { wireframe_ = on; }
+    /// Called before (`begins`) and after the GL call of every draw, while its program and state are bound.
+    using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
+    void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
+    /// Draws with programs that did not link use this one, in magenta. Without it they are left out.
+    void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
+    /// Moves the window's pictures right and up by parts of a pixel, and passes into textures, in their
+    /// order, by parts of a texel; what shaders see as gl_FragCoord moves with them. Only programs that are
+    /// made for tiles move.
+    void setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures) {
+        shift_ = window;
+        textureShifts_ = std::move(textures);
+    }
+    /// Skips draws that provably do not reach the tile, or the texture drawn into, if the device knows the
+    /// bounds of their mesh. `samples`: of the window's target; 0: draws everything.
+    void cullToTile(int samples) { windowSamples_ = samples; }
+    /// Turns blending off for programs that always write 1 for alpha. The window's colours must be bytes:
+    /// floats would keep the sign of a zero that blending loses.
+    void skipOpaqueBlending();
+    /// Draws only the first `draws` of the plan's draws, counted over all passes in their order. Passes still
+    /// begin with their implicit clears.
+    void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
+    /// Call it after the plan's literals of this program (index into FramePlan::programs) have changed.
+    void forgetLiterals(plan::PlannedProgramIndex program);
+
+    /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
+    void submit(const plan::PlannedDraw& planned) const;
+    /// The program that the draw uses, which may be the fallback; null if nothing is drawn.
+    [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
+
+    /// True if every pass into textures comes before every pass into the window, so that tiles can share
+    /// them.
+    [[nodiscard]] bool texturesComeFirst() const;
+
+  private:
+    /// What a program keeps between draws: literal uniform values are set once.
+    struct ProgramState {
+        bool literalsSet = false;
+        std::vector<gpu::Buffer> blocks;
+    };
+
+    [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
+    void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
+    void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
+    [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
+    Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
+    void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
+    [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                   const gpu::Target& target, bool isWindow) const;
+    [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect) const;
+    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
+                     bool isWindow);
+    void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
+    void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                           const glm::dvec4& color) const;
+    void bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built);
+    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+                   Diagnostics& diagnostics);
+
+    const gpu::Context& context_;
+    const plan::FramePlan& plan_;
+    const ProgramLibrary& programs_;
+    DeviceScene& device_;
+    Stats& stats_;
+    scene::List<ProgramState, plan::PlannedProgram> states_;
+    const Frame* frame_ = nullptr;  ///< while draw() runs
+    std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
+    bool wireframe_ = false;
+    bool blendsOpaque_ = true;
+    int windowSamples_ = 0;  ///< 0: all draws are drawn
+    DrawHook hook_;
+    const BuiltProgram* fallback_ = nullptr;
+    glm::dvec2 shift_{0.0};
+    std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
+    Tile texture_;                           ///< the whole target of the current pass into a texture
+    glm::dvec2 textureShift_{0.0};           ///< of that pass
+    int clipDistances_;                      ///< clip distances below this index may be enabled
+    bool lineWidthReported_ = false;
+};
+
+}  // namespace glibra::render

@@ -1,0 +1,83 @@
+#include "render/draw/view_matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <numbers>
+
+#include "scene/matrices.h"
+#include "scene/view.h"
+
+namespace glibra::render {
+namespace {
+
+double tangentOfHalf(double degrees) {
+    return std::tan(degrees * std::numbers::pi / 360);
+}
+
+/// An orthographic box as high as what the perspective shows at that distance.
+scene::Projection orthographicOf(const scene::Perspective& perspective, double distance, double aspect) {
+    const double half = distance > perspective.near ? distance * tangentOfHalf(perspective.fieldOfView) : 3.0;
+    return scene::Orthographic{-half * aspect, half * aspect, -half, half, -perspective.far, perspective.far};
+}
+
+/// A perspective whose eye sees the plane z = 0 as large as in the box.
+glm::dmat4 perspectiveOf(const scene::Orthographic& box, double aspect) {
+    constexpr double kFieldOfView = 50;
+    const glm::dmat4 flat = scene::projectionMatrix(box, aspect);
+    const double half = std::abs(1 / flat[1][1]);
+    const double distance = half / tangentOfHalf(kFieldOfView);
+    const double centreX = -flat[3][0] / flat[0][0];
+    const double centreY = -flat[3][1] / flat[1][1];
+    const scene::Perspective perspective{kFieldOfView, distance / 100, distance * 100};
+    return scene::projectionMatrix(perspective, aspect) *
+           scene::scaling({std::copysign(1.0, flat[0][0]), std::copysign(1.0, flat[1][1]), 1.0}) *
+           scene::translation({-centreX, -centreY, -distance});
+}
+
+}  // namespace
+
+glm::dmat4 asMatrix(const Matrix& numbers) {
+    return glm::make_mat4(numbers.data());
+}
+
+Matrix asNumbers(const glm::dmat4& matrix) {
+    Matrix numbers{};
+    std::copy_n(glm::value_ptr(matrix), numbers.size(), numbers.begin());
+    return numbers;
+}
+
+ViewMatrices::ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance)
+    : state_(state), sceneView_(sceneView), eyeDistance_(eyeDistance) {}
+
+glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double aspect) const {
+    const auto* perspective = std::get_if<scene::Perspective>(&projection);
+    const auto* box = std::get_if<scene::Orthographic>(&projection);
+    glm::dmat4 matrix;
+    if (perspective != nullptr && state_.projection == ProjectionMode::orthographic)
+        matrix = scene::projectionMatrix(
+            orthographicOf(*perspective, eyeDistance_ - sceneView_[3][2], aspect), aspect);
+    else if (box != nullptr && state_.projection == ProjectionMode::perspective)
+        matrix = perspectiveOf(*box, aspect);
+    else
+        matrix = scene::projectionMatrix(projection, aspect);
+    if (state_.scene == kIdentity) return matrix;
+    return matrix * asMatrix(state_.scene);
+}
+
+glm::dmat4 ViewMatrices::modelView(const scene::Draw& draw) const {
+    glm::dmat4 matrix = draw.modelView;
+    if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
+        matrix = scene::translation({0, 0, -eyeDistance_}) * matrix;
+    if (state_.eye != kIdentity) matrix = asMatrix(state_.eye) * matrix;
+    for (const ViewState::Object& each : state_.objects)
+        if (each.line == draw.place.line) matrix = matrix * asMatrix(each.matrix);
+    return matrix;
+}
+
+glm::dmat4 ViewMatrices::worldView() const {
+    const glm::dmat4 view = scene::translation({0, 0, -eyeDistance_}) * sceneView_;
+    return state_.eye == kIdentity ? view : asMatrix(state_.eye) * view;
+}
+
+}  // namespace glibra::render

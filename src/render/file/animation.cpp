@@ -1,0 +1,118 @@
+#include "render/file/animation.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "image/file.h"
+#include "render/draw/frame.h"
+#include "render/scene_renderer.h"
+#include "scene/file_lookup.h"
+
+namespace glibra::render {
+namespace {
+
+/// Searches shader files for one word.
+class TimerSearch {
+  public:
+    TimerSearch(const scene::Scene& scene, const RenderOptions& options) : scene_(scene), options_(options) {}
+
+    bool isReadBy(const scene::Program& program) {
+        return std::any_of(program.stages.begin(), program.stages.end(),
+                           [&](const scene::StageFile& each) { return isIn(scene_.files[each.file].path); });
+    }
+
+  private:
+    bool isIn(const std::filesystem::path& file) {
+        if (file.empty()) return false;
+        const auto [known, isNew] = searched_.try_emplace(file, false);
+        if (isNew) known->second = search(file);
+        return known->second;
+    }
+
+    bool search(const std::filesystem::path& file) {
+        const auto bytes = image::readFile(file, {file.string(), {}}, kLargestSource);
+        if (!bytes) return false;
+        const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        return text.find("Timer") != std::string_view::npos || isIncludedIn(text, file);
+    }
+
+    bool isIncludedIn(std::string_view text, const std::filesystem::path& file) {
+        constexpr std::string_view kInclude = "#include";
+        for (std::size_t at = text.find(kInclude); at != std::string_view::npos;
+             at = text.find(kInclude, at + 1)) {
+            const std::string_view rest = text.substr(at, text.find('\n', at) - at);
+            const std::size_t begin = rest.find_first_of("\"<");
+            if (begin == std::string_view::npos) continue;
+            const std::size_t end = rest.find_first_of("\">", begin + 1);
+            if (end == std::string_view::npos) continue;
+            const scene::FileReference found = scene::findInclude(
+                rest.substr(begin + 1, end - begin - 1), file.string(), scene_.path, {options_.libraryRoots});
+            if (isIn(found.path)) return true;
+        }
+        return false;
+    }
+
+    const scene::Scene& scene_;
+    const RenderOptions& options_;
+    std::map<std::filesystem::path, bool> searched_;  ///< whether the word is in it
+};
+
+}  // namespace
+
+int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& options, int frames,
+                        double framesPerSecond, int most) {
+    most = std::min(most, frames);
+    Stats stats;
+    const Result<scene::Scene> scene = interpretFile(path, options, stats);
+    if (!scene || hasError(scene.diagnostics)) return 1;
+    if (!options.skip) return most;
+    std::set<double> periods;
+    TimerSearch search(*scene, options);
+    scene::List<bool, scene::Program> readsTimer;
+    readsTimer.reserve(scene->programs.size());
+    for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
+    for (const scene::Pass& pass : scene->passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<scene::Draw>(&step))
+                if (draw->program && readsTimer[draw->program]) periods.insert(draw->timerPeriod);
+    std::set<std::vector<float>> moments;
+    for (int i = 0; i < frames && static_cast<int>(moments.size()) < most; ++i) {
+        std::vector<float> moment;
+        moment.reserve(periods.size());
+        for (const double period : periods)
+            moment.push_back(static_cast<float>(timerAt(options.time + i / framesPerSecond, period)));
+        moments.insert(std::move(moment));
+    }
+    return static_cast<int>(moments.size());
+}
+
+Subject subjectOf(const Diagnostic& remark) {
+    return {remark.id, remark.place.file, remark.place.line, remark.place.column};
+}
+
+Diagnostics joined(const std::vector<AnimationRemarks>& parts) {
+    std::map<int, Diagnostics> ofFrames;
+    Diagnostics all;
+    std::set<std::string> lines;
+    for (const AnimationRemarks& part : parts) {
+        for (const Diagnostic& each : part.general)
+            if (lines.insert(toString(each)).second) all.push_back(each);
+        for (const auto& [frame, remarks] : part.ofFrames) append(ofFrames[frame], remarks);
+    }
+    std::map<Subject, int> firstFrames;
+    for (auto& [frame, remarks] : ofFrames) {
+        for (Diagnostic& each : remarks) {
+            if (firstFrames.try_emplace(subjectOf(each), frame).first->second == frame &&
+                lines.insert(toString(each)).second)
+                all.push_back(each);
+        }
+        if (hasError(remarks)) break;
+    }
+    return all;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,250 @@
+#include "render/file/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/context/call_counter.h"
+#include "image/inspect.h"
+#include "image/write.h"
+#include "render/file/animation.h"
+#include "render/file/picture_writer.h"
+#include "render/probe/nan_search.h"
+#include "render/scene_renderer.h"
+#include "render/stats.h"
+
+namespace glibra::render {
+namespace {
+
+Diagnostics writeToStandardOutput(const image::Image& picture) {
+    const std::vector<std::byte> png = image::encodePng(picture);
+    if (std::fwrite(png.data(), 1, png.size(), stdout) == png.size() && std::fflush(stdout) == 0) return {};
+    return {diagnose("file-E10", "cannot write to standard output")};
+}
+
+/// "; nothing is in sight: line 7, Teapot: it is behind ..." if all draws were skipped. Their shaders were
+/// not compiled, so errors in them are not yet reported.
+std::string whyNothingIsSeen(const plan::FramePlan& plan) {
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (std::holds_alternative<plan::PlannedDraw>(step)) return {};
+    for (const plan::Skipped& each : plan.skipped)
+        if (each.what == "draw")
+            return fmt::format("; nothing is in sight: line {}, {}; 'glibra check' compiles its shaders too",
+                               each.place.line, each.why);
+    return {};
+}
+
+/// True for diagnostics whose numbers differ from frame to frame.
+bool isOfPixels(const Diagnostic& remark) {
+    return remark.id == "draw-N02" || remark.id == "draw-W06" || remark.id == "draw-W09";
+}
+
+bool wantsFloat(const std::filesystem::path& output) {
+    std::string ending = output.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".exr" || ending == ".hdr" || ending == ".pfm";
+}
+
+}  // namespace
+
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      const plan::FramePlan& plan, bool isSearched) {
+    Diagnostics remarks;
+    const Place place{scene.string(), 1, 1};
+    if (image::isOneColor(picture))
+        remarks.push_back(
+            diagnose("draw-N02", "the picture has only one colour" + whyNothingIsSeen(plan), place));
+    const image::NonFinite bad = image::countNonFinite(picture);
+    if (bad.nan + bad.infinite > 0 && !isSearched)
+        remarks.push_back(diagnose(
+            "draw-W06",
+            fmt::format("{} components of the picture are NaN, {} infinite; the first at pixel {}, {}",
+                        bad.nan, bad.infinite, bad.x, bad.y),
+            place));
+    return remarks;
+}
+
+std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames) {
+    if (frames <= 1) return output;
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(frames - 1).size());
+    std::filesystem::path file = output;
+    file.replace_filename(
+        fmt::format("{}_{:0{}}{}", output.stem().string(), index, digits, output.extension().string()));
+    return file;
+}
+
+namespace {
+
+/// A running job.
+class JobRun {
+  public:
+    JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
+        options_.floatPixels = options_.floatPixels || wantsFloat(job.output);
+        if (job.explain || job.stats) counter_.emplace();
+    }
+
+    JobResult run(const std::function<void(int)>& frameWritten, SharedParts* shared) && {
+        Result<SceneRenderer> loaded = SceneRenderer::load(context_, job_.scene, options_, stats_, shared);
+        append(result_.diagnostics, std::move(loaded.diagnostics));
+        if (!loaded) {
+            result_.failed = true;
+            return std::move(result_);
+        }
+        if (options_.checkNan) search_ = NanSearch::load(context_, job_.scene, options_);
+        if (job_.frames == 1)
+            drawPicture(*loaded);
+        else
+            drawFrames(*loaded, frameWritten);
+        applyStrict(result_.diagnostics, options_.strict);
+        result_.failed = hasErrors();
+        explainTiles();
+        countCalls();
+        if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
+        if (job_.stats)
+            result_.statsJson = toJson(stats_, job_.scene.string(), loaded->width(), loaded->height(),
+                                       context_.capabilities().renderer);
+        return std::move(result_);
+    }
+
+  private:
+    /// Draws frame `index`; nothing if it must not be written.
+    std::optional<image::Image> draw(SceneRenderer& scene, int index) {
+        const double time = timeOf(index);
+        Result<image::Image> picture = scene.draw(time, stats_);
+        Diagnostics remarks = std::move(picture.diagnostics);
+        if (search_) append(remarks, search_->at(time));
+        if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
+        applyStrict(remarks, options_.strict);
+        keepFirst(std::move(remarks), index);
+        return hasErrors() ? std::nullopt : std::move(picture.value);
+    }
+
+    /// Keeps a diagnostic only in the first frame that has one of its subject.
+    void keepFirst(Diagnostics remarks, int frame) {
+        for (Diagnostic& each : remarks) {
+            const auto first = reported_.try_emplace(subjectOf(each), frame).first;
+            if (first->second != frame) continue;
+            if (job_.frames == 1) {
+                result_.diagnostics.push_back(std::move(each));
+                continue;
+            }
+            if (isOfPixels(each)) each.text += fmt::format(" (frame {})", frame);
+            result_.ofFrames[frame].push_back(std::move(each));
+        }
+    }
+
+    [[nodiscard]] bool hasErrors() const {
+        return hasError(result_.diagnostics) ||
+               std::any_of(result_.ofFrames.begin(), result_.ofFrames.end(),
+                           [](const auto& each) { return hasError(each.second); });
+    }
+
+    void drawPicture(SceneRenderer& scene) {
+        const std::optional<image::Image> picture = draw(scene, 0);
+        if (!picture) return;
+        const StageTimer timer(stats_, "write");
+        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(*picture)
+                                                       : image::writeImage(*picture, job_.output));
+    }
+
+    /// For each frame, the first frame that shows the same picture.
+    [[nodiscard]] std::vector<int> firstAlike(const SceneRenderer& scene) const {
+        std::map<Moment, int> known;
+        std::vector<int> first(static_cast<std::size_t>(job_.frames));
+        for (int i = 0; i < job_.frames; ++i) {
+            const std::optional<Moment> moment = options_.skip ? scene.momentOf(timeOf(i)) : std::nullopt;
+            first[static_cast<std::size_t>(i)] = moment ? known.try_emplace(*moment, i).first->second : i;
+        }
+        return first;
+    }
+
+    /// For each frame, whether this part draws it or copies it from one that it draws. The parts take turns,
+    /// so that each has as much to do.
+    [[nodiscard]] std::vector<bool> ownFrames(const SceneRenderer& scene,
+                                              const std::vector<int>& firstAlike) const {
+        const bool isDivided =
+            job_.parts > 1 && !scene.remembersFrames() && context_.capabilities().isSoftware;
+        std::vector<bool> isOwn(firstAlike.size(), !isDivided && job_.part == 0);
+        if (!isDivided) return isOwn;
+        int turn = 0;
+        for (std::size_t i = 0; i < firstAlike.size(); ++i) {
+            const auto first = static_cast<std::size_t>(firstAlike[i]);
+            isOwn[i] = first == i ? turn++ % job_.parts == job_.part : static_cast<bool>(isOwn[first]);
+        }
+        return isOwn;
+    }
+
+    [[nodiscard]] double timeOf(int frame) const { return options_.time + frame / job_.framesPerSecond; }
+
+    void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
+        const std::vector<int> first = firstAlike(scene);
+        const std::vector<bool> isOwn = ownFrames(scene, first);
+        PictureWriter writer(frameWritten);
+        int drawn = 0, copies = 0;
+        for (int i = 0; i < job_.frames; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            if (!isOwn[index]) continue;
+            const std::filesystem::path file = frameFile(job_.output, i, job_.frames);
+            if (first[index] < i) {
+                ++copies;
+                if (!writer.addCopy(frameFile(job_.output, first[index], job_.frames), file)) break;
+                continue;
+            }
+            ++drawn;
+            std::optional<image::Image> picture = draw(scene, i);
+            if (!picture || !writer.add(std::move(*picture), file)) break;
+        }
+        append(result_.diagnostics, writer.finish());
+        if (copies == 0) return;
+        stats_.add("frames copied", static_cast<std::uint64_t>(copies));
+        stats_.skip("frames",
+                    drawn == 1 ? fmt::format("{} of {} are copies of the first: no draw reads Timer", copies,
+                                             job_.frames)
+                               : fmt::format("{} of {} are copies of earlier frames with the same Timer",
+                                             copies, job_.frames),
+                    {job_.scene.string(), 1, 1});
+    }
+
+    void explainTiles() {
+        for (const Stats::Count& each : stats_.counts)
+            if (each.name == kDrawsOutOfTheirTile)
+                stats_.skip("draws", fmt::format("{} lie outside their tile", each.value),
+                            {job_.scene.string(), 1, 1});
+    }
+
+    void countCalls() {
+        if (!counter_) return;
+        const gpu::CallCounts& counts = counter_->counts();
+        stats_.add("GL calls", counts.calls);
+        stats_.add("GL draws", counts.draws);
+        stats_.add("programs linked", counts.programsLinked);
+        stats_.add("buffers filled", counts.buffersFilled);
+        stats_.add("textures filled", counts.texturesFilled);
+        stats_.add("bytes uploaded", counts.bytesUploaded);
+        stats_.add("pixels read", counts.pixelsRead);
+    }
+
+    gpu::Context& context_;
+    const Job& job_;
+    RenderOptions options_;
+    Stats stats_;
+    std::optional<gpu::CallCounter> counter_;
+    Result<NanSearch> search_;
+    JobResult result_;
+    std::map<Subject, int> reported_;  ///< the first frame of each subject
+};
+
+}  // namespace
+
+JobResult runJob(gpu::Context& context, const Job& job, const std::function<void(int)>& frameWritten,
+                 SharedParts* shared) {
+    return JobRun(context, job).run(frameWritten, shared);
+}
+
+}  // namespace glibra::render

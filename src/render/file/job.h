@@ -1,0 +1,58 @@
+#pragma once
+// One scene to image files: the unit of work of `glibra render`, done alone or in a worker process.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "gpu/context/context.h"
+#include "image/image.h"
+#include "plan/frame_plan.h"
+#include "render/load/shared_parts.h"
+
+namespace glibra::render {
+
+struct Job {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< file; "-" is standard output, as PNG
+    RenderOptions options;
+    int frames = 1;
+    double framesPerSecond = 30;
+    /// An animation may be divided among `parts` jobs; this one is number `part`. The jobs must run on the
+    /// same machine, each in its own process. Each draws its share of the frames if the driver draws on the
+    /// processor and no frame depends on earlier ones; otherwise part 0 draws all.
+    int part = 0, parts = 1;
+    bool explain = false;
+    bool stats = false;
+};
+
+/// The outcome of a job. `failed`: the scene or its output has an error, which `diagnostics` name.
+struct JobResult {
+    bool failed = false;
+    Diagnostics diagnostics;  ///< for an animation, those that belong to no single frame
+    /// For an animation, the diagnostics that a frame is the first to have, by the frame's number.
+    std::map<int, Diagnostics> ofFrames;
+    std::string explanation;  ///< --explain
+    std::string statsJson;    ///< --stats
+};
+
+/// Draws and writes all frames, or those of its part. Encoding and writing of one frame overlap with drawing
+/// the next; frames that cannot differ are drawn and encoded once and copied. `frameWritten` is called after
+/// each file with the number of frames written so far. `shared`: parts of earlier scenes, or null.
+JobResult runJob(gpu::Context& context, const Job& job,
+                 const std::function<void(int framesWritten)>& frameWritten, SharedParts* shared = nullptr);
+
+/// Diagnostics of a finished picture: draw-N02 if it has only one colour, with the reason if all draws are
+/// out of sight; draw-W06 if it holds NaN or infinity. With `isSearched` draw-W06 is left to the search of
+/// checkNan, which names the draws.
+Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
+                      const plan::FramePlan& plan, bool isSearched = false);
+
+/// The file of frame `index`. With several frames "a/b.png" becomes "a/b_0007.png", with as many digits as
+/// the last frame needs, at least four.
+std::filesystem::path frameFile(const std::filesystem::path& output, int index, int frames);
+
+}  // namespace glibra::render

@@ -1,0 +1,125 @@
+#include "render/file/picture_writer.h"
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "base/parallel.h"
+#include "image/file.h"
+#include "image/write.h"
+
+namespace glibra::render {
+namespace {
+
+Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+    const auto bytes = image::readFile(from, {from.string(), {from.string(), 1, 1}});
+    if (!bytes) return bytes.diagnostics;
+    return image::writeFileAtomically(to, *bytes);
+}
+
+}  // namespace
+
+PictureWriter::PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads)
+    : written_(written), mostThreads_(base::threadCount(static_cast<int>(mostThreads))) {
+    startThread();
+}
+
+void PictureWriter::startThread() {
+    threads_.emplace_back([this] { run(); });
+}
+
+bool PictureWriter::add(image::Image picture, std::filesystem::path file) {
+    // Each further thread holds one more picture, and as much memory again for encoding it.
+    constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+    const bool fits = threads_.size() * picture.data.size() <= kMostBytes;
+    if (!wait({std::move(picture), std::move(file)})) return false;
+    bool isBehind = false;
+    {
+        const std::scoped_lock lock(mutex_);
+        isBehind = waiting_.size() > 1 && idle_ == 0;
+    }
+    if (!isBehind || !fits || threads_.size() >= mostThreads_) return true;
+    try {
+        startThread();
+    } catch (const std::system_error&) {
+        mostThreads_ = threads_.size();  // the machine gives no more threads
+    }
+    return true;
+}
+
+bool PictureWriter::addCopy(std::filesystem::path of, std::filesystem::path file) {
+    return wait({std::move(of), std::move(file)});
+}
+
+bool PictureWriter::wait(Item item) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.size() < 2 || failed_; });
+    if (failed_) return false;
+    waiting_.push_back(std::move(item));
+    changed_.notify_all();
+    return true;
+}
+
+Diagnostics PictureWriter::finish() {
+    {
+        const std::scoped_lock lock(mutex_);
+        closed_ = true;
+        changed_.notify_all();
+    }
+    threads_.clear();
+    return std::move(problems_);
+}
+
+/// Takes the next item, after the file that it copies is written; false if there is none.
+bool PictureWriter::take(Item& item) {
+    std::unique_lock lock(mutex_);
+    ++idle_;
+    changed_.wait(lock, [this] { return !waiting_.empty() || closed_ || failed_; });
+    --idle_;
+    if (waiting_.empty()) return false;
+    item = std::move(waiting_.front());
+    waiting_.pop_front();
+    beingWritten_.insert(item.file);
+    changed_.notify_all();
+    if (const auto* of = std::get_if<std::filesystem::path>(&item.content))
+        changed_.wait(lock, [this, of] { return !beingWritten_.contains(*of) || failed_; });
+    return !failed_;
+}
+
+/// Records that an item is done; false if writing more is useless.
+bool PictureWriter::done(const Item& item, Diagnostics problems) {
+    const std::scoped_lock lock(mutex_);
+    beingWritten_.erase(item.file);
+    changed_.notify_all();
+    if (failed_) return false;
+    failed_ = hasError(problems);
+    append(problems_, std::move(problems));
+    if (failed_)
+        waiting_.clear();
+    else
+        written_(++count_);
+    return !failed_;
+}
+
+void PictureWriter::run() {
+    // Drawing waits for these files, so they are compressed quickly, each on one thread.
+    image::WriteOptions options;
+    options.png.level = 0;
+    options.png.threads = 1;
+    Item item;
+    while (take(item)) {
+        const auto* picture = std::get_if<image::Image>(&item.content);
+        Diagnostics problems;
+        try {
+            problems = picture ? image::writeImage(*picture, item.file, options)
+                               : copyFile(std::get<std::filesystem::path>(item.content), item.file);
+        } catch (const std::bad_alloc&) {
+            problems.push_back(
+                diagnose("file-E10", "cannot write '" + item.file.string() + "': not enough memory"));
+        }
+        if (!done(item, std::move(problems))) return;
+    }
+}
+
+}  // namespace glibra::render

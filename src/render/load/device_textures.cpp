@@ -1,0 +1,281 @@
+// The textures, samplers and targets of DeviceScene.
+
+#include <fmt/format.h>
+#include <glibra/diagnostic.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "image/texture_file.h"
+#include "noise/noise.h"
+#include "plan/texture_uses.h"
+#include "render/load/device_scene.h"
+#include "render/load/reuse.h"
+
+namespace glibra::render {
+namespace {
+
+gpu::TextureShape shapeOf(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D:
+            return gpu::TextureShape::texture1D;
+        case scene::TextureTarget::texture2D:
+            return gpu::TextureShape::texture2D;
+        case scene::TextureTarget::texture3D:
+            return gpu::TextureShape::texture3D;
+        case scene::TextureTarget::cube:
+            break;
+    }
+    return gpu::TextureShape::cube;
+}
+
+int dimensionsOf(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D:
+            return 1;
+        case scene::TextureTarget::texture3D:
+            return 3;
+        case scene::TextureTarget::texture2D:
+        case scene::TextureTarget::cube:
+            break;
+    }
+    return 2;
+}
+
+gpu::TexelFormat formatOf(scene::TexelFormat format) {
+    switch (format) {
+        case scene::TexelFormat::rgba16f:
+            return gpu::TexelFormat::rgba16f;
+        case scene::TexelFormat::rgba32f:
+            return gpu::TexelFormat::rgba32f;
+        case scene::TexelFormat::r32f:
+            return gpu::TexelFormat::r32f;
+        case scene::TexelFormat::rgba8:
+            break;
+    }
+    return gpu::TexelFormat::rgba8;
+}
+
+gpu::TexelFormat formatOf(image::Component type) {
+    switch (type) {
+        case image::Component::u8:
+            return gpu::TexelFormat::rgba8;
+        case image::Component::u16:
+            return gpu::TexelFormat::rgba16;
+        case image::Component::f32:
+            break;
+    }
+    return gpu::TexelFormat::rgba32f;
+}
+
+gpu::TexelType typeOf(image::Component type) {
+    switch (type) {
+        case image::Component::u8:
+            return gpu::TexelType::u8;
+        case image::Component::u16:
+            return gpu::TexelType::u16;
+        case image::Component::f32:
+            break;
+    }
+    return gpu::TexelType::f32;
+}
+
+/// Converts bytes to 16-bit texels with the same values in 0..1, because llvmpipe filters 8-bit textures with
+/// 8-bit weights.
+noise::TexelShorts widened(const noise::TexelBytes& bytes) {
+    noise::TexelShorts wide(bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) wide[i] = static_cast<std::uint16_t>(bytes[i] * 257U);
+    return wide;
+}
+
+std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
+    return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+           static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
+}
+
+/// The files of a picture, in order.
+std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scene::PictureSource& picture) {
+    std::vector<std::filesystem::path> paths;
+    for (const scene::FileIndex each : picture.files) paths.push_back(scene.files[each].path);
+    return paths;
+}
+
+}  // namespace
+
+DeviceScene::NoiseTexels DeviceScene::noiseTexels(const scene::NoiseSource& source, const Place& place) {
+    const StageTimer timer(stats_, "noise");
+    if (!source.file) {
+        if (source.texels == scene::NoiseTexels::bytes)
+            return widened(source.dimensions == 3 ? noise::noise3Texels(source.size)
+                                                  : noise::noise2Texels(source.size));
+        return source.dimensions == 3 ? noise::noise3Shorts(source.size) : noise::noise2Shorts(source.size);
+    }
+    stats_.add("files read", 1);
+    const scene::FileReference& file = scene_.files[source.file];
+    Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
+    if (!read) return std::move(read.diagnostics);
+    noise::TexelBytes bytes(read->data.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
+    return widened(bytes);
+}
+
+DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& texture,
+                                                      const scene::PictureSource& picture) {
+    const StageTimer timer(stats_, "read");
+    const std::vector<std::filesystem::path> paths = pathsOf(scene_, picture);
+    stats_.add("files read", paths.size());
+    if (texture.target == scene::TextureTarget::cube) return image::readCubeMap(paths, texture.place);
+    return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
+}
+
+void DeviceScene::readAhead(scene::TextureIndex index) {
+    const scene::Texture& texture = scene_.textures[index];
+    const std::string key = reuseKey(scene_, texture);
+    if (key.empty() || (shared_ && shared_->textures.contains(key))) return;
+    if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        if (!noiseAhead_.contains(key)) noiseAhead_.emplace(key, noiseTexels(*noise, texture.place));
+        return;
+    }
+    const auto& picture = std::get<scene::PictureSource>(texture.source);
+    const bool areThere =
+        std::none_of(picture.files.begin(), picture.files.end(),
+                     [this](scene::FileIndex file) { return hasError(scene_.files[file].remarks); });
+    if (areThere && !picturesAhead_.contains(key))
+        picturesAhead_.emplace(key, pictureTexels(texture, picture));
+}
+
+Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
+    const scene::Texture& texture = scene_.textures[index];
+    const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
+    if (picture && sharesTextures_) {
+        // Files used twice are read once: statements that name the same files share one texture.
+        const auto [first, isNew] = pictures_.try_emplace({picture->files, texture.target}, index);
+        if (!isNew) {
+            sameTexture_[index] = first->second;
+            stats_.skip("texture",
+                        fmt::format("unit {}: shares the texture that line {} makes from the same file",
+                                    plan::slotText(texture.unit, texture.target),
+                                    scene_.textures[first->second].place.line),
+                        texture.place);
+            return {};
+        }
+    }
+    const std::string key = reuseKey(scene_, texture);
+    textureKeys_[index] = key;
+    const bool isOwn = key.empty() || written_.contains(index);
+    if (!isOwn)
+        if (std::shared_ptr<const gpu::Texture> earlier = earlierTexture(key, texture)) {
+            textures_.emplace(index, std::move(earlier));
+            return {};
+        }
+    Result<gpu::Texture> made = createTexture(texture, key);
+    if (!made) return std::move(made.diagnostics);
+    const std::uint64_t texels = texelsOf(made->size(), texture.target);
+    stats_.add("textures", 1);
+    stats_.add("texels", texels);
+    auto kept = std::make_shared<const gpu::Texture>(std::move(*made));
+    if (shared_ && !isOwn && made.diagnostics.empty())
+        shared_->textures.add(key, kept, texels * gpu::bytesPerTexel(kept->format()));
+    textures_.emplace(index, std::move(kept));
+    return std::move(made.diagnostics);
+}
+
+std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::string& key,
+                                                                const scene::Texture& texture) {
+    if (previous_)
+        for (const auto& [index, known] : previous_->textures_)
+            if (previous_->textureKeys_[index] == key && !previous_->written_.contains(index)) return known;
+    std::shared_ptr<const gpu::Texture> found =
+        shared_ ? shared_->textures.find(key).value_or(nullptr) : nullptr;
+    if (!found) return nullptr;
+    stats_.add("textures kept", 1);
+    const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
+    stats_.skip(isNoise ? "noise texture" : "texture",
+                fmt::format("unit {}: already on the device", plan::slotText(texture.unit, texture.target)),
+                texture.place);
+    return found;
+}
+
+Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, const std::string& key) {
+    const gpu::Capabilities& capabilities = context_.capabilities();
+    const gpu::TextureShape shape = shapeOf(texture.target);
+    if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source))
+        return gpu::Texture::create(capabilities, shape, formatOf(empty->format),
+                                    {empty->width, empty->height, empty->depth});
+
+    if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        auto ahead = noiseAhead_.extract(key);
+        NoiseTexels texels = ahead ? std::move(ahead.mapped()) : noiseTexels(*noise, texture.place);
+        const StageTimer timer(stats_, "noise");
+        Diagnostics diagnostics = noise->remarks;
+        append(diagnostics, std::move(texels.diagnostics));
+        if (!texels) return diagnostics;
+        const int depth = noise->dimensions == 3 ? noise->size : 1;
+        Result<gpu::Texture> made = gpu::Texture::create(
+            capabilities, shape, gpu::TexelFormat::rgba16, {noise->size, noise->size, depth},
+            {std::as_bytes(std::span(std::as_const(*texels))), 4, gpu::TexelType::u16});
+        append(diagnostics, std::move(made.diagnostics));
+        made.diagnostics = std::move(diagnostics);
+        return made;
+    }
+
+    const auto& picture = std::get<scene::PictureSource>(texture.source);
+    Diagnostics diagnostics;
+    for (const scene::FileIndex each : picture.files) append(diagnostics, scene_.files[each].remarks);
+    if (hasError(diagnostics)) return diagnostics;
+    auto ahead = picturesAhead_.extract(key);
+    PictureTexels block = ahead ? std::move(ahead.mapped()) : pictureTexels(texture, picture);
+    const StageTimer timer(stats_, "read");
+    append(diagnostics, std::move(block.diagnostics));
+    if (!block) return diagnostics;
+    Result<gpu::Texture> made = gpu::Texture::create(capabilities, shape, formatOf(block->type),
+                                                     {block->width, block->height, block->depth},
+                                                     {block->data, block->components, typeOf(block->type)});
+    append(diagnostics, std::move(made.diagnostics));
+    made.diagnostics = std::move(diagnostics);
+    return made;
+}
+
+const gpu::Texture* DeviceScene::texture(scene::TextureIndex texture) const {
+    const auto same = sameTexture_.find(texture);
+    const auto found = textures_.find(same == sameTexture_.end() ? texture : same->second);
+    return found == textures_.end() ? nullptr : found->second.get();
+}
+
+const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
+    const auto known = emptyTextures_.find(target);
+    if (known != emptyTextures_.end()) return known->second;
+    const std::size_t faces = target == scene::TextureTarget::cube ? 6 : 1;
+    std::vector<std::uint8_t> texels(faces * 4);
+    for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
+    Result<gpu::Texture> made =
+        gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8, {1, 1, 1},
+                             {std::as_bytes(std::span(texels)), 4});
+    return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;
+}
+
+const gpu::Sampler& DeviceScene::sampler(bool clamp) {
+    const auto known = samplers_.find(clamp);
+    if (known != samplers_.end()) return known->second;
+    return samplers_.emplace(clamp, gpu::Sampler(clamp ? gpu::Wrap::clampToEdge : gpu::Wrap::repeat))
+        .first->second;
+}
+
+Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
+    // This runs in every frame, so it compares without making a key.
+    for (const auto& [key, known] : targets_)
+        if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
+    std::vector<const gpu::Texture*> textures;
+    for (const scene::TextureIndex each : pass.targets) textures.push_back(texture(each));
+    gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
+    Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
+    if (!made) {
+        for (Diagnostic& each : made.diagnostics) each.place = pass.place;
+        return std::move(made.diagnostics);
+    }
+    depth = made->depth();
+    return &targets_.emplace(std::pair(pass.targets, pass.depthBuffer), std::move(*made)).first->second;
+}
+
+}  // namespace glibra::render

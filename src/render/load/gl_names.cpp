@@ -1,0 +1,39 @@
+#include "render/load/gl_names.h"
+
+namespace glibra::render {
+
+GLenum glStage(glsl::Stage stage) {
+    switch (stage) {
+        case glsl::Stage::vertex:
+            return GL_VERTEX_SHADER;
+        case glsl::Stage::tessControl:
+            return GL_TESS_CONTROL_SHADER;
+        case glsl::Stage::tessEvaluation:
+            return GL_TESS_EVALUATION_SHADER;
+        case glsl::Stage::geometry:
+            return GL_GEOMETRY_SHADER;
+        case glsl::Stage::fragment:
+            break;
+    }
+    return GL_FRAGMENT_SHADER;
+}
+
+GLenum glMode(geometry::Topology topology) {
+    switch (topology) {
+        case geometry::Topology::points:
+            return GL_POINTS;
+        case geometry::Topology::lines:
+            return GL_LINES;
+        case geometry::Topology::linesAdjacency:
+            return GL_LINES_ADJACENCY;
+        case geometry::Topology::triangles:
+            return GL_TRIANGLES;
+        case geometry::Topology::trianglesAdjacency:
+            return GL_TRIANGLES_ADJACENCY;
+        case geometry::Topology::patches:
+            break;
+    }
+    return GL_PATCHES;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,235 @@
+#include "render/load/programs.h"
+
+#include <fmt/format.h>
+
+#include <embedded/builtin_shaders.h>
+#include <algorithm>
+#include <utility>
+
+#include "glsl/emit/log.h"
+#include "gpu/object/reflection.h"
+#include "image/file.h"
+#include "render/load/gl_names.h"
+#include "scene/file_lookup.h"
+
+namespace glibra::render {
+namespace {
+
+/// The bytes as text, without a UTF-8 byte order mark.
+std::string asText(const std::vector<std::byte>& bytes) {
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return text;
+}
+
+glsl::Target targetOf(const gpu::Capabilities& capabilities) {
+    glsl::Target target;
+    target.version = std::clamp(capabilities.glslVersion, 410, 450);
+    target.lineDirectiveTakesFileName = capabilities.hasExtension("GL_ARB_shading_language_include");
+    target.maxGeometryOutputVertices = capabilities.maxGeometryOutputVertices;
+    target.maxGeometryTotalOutputComponents = capabilities.maxGeometryTotalOutputComponents;
+    target.hasExtension = [&capabilities](std::string_view name) { return capabilities.hasExtension(name); };
+    return target;
+}
+
+glsl::SamplerKind samplerKind(scene::TextureTarget target) {
+    switch (target) {
+        case scene::TextureTarget::texture1D:
+            return glsl::SamplerKind::sampler1D;
+        case scene::TextureTarget::texture2D:
+            return glsl::SamplerKind::sampler2D;
+        case scene::TextureTarget::texture3D:
+            return glsl::SamplerKind::sampler3D;
+        case scene::TextureTarget::cube:
+            break;
+    }
+    return glsl::SamplerKind::samplerCube;
+}
+
+/// The name that the user wrote. An emitted name may be "glibra_x" or "block.glibra_x[2].glibra_y", and the
+/// translator may have renamed any part of it.
+std::string userName(const std::string& emitted, const glsl::TranslatedProgram& facts) {
+    if (const auto whole = facts.userNames.find(emitted); whole != facts.userNames.end())
+        return whole->second;
+    std::string name;
+    for (std::size_t begin = 0; begin < emitted.size();) {
+        const std::size_t end = std::min(emitted.find_first_of(".[]", begin), emitted.size());
+        const std::string part = emitted.substr(begin, end - begin);
+        const auto renamed = facts.userNames.find(part);
+        name += renamed == facts.userNames.end() ? part : renamed->second;
+        if (end < emitted.size()) name += emitted[end];
+        begin = end + 1;
+    }
+    return name;
+}
+
+}  // namespace
+
+ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
+                               const RenderOptions& options, bool tiled, Stats& stats, SharedParts* shared)
+    : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats), shared_(shared) {}
+
+const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex file) {
+    const auto [entry, isNew] = sources_.try_emplace(file);
+    SourceFile& source = entry->second;
+    if (!isNew) return source;
+    const scene::FileReference& reference = scene_.files[file];
+    source.diagnostics = reference.remarks;
+    source.path = reference.path.string();
+    if (reference.path.empty()) return source;
+    stats_.add("files read", 1);
+    auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
+    append(source.diagnostics, std::move(bytes.diagnostics));
+    if (bytes) source.text = asText(*bytes);
+    return source;
+}
+
+std::vector<glsl::SamplerKind> ProgramLibrary::samplerKinds(scene::ProgramIndex program,
+                                                            std::string_view tag) const {
+    std::vector<glsl::SamplerKind> kinds;
+    int unit = 0;
+    for (const glib::UniformSpec& each : scene_.programs[program].uniforms)
+        if (each.tag == tag && !each.values.empty()) unit = static_cast<int>(each.values.front());
+    for (const scene::Texture& each : scene_.textures) {
+        if (each.unit != unit) continue;
+        const glsl::SamplerKind kind = samplerKind(each.target);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
+    glsl::ProgramRequest request;
+    request.target = targetOf(context_.capabilities());
+    request.flatColors = variant.flatColors;
+    request.colorTargets = variant.colorTargets;
+    request.tiled = tiled_;
+    if (!variant.program) {
+        request.name = "built-in";
+        request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
+                          {glsl::Stage::fragment, "flat.frag", std::string(builtin_shaders::flat_frag())}};
+        return request;
+    }
+    const scene::Program& program = scene_.programs[variant.program];
+    request.name = program.name;
+    request.place = program.place;
+    request.shim = options_.shim;
+    request.geometryInput = program.geometryInput;
+    request.geometryOutput = program.geometryOutput;
+    request.geometryVerticesOut = program.geometryVerticesOut;
+    for (const scene::StageFile& stage : program.stages) {
+        const SourceFile& source = sourceFile(stage.file);
+        append(diagnostics, source.diagnostics);
+        if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
+    }
+    request.include = [this](std::string_view name,
+                             std::string_view from) -> std::optional<glsl::IncludedFile> {
+        const scene::FileReference found =
+            scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
+        if (found.path.empty()) return std::nullopt;
+        stats_.add("files read", 1);
+        const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
+        included_.insert(found.path);
+        if (!bytes) return std::nullopt;
+        return glsl::IncludedFile{found.path.string(), asText(*bytes)};
+    };
+    request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
+        return samplerKinds(program, tag);
+    };
+    return request;
+}
+
+bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
+                             BuiltProgram& built, Diagnostics& diagnostics) {
+    const Place programPlace = variant.program ? scene_.programs[variant.program].place : Place{};
+    const StageTimer timer(stats_, "compile");
+    std::vector<gpu::StageSource> stages;
+    for (const glsl::TranslatedStage& each : translated.stages)
+        stages.push_back({glStage(each.stage), each.source});
+    gpu::BuildOutcome outcome = gpu::buildProgram(
+        context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+    for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
+        Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
+        if (!outcome.stages[i].compiled && !hasError(found))
+            found.push_back(diagnose("glsl-E01",
+                                     "the driver does not compile the shader: " + outcome.stages[i].log,
+                                     {translated.stages[i].path, 1, 1}));
+        append(diagnostics, std::move(found));
+    }
+    if (!outcome.program && !hasError(diagnostics)) {
+        append(diagnostics, glsl::explainLinkLog(translated, outcome.linkLog, programPlace));
+        if (!hasError(diagnostics))
+            diagnostics.push_back(diagnose(
+                "glsl-E02", "the driver does not link the program: " + outcome.linkLog, programPlace));
+    }
+    stats_.add("programs", 1);
+    if (!outcome.program) return false;
+    static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
+    built.program = std::move(outcome.program);
+    return true;
+}
+
+void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& built) {
+    const Translation& translation = translationOf(variant);
+    Diagnostics diagnostics = translation.diagnostics;
+    glsl::TranslatedProgram translated;
+    if (translation.program) {
+        translated = *translation.program;
+        append(diagnostics, std::move(translated.diagnostics));
+    }
+    if (!hasError(diagnostics)) {
+        built.key = keyOf(variant, translated);
+        if (BuiltProgram* earlier = earlierByKey(built.key)) {
+            built.program = std::exchange(earlier->program, std::nullopt);
+            // A copy: the earlier library's plan may still be read.
+            static_cast<base::ActiveResources&>(built.interface) = earlier->interface;
+            built.remarks = std::move(earlier->remarks);
+        } else if (!borrow(variant, built)) {
+            if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
+        }
+        append(diagnostics, built.remarks);
+    }
+    const bool isBuiltin = !variant.program;
+    if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
+        built.program = std::exchange(earlier->program, std::nullopt);
+        built.interface = std::move(earlier->interface);
+        built.interface.facts.diagnostics = std::move(diagnostics);
+        built.key = std::move(earlier->key);
+        built.remarks = std::move(earlier->remarks);
+        built.isLastGood = true;
+        return;
+    }
+    translated.diagnostics = std::move(diagnostics);
+    for (base::ActiveUniform& each : built.interface.uniforms)
+        each.name = userName(each.emittedName, translated);
+    built.interface.facts = std::move(translated);
+    built.interface.usable = built.program.has_value();
+    built.interface.isBuiltin = isBuiltin;
+}
+
+const plan::ProgramInterface& ProgramLibrary::interfaceOf(const plan::ProgramVariant& variant) {
+    if (const BuiltProgram* known = find(variant)) return known->interface;
+    programs_.emplace_back(variant, std::make_unique<BuiltProgram>());
+    build(variant, *programs_.back().second);
+    return programs_.back().second->interface;
+}
+
+const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) const {
+    for (const auto& [known, built] : programs_)
+        if (known == variant) return built.get();
+    return nullptr;
+}
+
+bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
+    for (const scene::StageFile& stage : scene_.programs[program].stages) {
+        const SourceFile& source = sourceFile(stage.file);
+        if (source.text && source.text->find("image") != std::string::npos &&
+            (source.text->find("imageStore") != std::string::npos ||
+             source.text->find("imageAtomic") != std::string::npos ||
+             source.text->find("#include") != std::string::npos))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,115 @@
+#pragma once
+// Turns Program statements into linked GL programs. A program is made when a plan asks for it and kept by
+// variant.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "glsl/emit/emitted_lines.h"
+#include "glsl/types/request.h"
+#include "gpu/context/context.h"
+#include "gpu/object/program.h"
+#include "plan/frame_plan.h"
+#include "render/load/shared_parts.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+/// The largest shader file, in bytes (language, 11).
+inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
+
+/// A program of the driver and what it reads.
+struct BuiltProgram {
+    std::optional<gpu::Program> program;  ///< nothing if it failed to translate, compile or link
+    plan::ProgramInterface interface;
+    std::string key;          ///< from translated sources and tags; programs with equal keys are equal
+    Diagnostics remarks;      ///< the compiler's diagnostics of those sources
+    bool isLastGood = false;  ///< the current sources fail; this program is of an earlier state
+    std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
+};
+
+class ProgramLibrary {
+  public:
+    /// `tiled`: makes programs that can draw a part of a larger picture. `shared`: programs of other scenes,
+    /// or null; the library borrows from it, and its destructor gives the programs back.
+    ProgramLibrary(const gpu::Context& context, const scene::Scene& scene, const RenderOptions& options,
+                   bool tiled, Stats& stats, SharedParts* shared = nullptr);
+    ProgramLibrary(const ProgramLibrary&) = delete;
+    ProgramLibrary& operator=(const ProgramLibrary&) = delete;
+    ~ProgramLibrary();
+
+    /// Sets the library of the scene before it was read again; it must exist until forgetPrevious().
+    /// interfaceOf takes unchanged programs from it, and the last good state of programs that now fail.
+    void inherit(ProgramLibrary& previous) { previous_ = &previous; }
+    void forgetPrevious() { previous_ = nullptr; }
+    /// Every file that was read for a program, including #include files.
+    [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+    /// How the program places its vertices. This translates the program but does not compile it.
+    glsl::Placement placementOf(const plan::ProgramVariant& variant);
+    /// The translation; null if a source is missing.
+    const glsl::TranslatedProgram* translated(const plan::ProgramVariant& variant) {
+        return translationOf(variant).program.get();
+    }
+    /// True if the variant may read tangents.
+    bool mayReadTangents(const plan::ProgramVariant& variant);
+    /// The translation of a source line, from the first stage that has the line in a program that the driver
+    /// refused. Empty if no refused program has it.
+    [[nodiscard]] std::vector<glsl::EmittedLine> refusedLines(const Place& place) const;
+    /// Translates, compiles and links the program at the first call for a variant.
+    const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
+    /// The program that interfaceOf has made; null before its first call for the variant.
+    [[nodiscard]] const BuiltProgram* find(const plan::ProgramVariant& variant) const;
+    /// True if any source of the program names an image function.
+    bool mayWriteImages(scene::ProgramIndex program);
+
+  private:
+    /// A shader file as read, or the diagnostics that prevented it.
+    struct SourceFile {
+        std::optional<std::string> text;
+        std::string path;
+        Diagnostics diagnostics;
+    };
+    /// A translated program; null if a source is missing, with the reasons in `diagnostics`.
+    struct Translation {
+        std::shared_ptr<const glsl::TranslatedProgram> program;
+        Diagnostics diagnostics;
+    };
+    const SourceFile& sourceFile(scene::FileIndex file);
+    const Translation& translationOf(const plan::ProgramVariant& variant);
+    std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
+    bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
+    [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);
+    [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
+                                                              std::string_view tag) const;
+    void build(const plan::ProgramVariant& variant, BuiltProgram& built);
+    [[nodiscard]] std::string keyOf(const plan::ProgramVariant& variant,
+                                    const glsl::TranslatedProgram& translated) const;
+    /// The program's name, and its index among the programs of that name.
+    [[nodiscard]] std::pair<int, std::string> identityOf(const plan::ProgramVariant& variant) const;
+    BuiltProgram* earlierByKey(const std::string& key);
+    BuiltProgram* lastGoodOf(const plan::ProgramVariant& variant);
+    bool compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
+                 BuiltProgram& built, Diagnostics& diagnostics);
+
+    const gpu::Context& context_;
+    const scene::Scene& scene_;
+    const RenderOptions& options_;
+    bool tiled_;
+    Stats& stats_;
+    SharedParts* shared_;
+    ProgramLibrary* previous_ = nullptr;
+    std::map<scene::FileIndex, SourceFile> sources_;
+    std::set<std::filesystem::path> included_;
+    std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
+    std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
+};
+
+}  // namespace glibra::render

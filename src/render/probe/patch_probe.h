@@ -1,0 +1,40 @@
+#pragma once
+// The vertices that the tessellation stages of a draw make of its patches, at other levels than the scene's.
+
+#include <glibra/render.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "budget/budget.h"
+#include "gpu/context/context.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+/// Draws one draw of a scene in small pictures and captures the output of the evaluation stage.
+class PatchProbe {
+  public:
+    /// Prepares the probe for a picture of `width` x `height` pixels. The context and the scene must outlive
+    /// it.
+    PatchProbe(gpu::Context& context, const scene::Scene& scene, const RenderOptions& options, int width,
+               int height);
+    PatchProbe(const PatchProbe&) = delete;
+    PatchProbe& operator=(const PatchProbe&) = delete;
+    ~PatchProbe();
+
+    /// The patches of the draw at Scene::passes[pass].steps[step], with these values in place of the scene's.
+    /// Of more than 64 patches only every second, third ... is captured. Nothing if drawing or capturing
+    /// fails.
+    std::optional<std::vector<budget::Patch>> patches(std::size_t pass, std::size_t step,
+                                                      std::span<const budget::LevelValue> values);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glibra::render

@@ -1,0 +1,152 @@
+#include "base/workers.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <map>
+#include <set>
+
+namespace glibra::base {
+namespace {
+
+struct Log {
+    std::map<std::size_t, Outcome> outcomes;
+    std::map<std::size_t, int> steps;
+};
+
+Log runAll(std::size_t count, const WorkerOptions& options, const Work& work) {
+    Log log;
+    runInWorkers(
+        count, options, work,
+        [&](std::size_t index, const Outcome& outcome) {
+            EXPECT_FALSE(log.outcomes.contains(index)) << "piece " << index << " ended twice";
+            log.outcomes[index] = outcome;
+        },
+        [&](std::size_t index, const std::string&) { ++log.steps[index]; });
+    return log;
+}
+
+TEST(Workers, EveryPieceIsDoneExactlyOnce) {
+    for (const int workers : {1, 2, 5}) {
+        const Log log = runAll(17, {.workers = workers},
+                               [](std::size_t index, const Step&) { return std::to_string(index * index); });
+        ASSERT_EQ(log.outcomes.size(), 17U);
+        for (const auto& [index, outcome] : log.outcomes) {
+            EXPECT_EQ(outcome.end, Outcome::End::finished);
+            EXPECT_EQ(outcome.answer, std::to_string(index * index));
+        }
+    }
+}
+
+TEST(Workers, AWorkerKeepsItsStateFromPieceToPiece) {
+    int seen = 0;
+    const Log log = runAll(4, {.workers = 1},
+                           [seen](std::size_t, const Step&) mutable { return std::to_string(++seen); });
+    EXPECT_EQ(log.outcomes.at(3).answer, "4");
+    EXPECT_EQ(seen, 0) << "the calling process did the work itself";
+}
+
+TEST(Workers, ACrashCostsOnlyItsOwnPiece) {
+    const Log log = runAll(6, {.workers = 2}, [](std::size_t index, const Step&) -> std::string {
+        if (index == 2) ::raise(SIGKILL);
+        if (index == 4) ::_exit(7);
+        return "good";
+    });
+    ASSERT_EQ(log.outcomes.size(), 6U);
+    for (const auto& [index, outcome] : log.outcomes) {
+        const bool bad = index == 2 || index == 4;
+        EXPECT_EQ(outcome.end, bad ? Outcome::End::crashed : Outcome::End::finished) << index;
+    }
+    EXPECT_EQ(log.outcomes.at(2).signal, SIGKILL);
+    EXPECT_EQ(log.outcomes.at(4).signal, 0);
+}
+
+TEST(Workers, APieceThatHangsIsEndedAndTheOthersGoOn) {
+    const Log log =
+        runAll(3, {.workers = 1, .timeout = 0.2}, [](std::size_t index, const Step&) -> std::string {
+            if (index == 1)
+                for (;;) ::pause();
+            return "good";
+        });
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
+    EXPECT_EQ(log.outcomes.at(1).end, Outcome::End::timedOut);
+    EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
+}
+
+TEST(Workers, EveryStepBeginsTheTimeLimitAnew) {
+    const Log log =
+        runAll(1, {.workers = 1, .timeout = 1.0}, [](std::size_t, const Step& step) -> std::string {
+            for (int i = 0; i < 6; ++i) {
+                ::usleep(300'000);
+                step("frame");
+            }
+            return "done";
+        });
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
+    EXPECT_EQ(log.steps.at(0), 6);
+}
+
+TEST(Workers, EveryPieceMayHaveATimeLimitOfItsOwn) {
+    const Log log = runAll(
+        3, {.workers = 3, .timeout = 60, .timeoutOf = [](std::size_t index) { return index == 1 ? .1 : 0.; }},
+        [](std::size_t, const Step&) {
+            ::usleep(400'000);
+            return std::string("done");
+        });
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
+    EXPECT_EQ(log.outcomes.at(1).end, Outcome::End::timedOut);
+    EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
+}
+
+TEST(Workers, AfterAStopNothingIsBegunAndWhatIsInWorkIsEnded) {
+    int done = 0;
+    Log log;
+    runInWorkers(
+        10, {.workers = 1, .stop = [&] { return done == 3; }},
+        [](std::size_t index, const Step&) {
+            if (index == 3) ::sleep(60);
+            return std::string();
+        },
+        [&](std::size_t index, const Outcome& outcome) {
+            log.outcomes[index] = outcome;
+            ++done;
+        },
+        [](std::size_t, const std::string&) {});
+    EXPECT_EQ(log.outcomes.size(), 3U);
+}
+
+TEST(Workers, AStopEndsAPieceThatHangs) {
+    bool began = false;
+    Log log;
+    runInWorkers(
+        2, {.workers = 1, .stop = [&] { return began; }},
+        [](std::size_t, const Step& step) {
+            step("began");
+            ::sleep(60);
+            return std::string();
+        },
+        [&](std::size_t index, const Outcome& outcome) { log.outcomes[index] = outcome; },
+        [&](std::size_t, const std::string&) { began = true; });
+    ASSERT_EQ(log.outcomes.size(), 1U);
+    EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::stopped);
+    EXPECT_GT(log.outcomes.at(0).process, 0);
+}
+
+TEST(Workers, PassOverTheSignalsOfATerminal) {
+    const Log log = runAll(1, {.workers = 1}, [](std::size_t, const Step&) {
+        ::raise(SIGINT);
+        ::raise(SIGHUP);
+        return std::string("alive");
+    });
+    EXPECT_EQ(log.outcomes.at(0).answer, "alive");
+}
+
+TEST(Workers, LongAnswersArriveWhole) {
+    const std::string big(5'000'000, 'x');
+    const Log log = runAll(3, {.workers = 3}, [&](std::size_t, const Step&) { return std::string(big); });
+    for (const auto& [index, outcome] : log.outcomes) EXPECT_EQ(outcome.answer, big) << index;
+}
+
+}  // namespace
+}  // namespace glibra::base
