@@ -59,7 +59,8 @@ void send(int file, MessageKind kind, const std::string& text) {
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
-[[noreturn]] void serve(int requests, int answers, const WorkerOptions& options, const Work& work) {
+[[noreturn]] void serve(int requests, int answers, std::size_t count, const WorkerOptions& options,
+                        const Work& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // When memory runs out, the kernel should end a worker, not the parent that holds all results.
@@ -74,8 +75,10 @@ void send(int file, MessageKind kind, const std::string& text) {
         const rlimit limit{options.memory, options.memory};
         ::setrlimit(RLIMIT_AS, &limit);
     }
+    if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
     while (readAll(requests, &index, sizeof index)) {
+        if (index >= count) ::_exit(1);  // something else has written into the pipe
         const std::string answer =
             work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
         send(answers, MessageKind::answer, answer);
@@ -92,7 +95,7 @@ struct Worker {
     Clock::time_point deadline = Clock::time_point::max();
 };
 
-std::optional<Worker> start(const WorkerOptions& options, const Work& work,
+std::optional<Worker> start(std::size_t count, const WorkerOptions& options, const Work& work,
                             const std::vector<Worker>& others) {
     std::array<int, 2> requests{};
     std::array<int, 2> answers{};
@@ -112,7 +115,7 @@ std::optional<Worker> start(const WorkerOptions& options, const Work& work,
         }
         ::close(requests[1]);
         ::close(answers[0]);
-        serve(requests[0], answers[1], options, work);
+        serve(requests[0], answers[1], count, options, work);
     }
     ::close(requests[0]);
     ::close(answers[1]);
@@ -184,7 +187,7 @@ class Pool {
 
     void give(Worker& worker) {
         if (worker.process < 0) {
-            std::optional<Worker> started = start(options_, work_, workers_);
+            std::optional<Worker> started = start(count_, options_, work_, workers_);
             if (!started) {
                 if (busy() > 0) return;  // try again when another worker is done
                 done_(next_++, {.end = Outcome::End::crashed});

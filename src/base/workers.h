@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "base/sandbox.h"
+
 namespace glibra::base {
 
 /// How one piece of work ended.
@@ -26,6 +28,8 @@ struct WorkerOptions {
     /// Called five times a second. After it returns true, no further piece begins and the running ones are
     /// ended.
     std::function<bool()> stop{};
+    /// If given, every worker enters this sandbox before its first piece; one that cannot ends by itself.
+    const Sandbox* sandbox = nullptr;
 };
 
 /// Reports to the parent that a step is done, such as a frame; the time limit starts again. The text is

@@ -11,7 +11,7 @@
 #include "image/file.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
-#include "suite/report/utf8.h"
+#include "suite/report/escape_xml.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {
