@@ -1,10 +1,15 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
+
+#include "base/utf8.h"
+#include "cli/commands.h"
 
 namespace glibra::cli {
 namespace {
@@ -31,6 +36,19 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* summary, const
     CLI::App* command = app.add_subcommand(name, summary);
     setExample(*command, example);
     return command;
+}
+
+int reportUsage(const CLI::App& app, const CLI::ParseError& wrong) {
+    std::ostringstream help;
+    std::ostringstream error;
+    const int status = app.exit(wrong, help, error);
+    const auto put = [](const std::string& text, std::FILE* file) {
+        const std::string safe = base::printableText(text, true);  // arguments may be names of files
+        std::fwrite(safe.data(), 1, safe.size(), file);
+    };
+    put(help.str(), stdout);
+    put(error.str(), stderr);
+    return status == 0 ? kDone : kWrongUsage;
 }
 
 void addDriverOption(CLI::App& command, Driver& to) {

@@ -5,7 +5,8 @@
 
 namespace CLI {
 class App;
-}
+class ParseError;
+}  // namespace CLI
 
 namespace glibra::cli {
 
@@ -15,6 +16,9 @@ void setExample(CLI::App& app, const char* example);
 /// Adds a subcommand. `summary` says what it does, without a subject: "renders scenes to pictures". Its
 /// --help begins with the example.
 CLI::App* addCommand(CLI::App& app, const char* name, const char* summary, const char* example);
+
+/// Prints the help that was asked for, or what is wrong with the command line. Returns the exit status.
+int reportUsage(const CLI::App& app, const CLI::ParseError& wrong);
 
 /// --driver
 void addDriverOption(CLI::App& command, Driver& to);

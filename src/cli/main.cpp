@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <exception>
 
+#include "base/standard_files.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 
@@ -27,17 +27,18 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
         return status;
     } catch (const CLI::ParseError& wrong) {
-        return app.exit(wrong) == 0 ? glibra::cli::kDone : glibra::cli::kWrongUsage;
+        return glibra::cli::reportUsage(app, wrong);
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
         return run(argc, argv);
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;
     }
 }

@@ -35,7 +35,7 @@ std::pair<int, double> pointOf(const std::string& option, const std::string& tex
 }
 
 int refuse(const std::string& why) {
-    std::fprintf(stderr, "glibra: error: %s\n", why.c_str());
+    printError(why);
     return kWrongUsage;
 }
 

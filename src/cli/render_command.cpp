@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include "cli/render_scenes.h"
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"
+#include "cli/untrusted.h"
 #include "plan/uniforms.h"
 
 namespace glibra::cli {
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// Checks what CLI11 cannot check, and renders.
 int run(RenderArguments& arguments) {
     if (arguments.output == "-" && (arguments.scenes.size() > 1 || arguments.frames > 1)) {
-        std::fprintf(stderr, "glibra: error: -o - writes one picture, not several\n");
+        printError("-o - writes one picture, not several");
         return kWrongUsage;
     }
     for (const std::string& each : arguments.picture.options.set) {
@@ -30,14 +30,16 @@ int run(RenderArguments& arguments) {
         print(parsed.diagnostics);
         if (!parsed) return kWrongUsage;
     }
+    if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.suite.suites.empty()) {
+        arguments.suite.untrusted = arguments.untrusted;
         arguments.suite.driver = arguments.driver;
         arguments.suite.jobs = arguments.jobs;
         arguments.suite.skip = arguments.picture.options.skip;
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty()) {
-        std::fprintf(stderr, "glibra: error: expected a scene (.glib), or a suite after --suite\n");
+        printError("expected a scene (.glib), or a suite after --suite");
         return kWrongUsage;
     }
     std::vector<fs::path>& roots = arguments.picture.options.libraryRoots;
@@ -74,6 +76,7 @@ void addRender(CLI::App& app, int& status) {
     addSelectionOptions(*command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command->get_option(each)->needs(suite);
     command->add_flag("--explain", to.explain, "print what was made, what was skipped and why");
+    addUntrustedOption(*command, to.untrusted);
     command->add_option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
     excludePictureOptions(*command, *suite);
     for (const char* each : {"--frames", "--fps", "--explain", "--stats"})

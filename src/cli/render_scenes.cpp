@@ -13,10 +13,12 @@
 #include <span>
 #include <utility>
 
+#include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
+#include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -85,8 +87,9 @@ int partsOf(const RenderArguments& arguments) {
 class JobRunner {
   public:
     /// Each scene is drawn in `parts` pieces.
-    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts)
-        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts) {}
+    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts,
+              const StagingFolder* staging)
+        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts), staging_(staging) {}
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
@@ -99,7 +102,7 @@ class JobRunner {
         }
         render::Job job;
         job.scene = arguments_.scenes[index];
-        job.output = outputs_[index];
+        job.output = staging_ ? staging_->fileOf(piece, outputs_[index]) : outputs_[index];
         job.options = arguments_.picture.options;
         job.frames = arguments_.frames;
         job.framesPerSecond = arguments_.framesPerSecond;
@@ -129,6 +132,7 @@ class JobRunner {
     const RenderArguments& arguments_;
     std::vector<fs::path> outputs_;
     std::size_t parts_;
+    const StagingFolder* staging_;
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
@@ -139,7 +143,8 @@ class ProgressLine {
     ProgressLine(bool shown, std::size_t scenes, int frames)
         : shown_(shown && (scenes > 1 || frames > 1)), total_(scenes * static_cast<std::size_t>(frames)) {}
     void show(std::size_t done, const std::string& what) const {
-        if (shown_) std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, what.c_str());
+        if (shown_)
+            std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, base::printableText(what).c_str());
     }
     void clear() const {
         if (shown_) std::fputs("\r\033[K", stderr);
@@ -166,16 +171,19 @@ class SceneBatch {
         std::error_code ignored;  // reported with the file that cannot be written
         for (const fs::path& each : outputs_)
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
-        JobRunner runner(arguments_, outputs_, parts_);
+        const std::optional<base::Sandbox> sandbox = confine();
+        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
         const Interruption interruption;
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
-             .stop = [&] { return interruption.signal() != 0; }},
+             .stop = [&] { return interruption.signal() != 0; },
+             .sandbox = sandbox ? &*sandbox : nullptr},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
             [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
+        staging_.reset();
         progress_.clear();
         print(render::joined(remarks_));
         interruption.obey();
@@ -185,6 +193,19 @@ class SceneBatch {
     }
 
   private:
+    /// The sandbox of the workers with --untrusted. They write to a folder of their own.
+    std::optional<base::Sandbox> confine() {
+        if (!arguments_.untrusted) return std::nullopt;
+        base::Sandbox sandbox = sandboxOf(arguments_.scenes, arguments_.picture.options);
+        if (arguments_.output == "-") {
+            sandbox.standardOutput = true;
+        } else {
+            staging_.emplace(outputs_.front().parent_path());
+            sandbox.writable.push_back(staging_->path());
+        }
+        return sandbox;
+    }
+
     void countFrames(std::size_t piece, int written) {
         doneCount_ += static_cast<std::size_t>(written - framesWritten_[piece]);
         framesWritten_[piece] = written;
@@ -197,14 +218,22 @@ class SceneBatch {
         // A worker that ends by itself cannot remove what it has half written.
         if (outcome.end != base::Outcome::End::finished)
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
+        Diagnostics undelivered;
+        if (staging_)
+            for (int frame = 0; frame < arguments_.frames; ++frame)
+                append(undelivered, staging_->deliver(
+                                        piece, render::frameFile(outputs_[index], frame, arguments_.frames)));
         if (outcome.end == base::Outcome::End::stopped) return;
         Answer answer = answerOf(outcome, scene);
+        if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
+        append(answer.remarks.general, std::move(undelivered));
         progress_.clear();
         if (parts_ > 1)
             remarks_.push_back(std::move(answer.remarks));
         else
             print(render::joined({answer.remarks}));
-        std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
+        const std::string explanation = base::printableText(answer.explanation, true);
+        std::fwrite(explanation.data(), 1, explanation.size(), stdout);
         std::fflush(stdout);
         stats_[index] = std::move(answer.statsJson);
         status_ = std::max(status_, answer.status);
@@ -236,7 +265,7 @@ class SceneBatch {
             "{} of {} scenes rendered", arguments_.scenes.size() - failed_.size(), arguments_.scenes.size());
         for (std::size_t i = 0; i < failed_.size(); ++i)
             summary += (i == 0 ? ", failed: " : ", ") + failed_[i];
-        std::fprintf(stderr, "%s\n", summary.c_str());
+        printLine(summary);
     }
 
     void writeStats() {
@@ -254,6 +283,7 @@ class SceneBatch {
     const RenderArguments& arguments_;
     std::vector<fs::path> outputs_;
     std::size_t parts_;  ///< pieces per scene
+    std::optional<StagingFolder> staging_;
     ProgressLine progress_;
     int status_ = kDone;
     std::vector<std::string> failed_;

@@ -27,6 +27,7 @@ struct SuiteArguments {
     std::optional<double> timeout;  ///< seconds; nothing: what each shot states
     bool resume = false;
     bool skip = true;  ///< false: --no-skip
+    bool untrusted = false;
     /// Also runs the shots that others name by `match` and `differ`. With --update only the shots that --only
     /// names are replaced.
     bool withNamed = true;

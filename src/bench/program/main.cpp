@@ -1,9 +1,9 @@
 // glibra-bench: started by `glibra bench` and `glibra info --precision`.
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 
+#include "base/standard_files.h"
 #include "bench/program/commands.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
         return precision->parsed() ? printPrecision(driver, asJson) : measure(arguments);
     } catch (const CLI::ParseError& wrong) {
-        return app.exit(wrong) == 0 ? cli::kDone : cli::kWrongUsage;
+        return cli::reportUsage(app, wrong);
     }
 }
 
@@ -55,10 +55,11 @@ int run(int argc, char** argv) {
 }  // namespace glibra::bench
 
 int main(int argc, char** argv) {
+    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
         return glibra::bench::run(argc, argv);
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;
     }
 }

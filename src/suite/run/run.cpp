@@ -77,7 +77,8 @@ class Run {
         const base::WorkerOptions options{
             .workers = jobs_,
             .timeoutOf = [this](std::size_t piece) { return timeoutOf(plan_.pieces[piece].front()); },
-            .stop = [this] { return stopped(); }};
+            .stop = [this] { return stopped(); },
+            .sandbox = options_.sandbox};
         base::runInWorkers(
             plan_.pieces.size(), options, std::ref(worker),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
@@ -90,12 +91,22 @@ class Run {
         if (const auto* driver = std::get_if<DriverIs>(&*message)) {
             end_.driver = driver->words;
         } else if (const auto* begins = std::get_if<Begins>(&*message)) {
+            if (!isOf(piece, begins->shot)) return;
             begun_[piece] = begins->shot;
             if (events_.begins) events_.begins(begins->shot);
         } else if (auto* done = std::get_if<Done>(&*message)) {
+            if (!isOf(piece, done->shot)) return;
+            done->result.suite = plan_.suites[done->shot.suite].name;
+            done->result.shot = shotOf(done->shot).name;
             if (done->accepted) accepted_[done->shot.suite].push_back(std::move(*done->accepted));
             finish(done->shot, done->result);
         }
+    }
+
+    /// A worker that a shader has taken over may send anything; it speaks for the shots of its piece only.
+    [[nodiscard]] bool isOf(std::size_t piece, const ShotReference& shot) const {
+        const std::vector<ShotReference>& shots = plan_.pieces[piece];
+        return std::find(shots.begin(), shots.end(), shot) != shots.end();
     }
 
     void finish(const ShotReference& shot, const ShotResult& result) {
