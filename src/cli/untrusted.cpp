@@ -92,7 +92,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::pat
         const fs::path own = fs::is_directory(suite.file, failure) ? suite.file : folderOf(suite.file);
         if (!checked.insert(path).second || isBelow(path, own) || isBelow(path, ".")) return;
         problems.push_back(
-            diagnose("suite-E20",
+            diagnose("suite-E21",
                      fmt::format("--untrusted: the {} '{}' must be below the suite's folder or the "
                                  "current one",
                                  what, path.string()),
@@ -118,7 +118,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::pat
         for (const fs::path& each : readable)
             if (isBelow(each, folder))
                 problems.push_back(diagnose(
-                    "suite-E20",
+                    "suite-E21",
                     fmt::format("--untrusted: the folder '{}', which is written to, must not contain '{}'",
                                 folder.string(), each.string())));
     print(problems);

@@ -25,16 +25,19 @@ class JumpingClock : public testing::Test {
         folder.write("a.frag",
                      "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy / 17.), "
                      "fract(Timer), 1.); }\n");
-        folder.write("e.frag",
-                     "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i "
-                     "= 0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
-        folder.write("a.glib", "WindowSize 40 30\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 1 1\n");
+        folder.write(
+            "e.frag",
+            "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i "
+            "= 0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
+        folder.write("a.glib",
+                     "WindowSize 40 30\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 1 1\n");
         folder.write("e.glib",
                      "WindowSize 40 30\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 1 1 1\n");
-        folder.write("s.toml",
-                     "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = .5\n"
-                     "[[shot]]\nscript = \"e.glib\"\ntimeout = 2\n[[shot]]\nname = \"c\"\nscript = \"a.glib\"\n"
-                     "time = .7\n");
+        folder.write(
+            "s.toml",
+            "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = .5\n"
+            "[[shot]]\nscript = \"e.glib\"\ntimeout = 2\n[[shot]]\nname = \"c\"\nscript = \"a.glib\"\n"
+            "time = .7\n");
     }
     Folder folder;
 };
@@ -65,7 +68,8 @@ TEST_F(JumpingClock, ScenesAndAnimationsAreTheSame) {
     ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 12 -o free/f.png").status, 0);
     ASSERT_EQ(glibra(folder.path(), "render a.glib --frames 12 -o jumping/f.png", kJumping).status, 0);
     for (const char* each : {"f_0000.png", "f_0005.png", "f_0011.png"})
-        EXPECT_EQ(readFile(folder.path() / "free" / each), readFile(folder.path() / "jumping" / each)) << each;
+        EXPECT_EQ(readFile(folder.path() / "free" / each), readFile(folder.path() / "jumping" / each))
+            << each;
     EXPECT_EQ(glibra(folder.path(), "render e.glib --timeout 1", kJumping).status, 3);
 }
 

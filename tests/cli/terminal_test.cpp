@@ -40,9 +40,25 @@ void expectSafe(const Finished& run, const std::string& what) {
 
 /// Bytes that a terminal may obey, and others.
 std::string hostileBytes(std::mt19937& random, std::size_t count) {
-    static const std::vector<std::string> kPieces{
-        "\x1b]0;owned\x07", "\x1b[2J", "\x9b" "31m", "\xc2\x9b" "31m", "\x7f", "\xe2\x80\xae", "\xe2\x81\xa6",
-        "\x08", "\r", "\x0e", "\xff\xfe", "\xf0\x9f\x98\x80", "\xc3\xbc", "a", " b", "\xf3\xa0\x80\x81", "\xed\xa0\x80"};
+    static const std::vector<std::string> kPieces{"\x1b]0;owned\x07",
+                                                  "\x1b[2J",
+                                                  "\x9b"
+                                                  "31m",
+                                                  "\xc2\x9b"
+                                                  "31m",
+                                                  "\x7f",
+                                                  "\xe2\x80\xae",
+                                                  "\xe2\x81\xa6",
+                                                  "\x08",
+                                                  "\r",
+                                                  "\x0e",
+                                                  "\xff\xfe",
+                                                  "\xf0\x9f\x98\x80",
+                                                  "\xc3\xbc",
+                                                  "a",
+                                                  " b",
+                                                  "\xf3\xa0\x80\x81",
+                                                  "\xed\xa0\x80"};
     std::string text;
     for (std::size_t i = 0; i < count; ++i) text += kPieces[random() % kPieces.size()];
     return text;
@@ -75,11 +91,13 @@ TEST(Terminal, NoBytesOfSceneShaderOrFileNameReachIt) {
         const auto bytes = [&] { return hostileBytes(random, 1 + random() % 6); };
         const std::string name = "s" + bytes();
         folder.write("a.vert", kVertex);
-        folder.write("a.frag", "#version 330 core\n#error " + bytes() + "\nout vec4 f; void main() { f = " + bytes() +
-                                   "; }\n");
-        folder.write("b.frag", "#version 330 core\nuniform float u" + bytes() + ";\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
-        folder.write(name + ".glib", "Vertex a.vert\nFragment a.frag\nProgram \"" + bytes() + "\" u" + bytes() +
-                                         " 3\nSphere\n" + bytes() + " 1\nTexture 5 \"" + bytes() + ".bmp\"\n");
+        folder.write("a.frag", "#version 330 core\n#error " + bytes() +
+                                   "\nout vec4 f; void main() { f = " + bytes() + "; }\n");
+        folder.write("b.frag", "#version 330 core\nuniform float u" + bytes() +
+                                   ";\nout vec4 f;\nvoid main() { f = vec4(1.); }\n");
+        folder.write(name + ".glib", "Vertex a.vert\nFragment a.frag\nProgram \"" + bytes() + "\" u" +
+                                         bytes() + " 3\nSphere\n" + bytes() + " 1\nTexture 5 \"" + bytes() +
+                                         ".bmp\"\n");
         folder.write("b.glib", "MessageBox " + bytes() + "\nVertex a.vert\nFragment \"" + bytes() +
                                    "\"\nProgram P\nVerbose\nSphere\n");
         folder.write("c.glib", "Vertex a.vert\nFragment b.frag\nProgram P" + bytes() + "\nSphere\n");
@@ -87,27 +105,33 @@ TEST(Terminal, NoBytesOfSceneShaderOrFileNameReachIt) {
         folder.write("w.toml", "[[shot]]\nscript = \"" + bytes() + "\"\n" + bytes() + " = 1\n");
         folder.write("p" + bytes() + ".png", bytes());
         const std::string scene = quoted(name + ".glib");
-        for (const std::string& command :
-             std::vector<std::string>{"check " + scene + " b.glib c.glib", "check --json " + scene + " b.glib",
-              "render " + scene + " b.glib c.glib -o out", "render c.glib --explain -o c.png", "test t.toml",
-              "test w.toml", "compare p* p*", "render " + quoted(bytes()),
-              "render c.glib --set " + quoted("u=" + bytes()), "frobnicate " + quoted(bytes()),
-              "language " + quoted(bytes()), "test --merge " + quoted(bytes())})
-            expectSafe(glibra(folder.path(), command), "round " + std::to_string(round) + ", " + command.substr(0, 8));
+        for (const std::string& command : std::vector<std::string>{
+                 "check " + scene + " b.glib c.glib", "check --json " + scene + " b.glib",
+                 "render " + scene + " b.glib c.glib -o out", "render c.glib --explain -o c.png",
+                 "test t.toml", "test w.toml", "compare p* p*", "render " + quoted(bytes()),
+                 "render c.glib --set " + quoted("u=" + bytes()), "frobnicate " + quoted(bytes()),
+                 "language " + quoted(bytes()), "test --merge " + quoted(bytes())})
+            expectSafe(glibra(folder.path(), command),
+                       "round " + std::to_string(round) + ", " + command.substr(0, 8));
     }
 }
 
 TEST(Terminal, TheLineOfProgressIsSafe) {
     const Folder folder;
     folder.write("a\033]0;owned\007.glib", "Sphere\n");
-    folder.write("b\xc2\x9b" "31m.glib", "Sphere\n");
+    folder.write(
+        "b\xc2\x9b"
+        "31m.glib",
+        "Sphere\n");
     // script(1) gives the program a terminal.
     if (shell(folder.path(), "command -v script").status != 0) GTEST_SKIP() << "needs script(1)";
-    const Finished run = shell(folder.path(), "script -qec '\"" GLIBRA_PROGRAM "\" render *.glib -o out --size 8x8' typed");
+    const Finished run =
+        shell(folder.path(), "script -qec '\"" GLIBRA_PROGRAM "\" render *.glib -o out --size 8x8' typed");
     std::string text = readFile(folder / "typed");
     EXPECT_NE(text.find("[1/2]"), std::string::npos) << text;
     for (const char* own : {"\033[K", "\033[0m", "\033[1;31m", "\033[1;35m", "\033[1;36m", "\r"})
-        for (std::size_t at = 0; (at = text.find(own)) != std::string::npos;) text.erase(at, std::string(own).size());
+        for (std::size_t at = 0; (at = text.find(own)) != std::string::npos;)
+            text.erase(at, std::string(own).size());
     EXPECT_EQ(firstUnsafe(text), std::nullopt) << base::printableText(text, true);
 }
 
@@ -123,13 +147,14 @@ TEST(Descriptors, ClosedOnesCostNoPicture) {
         const char* const words[] = {" <&-", " >&-", " 2>&-"};
         for (unsigned i = 0; i < 3; ++i)
             if ((static_cast<unsigned>(closed) >> i & 1U) != 0) closing += words[i];
-        const Finished run = shell(folder.path(), "(" + closing + "; exec '" GLIBRA_PROGRAM "' render " + scenes +
-                                                      "--size 40x30 -o out/ --jobs 2)");
+        const Finished run = shell(folder.path(), "(" + closing + "; exec '" GLIBRA_PROGRAM "' render " +
+                                                      scenes + "--size 40x30 -o out/ --jobs 2)");
         EXPECT_EQ(run.status, 0) << closing << run.err;
         const std::string whole = readFile(folder / "out/a.png");
         EXPECT_TRUE(whole.starts_with("\x89PNG")) << closing;
         for (const char* each : {"b", "c", "d", "e"})
-            EXPECT_EQ(readFile(folder.path() / "out" / (std::string(each) + ".png")), whole) << closing << ": " << each;
+            EXPECT_EQ(readFile(folder.path() / "out" / (std::string(each) + ".png")), whole)
+                << closing << ": " << each;
     }
 }
 

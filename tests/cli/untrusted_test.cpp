@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 constexpr const char* kVertex =
     "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
 constexpr const char* kFragment =
-    "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy / 17.), fract(Timer), 1.); }\n";
+    "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy / 17.), fract(Timer), 1.); "
+    "}\n";
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -53,9 +54,10 @@ class Untrusted : public testing::Test {
 
 TEST_F(Untrusted, ScenesDrawTheSameBytesWithEveryDriver) {
     for (const std::string driver : {"egl", "osmesa"}) {
-        const std::string scenes =
-            "in/a.glib '" GLIBRA_SOURCE_DIR "/glib/start/teapot.glib' '" GLIBRA_SOURCE_DIR
-            "/glib/noise/marble.glib' --size 90x60 --driver " + driver;
+        const std::string scenes = "in/a.glib '" GLIBRA_SOURCE_DIR
+                                   "/glib/start/teapot.glib' '" GLIBRA_SOURCE_DIR
+                                   "/glib/noise/marble.glib' --size 90x60 --driver " +
+                                   driver;
         ASSERT_EQ(run("render " + scenes + " -o free").status, 0);
         const Finished confined = run("render " + scenes + " -o confined --untrusted");
         EXPECT_EQ(confined.status, 0) << confined.err;
@@ -114,7 +116,8 @@ TEST_F(Untrusted, NoOtherFileIsRead) {
          std::vector<std::string>{absolute, "../secret.frag", "link.frag", "up/secret.frag",
                                   "/proc/self/cwd/secret.frag", "/proc/self/root" + absolute}) {
         folder.write("in/b.glib", "Vertex a.vert\nFragment \"" + name + "\"\nProgram P\nTeapot\n");
-        EXPECT_EQ(run("render in/b.glib -o free.png").status, 0) << name << " is not found even without a sandbox";
+        EXPECT_EQ(run("render in/b.glib -o free.png").status, 0)
+            << name << " is not found even without a sandbox";
         for (const char* command : {"render", "check"}) {
             const Finished confined = run(std::string(command) + " in/b.glib --untrusted");
             EXPECT_EQ(confined.status, 3) << command << " " << name;
@@ -122,7 +125,7 @@ TEST_F(Untrusted, NoOtherFileIsRead) {
         }
         EXPECT_FALSE(fs::exists(folder / "b.png"));
     }
-    folder.write("in/c.glib", "Vertex a.vert\nFragment /etc/passwd\nProgram P\nTeapot\n");
+    folder.write("in/c.glib", "Vertex a.vert\nFragment \"/etc/passwd\"\nProgram P\nTeapot\n");
     const Finished passwd = run("render in/c.glib --untrusted");
     EXPECT_EQ(passwd.status, 3);
     EXPECT_FALSE(contains(passwd.err, "root")) << passwd.err;
@@ -132,11 +135,14 @@ TEST_F(Untrusted, NoOtherFileIsRead) {
 }
 
 TEST_F(Untrusted, SuitesAreTestedAndDrawn) {
-    folder.write("in/s.toml", "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = 0.3\n");
+    folder.write("in/s.toml",
+                 "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = 0.3\n");
     ASSERT_EQ(run("test in/s.toml --update").status, 0);
     const Finished good = run("test in/s.toml --untrusted");
     EXPECT_EQ(good.status, 0) << good.out << good.err;
-    folder.write("in/a.frag", "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.yx / 5.), 0., 1.); }\n");
+    folder.write(
+        "in/a.frag",
+        "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.yx / 5.), 0., 1.); }\n");
     const Finished bad = run("test in/s.toml --untrusted --report report");
     EXPECT_EQ(bad.status, 1) << bad.out << bad.err;
     EXPECT_TRUE(contains(bad.out, "2 failed")) << bad.out;
@@ -150,19 +156,19 @@ TEST_F(Untrusted, ASuiteCannotNameFoldersElsewhere) {
     const Folder elsewhere;
     elsewhere.write("b.glib", "Sphere\n");
     const std::string other = elsewhere.path().string();
-    for (const std::string& suite :
-         {"[[shot]]\nscript = \"" + other + "/b.glib\"\n",
-          "goldens = \"" + other + "\"\n[[shot]]\nscript = \"a.glib\"\n",
-          "[[shot]]\nscript = \"a.glib\"\nlibrary = [\"" + other + "\"]\n"}) {
+    for (const std::string& suite : {"[[shot]]\nscript = \"" + other + "/b.glib\"\n",
+                                     "goldens = \"" + other + "\"\n[[shot]]\nscript = \"a.glib\"\n",
+                                     "[[shot]]\nscript = \"a.glib\"\nlibrary = [\"" + other + "\"]\n"}) {
         folder.write("in/s.toml", suite);
-        for (const char* command : {"test in/s.toml --untrusted", "render --suite in/s.toml -o drawn --untrusted"}) {
+        for (const char* command :
+             {"test in/s.toml --untrusted", "render --suite in/s.toml -o drawn --untrusted"}) {
             const Finished refused = run(command);
             EXPECT_EQ(refused.status, 3) << command << suite;
-            EXPECT_TRUE(contains(refused.err, "suite-E20")) << command << suite << refused.err;
+            EXPECT_TRUE(contains(refused.err, "suite-E21")) << command << suite << refused.err;
         }
     }
     folder.write("in/s.toml", "[[shot]]\nscript = \"a.glib\"\n");
-    EXPECT_TRUE(contains(run("render --suite in/s.toml -o . --untrusted").err, "suite-E20"));
+    EXPECT_TRUE(contains(run("render --suite in/s.toml -o . --untrusted").err, "suite-E21"));
 }
 
 TEST_F(Untrusted, OnlyOrdinaryFilesAreReplaced) {
@@ -180,9 +186,12 @@ TEST_F(Untrusted, OnlyOrdinaryFilesAreReplaced) {
 }
 
 TEST_F(Untrusted, AScenesEndsAreReportedAsWithoutASandbox) {
-    folder.write("in/e.frag", "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i = "
-                              "0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
-    folder.write("in/e.glib", "WindowSize 300 300\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 2 2 2\n");
+    folder.write(
+        "in/e.frag",
+        "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i = "
+        "0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
+    folder.write("in/e.glib",
+                 "WindowSize 300 300\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 2 2 2\n");
     const Finished late = run("render in/a.glib in/e.glib --timeout 1 -o out --untrusted");
     EXPECT_EQ(late.status, 3);
     EXPECT_TRUE(contains(late.err, "draw-E07")) << late.err;
@@ -193,7 +202,8 @@ TEST_F(Untrusted, AScenesEndsAreReportedAsWithoutASandbox) {
 #ifdef GLIBRA_REMOVE_CALL
 TEST_F(Untrusted, AKernelWithoutASandboxIsNamedAndNothingIsDrawn) {
     for (const char* call : {"landlock", "seccomp"}) {
-        const std::string without = std::string("GLIBRA_REMOVE_CALL=") + call + " LD_PRELOAD=" GLIBRA_REMOVE_CALL;
+        const std::string without =
+            std::string("GLIBRA_REMOVE_CALL=") + call + " LD_PRELOAD=" GLIBRA_REMOVE_CALL;
         for (const char* command : {"render in/a.glib -o x.png --untrusted", "check in/a.glib --untrusted",
                                     "test in --untrusted"}) {
             const Finished refused = run(command, without);
@@ -201,7 +211,8 @@ TEST_F(Untrusted, AKernelWithoutASandboxIsNamedAndNothingIsDrawn) {
             EXPECT_TRUE(contains(refused.err, call[0] == 'l' ? "Landlock" : "seccomp")) << refused.err;
         }
         EXPECT_FALSE(fs::exists(folder / "x.png"));
-        EXPECT_EQ(run("render in/a.glib -o y.png", without).status, 0) << "without --untrusted nothing is missed";
+        EXPECT_EQ(run("render in/a.glib -o y.png", without).status, 0)
+            << "without --untrusted nothing is missed";
     }
 }
 #endif

@@ -30,7 +30,8 @@ class HostileShots : public testing::Test {
         folder = name;
         write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n");
         write("good.frag",
-              "#version 330 core\nuniform float uShift;\nout vec4 f;\nvoid main() { f = vec4(fract(gl_FragCoord.xy "
+              "#version 330 core\nuniform float uShift;\nout vec4 f;\nvoid main() { f = "
+              "vec4(fract(gl_FragCoord.xy "
               "/ 7. + uShift), fract(uShift), 1.); }\n");
         write("good.glib",
               "Vertex a.vert\nFragment good.frag\nProgram P uShift <0 0 2000>\nQuadXY 0 1 1 1\n");
@@ -40,23 +41,29 @@ class HostileShots : public testing::Test {
         scene("include.glib", "#version 330 core\n#include \"/etc/passwd\"\n");
         std::string macros = "#version 330 core\n#define M0 1.\n";
         for (int i = 1; i < 26; ++i)
-            macros += "#define M" + std::to_string(i) + " M" + std::to_string(i - 1) + " + M" + std::to_string(i - 1) +
-                      "\n";
+            macros += "#define M" + std::to_string(i) + " M" + std::to_string(i - 1) + " + M" +
+                      std::to_string(i - 1) + "\n";
         scene("macros.glib", macros + "out vec4 f;\nvoid main() { f = vec4(M25); }\n");
         std::string sum = "#version 330 core\nout vec4 f;\nvoid main() { float a = 1.; f = vec4(a";
         for (int i = 0; i < 60'000; ++i) sum += "+a";
         scene("deep.glib", sum + "); }\n");
         scene("endless.glib",
-              "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i = 0; i < "
+              "#version 330 core\nuniform int uMany;\nout vec4 f;\nvoid main() { float s = 0.; for (int i = "
+              "0; i < "
               "2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n",
               " uMany 1");
         write("words.glib", std::string(3'000, '(') + "\nSpere 1\nPushMatrix\n\xff\xfe\x1b[2J\n");
-        write("files.glib", "Texture 5 /etc/shadow\nObj ../../../../etc/passwd\nVertex a.vert\nFragment /dev/zero\n"
-                            "Program P uUnit 5\nSphere\n");
-        write("picture.glib", "Vertex a.vert\nFragment p.frag\nTexture 5 p.png\nProgram P uUnit 5\nQuadXY 0 1 1 1\n");
-        write("p.frag", "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, "
-                        "gl_FragCoord.xy); }\n");
-        write("p.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\x06\0\0\0", 33));
+        write("files.glib",
+              "Texture 5 \"/etc/shadow\"\nObj \"../../../../etc/passwd\"\nVertex a.vert\nFragment "
+              "\"/dev/zero\"\n"
+              "Program P uUnit 5\nSphere\n");
+        write("picture.glib",
+              "Vertex a.vert\nFragment p.frag\nTexture 5 p.png\nProgram P uUnit 5\nQuadXY 0 1 1 1\n");
+        write("p.frag",
+              "#version 330 core\nuniform sampler2D uUnit;\nout vec4 f;\nvoid main() { f = texture(uUnit, "
+              "gl_FragCoord.xy); }\n");
+        write("p.png",
+              std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\x7f\xff\xff\xff\x7f\xff\xff\xff\x08\x06\0\0\0", 33));
         write("empty.glib", "");
     }
     void TearDown() override {
@@ -72,12 +79,13 @@ class HostileShots : public testing::Test {
         write(name, "Vertex a.vert\nFragment " + fragment + "\nProgram P" + uniforms + "\nQuadXY 0 1 1 1\n");
     }
     static std::string goodShot(int i) {
-        return "[[shot]]\nname = \"g" + std::to_string(i) + "\"\nscript = \"good.glib\"\nset = { uShift = " +
-               std::to_string(i) + ".25 }\n";
+        return "[[shot]]\nname = \"g" + std::to_string(i) +
+               "\"\nscript = \"good.glib\"\nset = { uShift = " + std::to_string(i) + ".25 }\n";
     }
     static std::string hostileShot(int i) {
         // Crashes and time-outs cost a process each, so they are fewer.
-        static const std::vector<std::string> kCheap{"syntax", "error", "include", "words", "files", "picture", "empty"};
+        static const std::vector<std::string> kCheap{"syntax", "error",   "include", "words",
+                                                     "files",  "picture", "empty"};
         const std::string script = i % 100 == 7    ? "endless"
                                    : i % 50 == 11  ? "deep"
                                    : i % 100 == 31 ? "macros"
@@ -87,7 +95,8 @@ class HostileShots : public testing::Test {
     }
     int glibra(const std::string& arguments) const {
         const int status = std::system(  // NOLINT(cert-env33-c): a shell is what a user has
-            ("cd '" + folder.string() + "' && '" GLIBRA_PROGRAM "' " + arguments + " >log 2>&1 </dev/null").c_str());
+            ("cd '" + folder.string() + "' && '" GLIBRA_PROGRAM "' " + arguments + " >log 2>&1 </dev/null")
+                .c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     /// The verdicts of a results folder by the names of their shots.
@@ -126,7 +135,9 @@ TEST_F(HostileShots, ChangeNoVerdictOfGoodOnes) {
     ASSERT_NE(glibra("test s.toml --results alone"), 0);
     const std::map<std::string, std::string> alone = verdicts("alone");
     ASSERT_EQ(alone.size(), std::size_t{kGood});
-    EXPECT_GE(std::count_if(alone.begin(), alone.end(), [](const auto& each) { return each.second == "passed"; }), 800);
+    EXPECT_GE(
+        std::count_if(alone.begin(), alone.end(), [](const auto& each) { return each.second == "passed"; }),
+        800);
 
     write("s.toml", mixed);
     for (const std::string option : {"", " --untrusted"}) {
@@ -137,8 +148,9 @@ TEST_F(HostileShots, ChangeNoVerdictOfGoodOnes) {
             ASSERT_TRUE(among.contains(name)) << name;
             EXPECT_EQ(among.at(name), verdict) << name << option;
         }
-        for (const auto& [name, verdict] : among)
+        for (const auto& [name, verdict] : among) {
             if (name[0] == 'h') EXPECT_NE(verdict, "passed") << name << option;
+        }
     }
 }
 
