@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace glibra::base {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// The shaders of a scene are the longest.
+constexpr std::uint32_t kLargestMessage = 1U << 28U;
 
 enum class MessageKind : std::uint32_t { step, answer };
 struct Header {
@@ -89,8 +93,9 @@ void send(int file, MessageKind kind, const std::string& text) {
 
 struct Worker {
     pid_t process = -1;
-    int requests = -1;  ///< we write
-    int answers = -1;   ///< we read
+    int requests = -1;     ///< we write
+    int answers = -1;      ///< we read
+    std::string received;  ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
     Clock::time_point deadline = Clock::time_point::max();
 };
@@ -168,7 +173,11 @@ class Pool {
                 if (!worker.piece && next_ < count_) give(worker);
             if (busy() > 0) waitForNews();
         }
-        for (Worker& worker : workers_) finish(worker);
+        for (Worker& worker : workers_) {
+            // One that has been taken over may not end by itself.
+            if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
+            finish(worker);
+        }
         ::sigaction(SIGPIPE, &before, nullptr);
     }
 
@@ -195,6 +204,7 @@ class Pool {
             }
             worker = *started;
         }
+        worker.received.clear();
         worker.piece = next_++;
         const std::uint64_t index = *worker.piece;
         writeAll(worker.requests, &index, sizeof index);
@@ -210,17 +220,34 @@ class Pool {
         done_(piece, outcome);
     }
 
+    /// Reads what there is. It never waits for the rest of a message, since a worker may stop in its middle.
     void receive(Worker& worker) {
-        Header header;
-        std::string text;
-        bool whole = readAll(worker.answers, &header, sizeof header);
-        if (whole) {
-            text.resize(header.bytes);
-            whole = readAll(worker.answers, text.data(), text.size());
+        constexpr std::size_t kPortion = 1U << 16U;
+        const std::size_t had = worker.received.size();
+        worker.received.resize(had + kPortion);
+        const ssize_t got = ::read(worker.answers, worker.received.data() + had, kPortion);
+        worker.received.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        if (got < 0 && errno == EINTR) return;
+        if (got <= 0) return end(worker, {.end = Outcome::End::crashed});
+        while (worker.piece && takeMessage(worker)) {
         }
-        if (!whole) {
+    }
+
+    /// Takes the first message of what was received. False if it is not whole.
+    bool takeMessage(Worker& worker) {
+        Header header;
+        if (worker.received.size() < sizeof header) return false;
+        std::memcpy(&header, worker.received.data(), sizeof header);
+        const bool isStep = header.kind == MessageKind::step;
+        if ((!isStep && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
+            ::kill(worker.process, SIGKILL);  // it has been taken over by what it reads
             end(worker, {.end = Outcome::End::crashed});
-        } else if (header.kind == MessageKind::step) {
+            return false;
+        }
+        if (worker.received.size() - sizeof header < header.bytes) return false;
+        std::string text = worker.received.substr(sizeof header, header.bytes);
+        worker.received.erase(0, sizeof header + header.bytes);
+        if (isStep) {
             beginStep(worker);
             progress_(*worker.piece, text);
         } else {
@@ -228,6 +255,7 @@ class Pool {
             worker.piece.reset();
             done_(piece, {.answer = std::move(text)});
         }
+        return true;
     }
 
     void waitForNews() {

@@ -92,11 +92,11 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::pat
         const fs::path own = fs::is_directory(suite.file, failure) ? suite.file : folderOf(suite.file);
         if (!checked.insert(path).second || isBelow(path, own) || isBelow(path, ".")) return;
         problems.push_back(
-            diagnose("suite-E21",
-                     fmt::format("--untrusted: the {} '{}' must be below the suite's folder or the "
-                                 "current one",
-                                 what, path.string()),
-                     place));
+            withoutId(Severity::error,
+                      fmt::format("--untrusted: the {} '{}' must be below the suite's folder or the "
+                                  "current one",
+                                  what, path.string()),
+                      place));
     };
     std::set<fs::path> scenes;
     for (const suite::ShotReference& each : selection.shots) {
@@ -117,8 +117,8 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::pat
     for (const fs::path& folder : folders)
         for (const fs::path& each : readable)
             if (isBelow(each, folder))
-                problems.push_back(diagnose(
-                    "suite-E21",
+                problems.push_back(withoutId(
+                    Severity::error,
                     fmt::format("--untrusted: the folder '{}', which is written to, must not contain '{}'",
                                 folder.string(), each.string())));
     print(problems);

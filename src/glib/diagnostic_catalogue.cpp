@@ -174,8 +174,6 @@ constexpr CatalogueRow kRows[] = {
     {"suite-E18",
      "'a/start.toml' and 'b/start.toml' are both named 'start'; results and goldens need names of their own"},
     {"suite-E19", "no program of the scene has a uniform 'uNoiseAmpp'; did you mean 'uNoiseAmp'?"},
-    {"suite-E21",
-     "--untrusted: the scene '/home/a/b.glib' must be below the suite's folder or the current one"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},

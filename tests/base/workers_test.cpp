@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <map>
@@ -72,6 +73,53 @@ TEST(Workers, APieceThatHangsIsEndedAndTheOthersGoOn) {
     EXPECT_EQ(log.outcomes.at(0).end, Outcome::End::finished);
     EXPECT_EQ(log.outcomes.at(1).end, Outcome::End::timedOut);
     EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
+}
+
+/// Writes bytes to every pipe of this process, as code can that a shader has brought in.
+void writeToPipes(const std::string& bytes) {
+    for (int file = 3; file < 64; ++file) {
+        struct stat status {};
+        if (::fstat(file, &status) == 0 && S_ISFIFO(status.st_mode))
+            static_cast<void>(::write(file, bytes.data(), bytes.size()));
+    }
+}
+
+TEST(Workers, AMessageThatStopsInItsMiddleHoldsUpNobody) {
+    const Log log =
+        runAll(5, {.workers = 2, .timeout = 0.3}, [](std::size_t index, const Step&) -> std::string {
+            if (index == 1) {
+                writeToPipes("abc");
+                for (;;) ::pause();
+            }
+            return "good";
+        });
+    for (const auto& [index, outcome] : log.outcomes)
+        EXPECT_EQ(outcome.end, index == 1 ? Outcome::End::timedOut : Outcome::End::finished) << index;
+}
+
+TEST(Workers, AMessageThatIsNoneEndsItsWorker) {
+    for (const std::string& message :
+         {std::string("\xff\xff\xff\xff\1\0\0\0", 8), std::string("\0\0\0\0\xff\xff\xff\xff", 8)}) {
+        const Log log = runAll(5, {.workers = 2}, [&](std::size_t index, const Step&) -> std::string {
+            if (index == 1) {
+                writeToPipes(message);
+                for (;;) ::pause();
+            }
+            return "good";
+        });
+        for (const auto& [index, outcome] : log.outcomes)
+            EXPECT_EQ(outcome.end, index == 1 ? Outcome::End::crashed : Outcome::End::finished) << index;
+    }
+}
+
+TEST(Workers, LongMessagesArriveWhole) {
+    const Log log = runAll(3, {.workers = 2}, [](std::size_t index, const Step& step) {
+        for (int i = 0; i < 100; ++i) step(std::string(static_cast<std::size_t>(i) * 997, 's'));
+        return std::string(5'000'000 + index, static_cast<char>('a' + index));
+    });
+    for (const auto& [index, outcome] : log.outcomes)
+        EXPECT_EQ(outcome.answer, std::string(5'000'000 + index, static_cast<char>('a' + index)));
+    EXPECT_EQ(log.steps.at(2), 100);
 }
 
 TEST(Workers, EveryStepBeginsTheTimeLimitAnew) {
