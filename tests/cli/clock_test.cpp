@@ -31,13 +31,14 @@ class JumpingClock : public testing::Test {
             "= 0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
         folder.write("a.glib",
                      "WindowSize 40 30\nVertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0 1 1 1\n");
-        folder.write("e.glib",
-                     "WindowSize 40 30\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 1 1 1\n");
+        folder.write(
+            "e.glib",
+            "WindowSize 500 400\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 1 1 1\n");
         folder.write(
             "s.toml",
-            "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = .5\n"
+            "[[shot]]\nscript = \"a.glib\"\n[[shot]]\nname = \"b\"\nscript = \"a.glib\"\ntime = 0.5\n"
             "[[shot]]\nscript = \"e.glib\"\ntimeout = 2\n[[shot]]\nname = \"c\"\nscript = \"a.glib\"\n"
-            "time = .7\n");
+            "time = 0.7\n");
     }
     Folder folder;
 };

@@ -91,7 +91,9 @@ class HostileShots : public testing::Test {
                                    : i % 100 == 31 ? "macros"
                                                    : kCheap[static_cast<std::size_t>(i) % kCheap.size()];
         return "[[shot]]\nname = \"h" + std::to_string(i) + "\"\nscript = \"" + script + ".glib\"\n" +
-               (script == "endless" || script == "macros" ? "timeout = 1\n" : "timeout = 20\n");
+               (script == "endless"  ? "timeout = 1\nsize = [500, 400]\n"
+                : script == "macros" ? "timeout = 1\n"
+                                     : "timeout = 20\n");
     }
     int glibra(const std::string& arguments) const {
         const int status = std::system(  // NOLINT(cert-env33-c): a shell is what a user has
