@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <new>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "base/memory_limit.h"
 #include "base/workers.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -61,24 +61,48 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     return names;
 }
 
+constexpr Deed kDrawing{"drew", "drawn"};
+
 int jobsOf(const RenderArguments& arguments) {
     return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
+std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {
+    return arguments.picture.memory.value_or(base::memoryShare(jobsOf(arguments), pieces));
 }
 
 /// The number of processes that share the frames of an animation. On a software rasteriser two processes with
 /// half of the frames each are faster than one with all its threads. Figures and explanations need one
 /// process.
-int partsOf(const RenderArguments& arguments) {
+/// The frames that differ are counted in a worker, since that reads the scene and its shaders. Without a
+/// value the worker did not answer in time, and the error is in `late`.
+std::optional<int> partsOf(const RenderArguments& arguments, const std::function<bool()>& stop,
+                           Diagnostics& late) {
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
     const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
     if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
         gpu::mayUseHardware(arguments.driver))
         return 1;
-    const int different =
-        render::mostDifferentFrames(arguments.scenes.front(), arguments.picture.options, arguments.frames,
-                                    arguments.framesPerSecond, most * kLeastFrames);
-    return std::max(1, different / kLeastFrames);
+    std::optional<int> parts = 1;  // if the worker crashes, so does the one that draws, which is reported
+    const std::string& scene = arguments.scenes.front();
+    base::runInWorkers(
+        1, {.timeout = arguments.picture.timeout, .memory = memoryOf(arguments, 1), .stop = stop},
+        [&](std::size_t, const base::Step&) {
+            return std::to_string(render::mostDifferentFrames(scene, arguments.picture.options,
+                                                              arguments.frames, arguments.framesPerSecond,
+                                                              most * kLeastFrames));
+        },
+        [&](std::size_t, const base::Outcome& outcome) {
+            if (outcome.end == base::Outcome::End::finished)
+                parts = std::max(1, std::stoi(outcome.answer) / kLeastFrames);
+            if (outcome.end == base::Outcome::End::timedOut) {
+                parts.reset();
+                late = answerOf(outcome, scene, arguments.picture, kDrawing).remarks.general;
+            }
+        },
+        [](std::size_t, const std::string&) {});
+    return parts;
 }
 
 /// Runs in the worker. It opens the context with its first job and keeps it.
@@ -90,7 +114,6 @@ class JobRunner {
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
-        Answer answer;
         if (!context_) {
             suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
@@ -107,22 +130,14 @@ class JobRunner {
         job.parts = static_cast<int>(parts_);
         job.explain = arguments_.explain;
         job.stats = !arguments_.statsFile.empty();
-        render::JobResult result;
-        try {
-            result = render::runJob(
+        return pack(guarded(arguments_.scenes[index], [&] {
+            render::JobResult result = render::runJob(
                 *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
-        } catch (const std::bad_alloc&) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
-        } catch (const std::exception& failure) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
-        }
-        answer.status = result.failed ? kSceneIsWrong : kDone;
-        answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
-        answer.explanation = std::move(result.explanation);
-        answer.statsJson = std::move(result.statsJson);
-        return pack(answer);
+            return Answer{.status = result.failed ? kSceneIsWrong : kDone,
+                          .remarks = {std::move(result.diagnostics), std::move(result.ofFrames)},
+                          .explanation = std::move(result.explanation),
+                          .statsJson = std::move(result.statsJson)};
+        }));
     }
 
   private:
@@ -153,10 +168,12 @@ class ProgressLine {
 /// All scenes of one command: gives them to worker processes and collects the answers.
 class SceneBatch {
   public:
-    explicit SceneBatch(const RenderArguments& arguments)
+    /// Each scene is drawn in `parts` pieces.
+    SceneBatch(const RenderArguments& arguments, std::size_t parts, const Interruption& interruption)
         : arguments_(arguments),
+          interruption_(interruption),
           outputs_(outputFiles(arguments)),
-          parts_(static_cast<std::size_t>(partsOf(arguments))),
+          parts_(parts),
           progress_(::isatty(STDERR_FILENO) == 1, arguments.scenes.size(), arguments.frames),
           stats_(arguments.scenes.size()),
           framesWritten_(arguments.scenes.size() * parts_) {}
@@ -167,18 +184,18 @@ class SceneBatch {
         for (const fs::path& each : outputs_)
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
         JobRunner runner(arguments_, outputs_, parts_);
-        const Interruption interruption;
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
-             .stop = [&] { return interruption.signal() != 0; }},
+             .memory = memoryOf(arguments_, framesWritten_.size()),
+             .stop = [this] { return interruption_.signal() != 0; }},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
             [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
         progress_.clear();
         print(render::joined(remarks_));
-        interruption.obey();
+        interruption_.obey();
         if (arguments_.scenes.size() > 1) printSummary();
         if (!arguments_.statsFile.empty()) writeStats();
         return status_;
@@ -198,7 +215,7 @@ class SceneBatch {
         if (outcome.end != base::Outcome::End::finished)
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
         if (outcome.end == base::Outcome::End::stopped) return;
-        Answer answer = answerOf(outcome, scene);
+        Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
         progress_.clear();
         if (parts_ > 1)
             remarks_.push_back(std::move(answer.remarks));
@@ -213,22 +230,6 @@ class SceneBatch {
             countFrames(piece, arguments_.frames);
         else
             progress_.show(doneCount_, scene);
-    }
-
-    /// The worker's own answer, or the error that stands for one.
-    [[nodiscard]] Answer answerOf(const base::Outcome& outcome, const std::string& scene) const {
-        if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
-        const Place place{scene, 1, 1};
-        Answer answer{.status = kSceneIsWrong};
-        if (outcome.end == base::Outcome::End::timedOut)
-            answer.remarks.general = {diagnose(
-                "draw-E07",
-                fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};
-        else
-            answer.remarks.general = {diagnose(
-                "draw-E06",
-                fmt::format("the process that drew the scene ended with signal {}", outcome.signal), place)};
-        return answer;
     }
 
     void printSummary() const {
@@ -252,8 +253,9 @@ class SceneBatch {
     }
 
     const RenderArguments& arguments_;
+    const Interruption& interruption_;
     std::vector<fs::path> outputs_;
-    std::size_t parts_;  ///< pieces per scene
+    std::size_t parts_;
     ProgressLine progress_;
     int status_ = kDone;
     std::vector<std::string> failed_;
@@ -266,7 +268,14 @@ class SceneBatch {
 }  // namespace
 
 int renderScenes(const RenderArguments& arguments) {
-    return SceneBatch(arguments).run();
+    const Interruption interruption;
+    Diagnostics late;
+    const std::optional<int> parts = partsOf(
+        arguments, [&] { return interruption.signal() != 0; }, late);
+    interruption.obey();
+    if (parts) return SceneBatch(arguments, static_cast<std::size_t>(*parts), interruption).run();
+    print(late);
+    return kSceneIsWrong;
 }
 
 }  // namespace glibra::cli
