@@ -19,6 +19,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/memory_limit.h"
+
 namespace glibra::base {
 namespace {
 
@@ -26,6 +28,9 @@ using Clock = std::chrono::steady_clock;
 
 /// The shaders of a scene are the longest.
 constexpr std::uint32_t kLargestMessage = 1U << 28U;
+
+/// A process has one state of this kind, as it has one process id.
+bool thisProcessIsWorker = false;
 
 enum class MessageKind : std::uint32_t { step, answer };
 struct Header {
@@ -57,6 +62,10 @@ bool readAll(int file, void* data, std::size_t size) {
     return true;
 }
 
+std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
+    return options.memoryOf ? options.memoryOf(piece) : options.memory;
+}
+
 void send(int file, MessageKind kind, const std::string& text) {
     const Header header{kind, static_cast<std::uint32_t>(text.size())};
     if (!writeAll(file, &header, sizeof header) || !writeAll(file, text.data(), text.size())) ::_exit(1);
@@ -75,14 +84,13 @@ void send(int file, MessageKind kind, const std::string& text) {
 #endif
     for (const int each : {SIGINT, SIGHUP, SIGQUIT}) ::signal(each, SIG_IGN);
     ::signal(SIGTERM, SIG_DFL);
-    if (options.memory > 0) {
-        const rlimit limit{options.memory, options.memory};
-        ::setrlimit(RLIMIT_AS, &limit);
-    }
+    thisProcessIsWorker = true;
+    const MemoryLimit limit;
     if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
     while (readAll(requests, &index, sizeof index)) {
         if (index >= count) ::_exit(1);  // something else has written into the pipe
+        limit.set(memoryOf(options, index));
         const std::string answer =
             work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
         send(answers, MessageKind::answer, answer);
@@ -136,16 +144,23 @@ std::optional<Worker> start(std::size_t count, const WorkerOptions& options, con
     return worker;
 }
 
-/// Closes the pipes and waits; returns the signal that ended the worker, or 0.
-int finish(Worker& worker) {
+struct Ended {
+    int signal = 0;  ///< that ended the worker, or 0
+    std::uint64_t peakMemory = 0;
+};
+
+/// Closes the pipes and waits.
+Ended finish(Worker& worker) {
     if (worker.requests >= 0) ::close(worker.requests);
     if (worker.answers >= 0) ::close(worker.answers);
     int status = 0;
+    rusage usage{};
     if (worker.process > 0)
-        while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+        while (::wait4(worker.process, &status, 0, &usage) < 0 && errno == EINTR) {
         }
     worker = Worker{};
-    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    constexpr std::uint64_t kUnit = 1024;  // of ru_maxrss
+    return {WIFSIGNALED(status) ? WTERMSIG(status) : 0, static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit};
 }
 
 class Pool {
@@ -215,8 +230,12 @@ class Pool {
         const std::size_t piece = *worker.piece;
         outcome.process = worker.process;
         if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
-        const int signal = finish(worker);
-        if (outcome.end == Outcome::End::crashed) outcome.signal = signal;
+        const Ended ended = finish(worker);
+        if (outcome.end == Outcome::End::crashed) {
+            outcome.signal = ended.signal;
+            const std::uint64_t memory = memoryOf(options_, piece);
+            outcome.nearMemoryLimit = memory > 0 && ended.peakMemory > memory / 2;
+        }
         done_(piece, outcome);
     }
 
@@ -297,6 +316,10 @@ class Pool {
 };
 
 }  // namespace
+
+bool isWorker() {
+    return thisProcessIsWorker;
+}
 
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t, const Outcome&)>& done,

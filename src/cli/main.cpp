@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <exception>
 
 #include "base/standard_files.h"
@@ -35,6 +36,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
+    // A write beyond the limit of the shell (ulimit -f) fails with a message instead.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const std::exception& failure) {

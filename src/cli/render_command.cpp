@@ -83,6 +83,7 @@ void addRender(CLI::App& app, int& status) {
         suite->excludes(command->get_option(each));
     command->callback([arguments, command, &status] {
         if (command->count("--timeout") > 0) arguments->suite.timeout = arguments->picture.timeout;
+        arguments->suite.memory = arguments->picture.memory;
         status = run(*arguments);
     });
 }

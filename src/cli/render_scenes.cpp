@@ -4,15 +4,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <new>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "base/memory_limit.h"
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
@@ -63,24 +64,59 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     return names;
 }
 
+constexpr Deed kDrawing{"drew", "drawn"};
+
 int jobsOf(const RenderArguments& arguments) {
     return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
+std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {
+    return arguments.picture.memory.value_or(base::memoryShare(jobsOf(arguments), pieces));
+}
+
+/// A worker's count, at most `most`, whatever the text is.
+int countIn(const std::string& text, int most) {
+    int count = 0;
+    std::from_chars(text.data(), text.data() + text.size(), count);
+    return std::clamp(count, 0, most);
 }
 
 /// The number of processes that share the frames of an animation. On a software rasteriser two processes with
 /// half of the frames each are faster than one with all its threads. Figures and explanations need one
 /// process.
-int partsOf(const RenderArguments& arguments) {
+/// The frames that differ are counted in a worker, since that reads the scene and its shaders. Without a
+/// value the worker did not answer in time, and the error is in `late`.
+std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox* sandbox,
+                           const std::function<bool()>& stop, Diagnostics& late) {
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
     const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
     if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
         gpu::mayUseHardware(arguments.driver))
         return 1;
-    const int different =
-        render::mostDifferentFrames(arguments.scenes.front(), arguments.picture.options, arguments.frames,
-                                    arguments.framesPerSecond, most * kLeastFrames);
-    return std::max(1, different / kLeastFrames);
+    std::optional<int> parts = 1;  // if the worker crashes, so does the one that draws, which is reported
+    const std::string& scene = arguments.scenes.front();
+    base::runInWorkers(
+        1,
+        {.timeout = arguments.picture.timeout,
+         .memory = memoryOf(arguments, 1),
+         .stop = stop,
+         .sandbox = sandbox},
+        [&](std::size_t, const base::Step&) {
+            return std::to_string(render::mostDifferentFrames(scene, arguments.picture.options,
+                                                              arguments.frames, arguments.framesPerSecond,
+                                                              most * kLeastFrames));
+        },
+        [&](std::size_t, const base::Outcome& outcome) {
+            if (outcome.end == base::Outcome::End::finished)
+                parts = std::max(1, countIn(outcome.answer, most * kLeastFrames) / kLeastFrames);
+            if (outcome.end == base::Outcome::End::timedOut) {
+                parts.reset();
+                late = answerOf(outcome, scene, arguments.picture, kDrawing).remarks.general;
+            }
+        },
+        [](std::size_t, const std::string&) {});
+    return parts;
 }
 
 /// Runs in the worker. It opens the context with its first job and keeps it.
@@ -93,7 +129,6 @@ class JobRunner {
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
-        Answer answer;
         if (!context_) {
             suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
@@ -110,22 +145,14 @@ class JobRunner {
         job.parts = static_cast<int>(parts_);
         job.explain = arguments_.explain;
         job.stats = !arguments_.statsFile.empty();
-        render::JobResult result;
-        try {
-            result = render::runJob(
+        return pack(guarded(arguments_.scenes[index], [&] {
+            render::JobResult result = render::runJob(
                 *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
-        } catch (const std::bad_alloc&) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
-        } catch (const std::exception& failure) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
-        }
-        answer.status = result.failed ? kSceneIsWrong : kDone;
-        answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
-        answer.explanation = std::move(result.explanation);
-        answer.statsJson = std::move(result.statsJson);
-        return pack(answer);
+            return Answer{.status = result.failed ? kSceneIsWrong : kDone,
+                          .remarks = {std::move(result.diagnostics), std::move(result.ofFrames)},
+                          .explanation = std::move(result.explanation),
+                          .statsJson = std::move(result.statsJson)};
+        }));
     }
 
   private:
@@ -158,10 +185,14 @@ class ProgressLine {
 /// All scenes of one command: gives them to worker processes and collects the answers.
 class SceneBatch {
   public:
-    explicit SceneBatch(const RenderArguments& arguments)
+    /// Each scene is drawn in `parts` pieces, in the sandbox if there is one.
+    SceneBatch(const RenderArguments& arguments, std::size_t parts, std::optional<base::Sandbox> sandbox,
+               const Interruption& interruption)
         : arguments_(arguments),
+          interruption_(interruption),
           outputs_(outputFiles(arguments)),
-          parts_(static_cast<std::size_t>(partsOf(arguments))),
+          parts_(parts),
+          sandbox_(std::move(sandbox)),
           progress_(::isatty(STDERR_FILENO) == 1, arguments.scenes.size(), arguments.frames),
           stats_(arguments.scenes.size()),
           framesWritten_(arguments.scenes.size() * parts_) {}
@@ -171,39 +202,39 @@ class SceneBatch {
         std::error_code ignored;  // reported with the file that cannot be written
         for (const fs::path& each : outputs_)
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
-        const std::optional<base::Sandbox> sandbox = confine();
+        confine();
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
-        const Interruption interruption;
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
-             .stop = [&] { return interruption.signal() != 0; },
-             .sandbox = sandbox ? &*sandbox : nullptr},
+             .memory = memoryOf(arguments_, framesWritten_.size()),
+             .stop = [this] { return interruption_.signal() != 0; },
+             .sandbox = sandbox_ ? &*sandbox_ : nullptr},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
-            [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
+            [this](std::size_t piece, const std::string& text) {
+                countFrames(piece, countIn(text, arguments_.frames));
+            });
         staging_.reset();
         progress_.clear();
         print(render::joined(remarks_));
-        interruption.obey();
+        interruption_.obey();
         if (arguments_.scenes.size() > 1) printSummary();
         if (!arguments_.statsFile.empty()) writeStats();
         return status_;
     }
 
   private:
-    /// The sandbox of the workers with --untrusted. They write to a folder of their own.
-    std::optional<base::Sandbox> confine() {
-        if (!arguments_.untrusted) return std::nullopt;
-        base::Sandbox sandbox = sandboxOf(arguments_.scenes, arguments_.picture.options);
+    /// With --untrusted the workers write to a folder of their own.
+    void confine() {
+        if (!sandbox_) return;
         if (arguments_.output == "-") {
-            sandbox.standardOutput = true;
+            sandbox_->standardOutput = true;
         } else {
             staging_.emplace(outputs_.front().parent_path());
-            sandbox.writable.push_back(staging_->path());
+            sandbox_->writable.push_back(staging_->path());
         }
-        return sandbox;
     }
 
     void countFrames(std::size_t piece, int written) {
@@ -224,7 +255,7 @@ class SceneBatch {
                 append(undelivered, staging_->deliver(
                                         piece, render::frameFile(outputs_[index], frame, arguments_.frames)));
         if (outcome.end == base::Outcome::End::stopped) return;
-        Answer answer = answerOf(outcome, scene);
+        Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
         if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
         append(answer.remarks.general, std::move(undelivered));
         progress_.clear();
@@ -242,22 +273,6 @@ class SceneBatch {
             countFrames(piece, arguments_.frames);
         else
             progress_.show(doneCount_, scene);
-    }
-
-    /// The worker's own answer, or the error that stands for one.
-    [[nodiscard]] Answer answerOf(const base::Outcome& outcome, const std::string& scene) const {
-        if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
-        const Place place{scene, 1, 1};
-        Answer answer{.status = kSceneIsWrong};
-        if (outcome.end == base::Outcome::End::timedOut)
-            answer.remarks.general = {diagnose(
-                "draw-E07",
-                fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};
-        else
-            answer.remarks.general = {diagnose(
-                "draw-E06",
-                fmt::format("the process that drew the scene ended with signal {}", outcome.signal), place)};
-        return answer;
     }
 
     void printSummary() const {
@@ -281,8 +296,10 @@ class SceneBatch {
     }
 
     const RenderArguments& arguments_;
+    const Interruption& interruption_;
     std::vector<fs::path> outputs_;
-    std::size_t parts_;  ///< pieces per scene
+    std::size_t parts_;
+    std::optional<base::Sandbox> sandbox_;
     std::optional<StagingFolder> staging_;
     ProgressLine progress_;
     int status_ = kDone;
@@ -296,7 +313,18 @@ class SceneBatch {
 }  // namespace
 
 int renderScenes(const RenderArguments& arguments) {
-    return SceneBatch(arguments).run();
+    const Interruption interruption;
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.untrusted) sandbox = sandboxOf(arguments.scenes, arguments.picture.options);
+    Diagnostics late;
+    const std::optional<int> parts = partsOf(
+        arguments, sandbox ? &*sandbox : nullptr, [&] { return interruption.signal() != 0; }, late);
+    interruption.obey();
+    if (parts)
+        return SceneBatch(arguments, static_cast<std::size_t>(*parts), std::move(sandbox), interruption)
+            .run();
+    print(late);
+    return kSceneIsWrong;
 }
 
 }  // namespace glibra::cli

@@ -23,6 +23,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     options.driver = arguments.driver;
     options.jobs = arguments.jobs;
     options.timeout = arguments.timeout;
+    options.memory = arguments.memory;
     options.skip = arguments.skip;
     options.onlyRender = output;
     if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;

@@ -123,6 +123,7 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.driver = arguments.suites.driver;
     options.jobs = arguments.suites.jobs;
     options.timeout = arguments.suites.timeout;
+    options.memory = arguments.suites.memory;
     options.skip = arguments.picture.options.skip;
     options.update = arguments.update;
     options.force = arguments.force;
@@ -246,10 +247,12 @@ void addTest(CLI::App& app, int& status) {
     addJobsOption(*command, to.suites.jobs);
     addDriverOption(*command, to.suites.driver);
     addPictureOption(*command, "timeout", to.picture);
+    addPictureOption(*command, "memory", to.picture);
     addPictureOption(*command, "no-skip", to.picture);
     addUntrustedOption(*command, to.suites.untrusted);
     command->callback([arguments, command, &status] {
         if (command->count("--timeout") > 0) arguments->suites.timeout = arguments->picture.timeout;
+        arguments->suites.memory = arguments->picture.memory;
         arguments->command = commandLine();
         arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);

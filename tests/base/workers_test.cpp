@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -188,6 +189,40 @@ TEST(Workers, PassOverTheSignalsOfATerminal) {
         return std::string("alive");
     });
     EXPECT_EQ(log.outcomes.at(0).answer, "alive");
+}
+
+TEST(Workers, EveryPieceMayHaveALimitOfMemoryOfItsOwn) {
+    constexpr std::uint64_t kMuch = std::uint64_t{1} << 30;
+    const Log log = runAll(
+        3, {.workers = 1, .memoryOf = [](std::size_t index) { return index == 1 ? kMuch / 4 : 2 * kMuch; }},
+        [](std::size_t, const Step&) {
+            void* got = ::mmap(nullptr, kMuch, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+            if (got == MAP_FAILED) return std::string("refused");
+            ::munmap(got, kMuch);
+            return std::string("given");
+        });
+    EXPECT_EQ(log.outcomes.at(0).answer, "given");
+    EXPECT_EQ(log.outcomes.at(1).answer, "refused");
+    EXPECT_EQ(log.outcomes.at(2).answer, "given");
+}
+
+TEST(Workers, ACrashNearTheLimitOfMemoryIsReportedAsSuch) {
+    constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+    const Log log = runAll(2, {.workers = 1, .memory = kLimit}, [](std::size_t index, const Step&) {
+        std::string all(index == 0 ? kLimit * 3 / 4 : 1, 'x');
+        if (all.back() == 'x') ::raise(SIGKILL);
+        return all;
+    });
+    EXPECT_TRUE(log.outcomes.at(0).nearMemoryLimit);
+    EXPECT_FALSE(log.outcomes.at(1).nearMemoryLimit);
+}
+
+TEST(Workers, KnowThatTheyAreWorkers) {
+    EXPECT_FALSE(isWorker());
+    const Log log = runAll(1, {.workers = 1},
+                           [](std::size_t, const Step&) { return std::string(isWorker() ? "yes" : "no"); });
+    EXPECT_EQ(log.outcomes.at(0).answer, "yes");
+    EXPECT_FALSE(isWorker());
 }
 
 TEST(Workers, LongAnswersArriveWhole) {

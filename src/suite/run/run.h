@@ -2,6 +2,7 @@
 // Draws the shots of suites in worker processes and judges them there, so that pictures never travel through
 // a pipe. A shot that crashes, hangs or runs out of memory affects only itself.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -28,6 +29,7 @@ struct RunOptions {
     Driver driver = Driver::automatic;
     int jobs = 0;                            ///< worker processes; 0: defaultJobs()
     std::optional<double> timeout;           ///< seconds for every shot, instead of its own; 0: no limit
+    std::optional<std::uint64_t> memory;     ///< bytes for every shot, instead of its own; 0: no limit
     bool update = false;                     ///< pictures that differ replace their goldens
     bool force = false;                      ///< ... even pictures of one colour or with NaN
     bool skip = true;                        ///< false: also makes and draws what the pictures do not need
