@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 
 namespace glibra::scene {
 
@@ -25,7 +25,7 @@ std::vector<std::string> nearestFiles(std::string_view name, std::span<const std
             const std::size_t difference =
                 std::max(name.size(), each.size()) - std::min(name.size(), each.size());
             if (difference > most) continue;
-            const std::size_t distance = glib::editDistance(name, each);
+            const std::size_t distance = base::editDistance(name, each);
             if (distance <= most && distance < each.size()) candidates.push_back({distance, folder / each});
         }
     std::stable_sort(candidates.begin(), candidates.end(),

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/suggest.h"
 
 namespace glibra::glib::test {
 namespace {
@@ -102,31 +102,31 @@ TEST(CommandTable, FindsAliasesInAnyCase) {
 }
 
 TEST(EditDistance, CountsEdits) {
-    EXPECT_EQ(editDistance("", ""), 0U);
-    EXPECT_EQ(editDistance("", "abc"), 3U);
-    EXPECT_EQ(editDistance("abc", ""), 3U);
-    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
-    EXPECT_EQ(editDistance("Spehre", "sphere"), 1U);  // neighbours exchanged
-    EXPECT_EQ(editDistance("flaw", "lawn"), 2U);
-    EXPECT_EQ(editDistance("ca", "abc"), 3U);  // no byte is edited twice
+    EXPECT_EQ(base::editDistance("", ""), 0U);
+    EXPECT_EQ(base::editDistance("", "abc"), 3U);
+    EXPECT_EQ(base::editDistance("abc", ""), 3U);
+    EXPECT_EQ(base::editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(base::editDistance("Spehre", "sphere"), 1U);  // neighbours exchanged
+    EXPECT_EQ(base::editDistance("flaw", "lawn"), 2U);
+    EXPECT_EQ(base::editDistance("ca", "abc"), 3U);  // no byte is edited twice
 }
 
 TEST(EditDistance, IsSymmetric) {
     for (const char* a : {"Sphere", "Cone", "glVertex", ""})
         for (const char* b : {"Spere", "Cylinder", "xgl", "Cnoe"})
-            EXPECT_EQ(editDistance(a, b), editDistance(b, a));
+            EXPECT_EQ(base::editDistance(a, b), base::editDistance(b, a));
 }
 
 TEST(NearestName, IsTheNearestOrNothing) {
     constexpr std::string_view kNames[] = {"uShrink", "uKa", "uKd", "Sphere", "uA"};
-    EXPECT_EQ(nearestName("ushrink", kNames), "uShrink");
-    EXPECT_EQ(nearestName("uShrnik", kNames), "uShrink");
-    EXPECT_EQ(nearestName("Spere", kNames), "Sphere");
-    EXPECT_EQ(nearestName("uKs", kNames), "uKa");
-    EXPECT_EQ(nearestName("uB", kNames), "");
-    EXPECT_EQ(nearestName("Tetrahedron", kNames), "");
-    EXPECT_EQ(nearestName("", kNames), "");
-    EXPECT_EQ(nearestName(std::string(100, 'u'), kNames), "");
+    EXPECT_EQ(base::nearestName("ushrink", kNames), "uShrink");
+    EXPECT_EQ(base::nearestName("uShrnik", kNames), "uShrink");
+    EXPECT_EQ(base::nearestName("Spere", kNames), "Sphere");
+    EXPECT_EQ(base::nearestName("uKs", kNames), "uKa");
+    EXPECT_EQ(base::nearestName("uB", kNames), "");
+    EXPECT_EQ(base::nearestName("Tetrahedron", kNames), "");
+    EXPECT_EQ(base::nearestName("", kNames), "");
+    EXPECT_EQ(base::nearestName(std::string(100, 'u'), kNames), "");
 }
 
 TEST(NearestCommand, IsSpelledAsInTheTable) {

@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
 #include "scene/near_files.h"
@@ -81,7 +81,7 @@ class ScriptFinder {
         std::set<std::string> endings;
         for (const fs::path& each : *files) endings.insert(each.extension().string());
         const std::vector<std::string_view> names(endings.begin(), endings.end());
-        const std::string near = glib::nearestName(ending, names);
+        const std::string near = base::nearestName(ending, names);
         return near.empty() ? "" : stem + near;
     }
 
