@@ -10,4 +10,4 @@ glibra_precompile(glibra_program glibra_program <CLI/CLI.hpp>)
 # Programs that glibra starts, glibra-view and glibra-bench, are installed in GLIBRA_PROGRAMS_DIR.
 target_compile_definitions(glibra_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}"
                                                   GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")
-target_link_libraries(glibra_program PRIVATE glibra_suite glibra_render CLI11::CLI11)
+target_link_libraries(glibra_program PRIVATE glibra_suite glibra_render glibra_expression CLI11::CLI11)

@@ -59,6 +59,14 @@ constexpr CatalogueRow kRows[] = {
     {"glib-W37", "uniform 'uTime' of 'Ripples' is not set; it is 0"},
     {"glib-N01", "MessageBox: Move the scene back"},
     {"glib-N02", "Sphere: 3719 vertices, 7080 triangles, program 'Dots'"},
+    // Expressions
+    {"expr-E01", "expected a value, found '*'"},
+    {"expr-E02", "unknown name 'windw'; did you mean 'window'?"},
+    {"expr-E03", "'+' does not combine vec3 and vec2"},
+    {"expr-E04", "vec3 needs 3 components, found 2"},
+    {"expr-E05", "more than 200 levels of parentheses, signs or conditions"},
+    {"expr-E06", "'a / (b - 3)': division by zero"},
+    {"expr-E07", "'pose[2]' has no value here: it is defined by itself"},
     // Drawing
     {"draw-E01", "QuadXY samples unit 6 while rendering into it (RenderToTexture on line 8)"},
     {"draw-E02", "Obj delivers triangles, but silh.geom expects triangles_adjacency; use ObjAdj"},
