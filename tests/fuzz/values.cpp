@@ -9,6 +9,7 @@
 #include "check.h"
 #include "glib/number.h"
 #include "plan/uniforms.h"
+#include "scratch_folder.h"
 #include "suite/file/shard.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/hash_list.h"
@@ -30,6 +31,15 @@ void checkNumber(std::string_view token) {
     if (!prefix->finite) return;
     const auto again = glib::numberPrefix(glib::numberText(prefix->value));
     check(again && again->value == prefix->value, "a number is read as it was written");
+}
+
+/// A folder with the scene that suites name.
+const std::filesystem::path& folder() {
+    struct SceneFolder : fuzz::ScratchFolder {
+        SceneFolder() { write("a.glib", "Sphere\n"); }
+    };
+    static const SceneFolder kFolder;
+    return kFolder.path();
 }
 
 /// Gives a new shot the options that these words of a command line state.
@@ -57,12 +67,12 @@ void checkOption(std::string_view line) {
     if (!row->needs.empty()) return;  // is not written without the option that it needs
     check(shotOf(suite::optionWords(*row, shot)).options == shot.options,
           "an option is read as it was written");
-    // Names of uniforms and folders have rules of their own in a suite.
-    if (std::holds_alternative<suite::UniformsValue>(row->value) ||
+    // A suite cannot state every option; names of uniforms and folders have rules of their own there.
+    if (row->key.empty() || std::holds_alternative<suite::UniformsValue>(row->value) ||
         std::holds_alternative<suite::FoldersValue>(row->value))
         return;
-    const std::string text = "[[shot]]\nscript = \"a.glib\"\n" + suite::optionLine(*row, shot, "nowhere");
-    const Result<suite::Suite> suite = suite::readSuiteText(text, "nowhere/suite.toml");
+    const std::string text = "[[shot]]\nscript = \"a.glib\"\n" + suite::optionLine(*row, shot, folder());
+    const Result<suite::Suite> suite = suite::readSuiteText(text, folder() / "suite.toml");
     check(suite && suite->shots.size() == 1 && suite->shots.front().options == shot.options,
           "an option of a suite is read as it was written");
 }
