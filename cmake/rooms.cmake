@@ -24,6 +24,10 @@ function(glibra_compile_options target)
                                                  -fno-omit-frame-pointer)
         target_link_options(${target} PUBLIC -fsanitize=${GLIBRA_SANITIZE})
     endif()
+    if(GLIBRA_FUZZ)  # the fuzzer sees which edges of this target an input reaches
+        target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+        target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+    endif()
 endfunction()
 
 # For tests and the command line, which do little work themselves and use libraries that consist of headers. Full
