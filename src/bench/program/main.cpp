@@ -34,7 +34,7 @@ void addMeasure(cli::CommandLine& line, MeasureArguments& to) {
 
 int run(int argc, char** argv) {
     cli::Program program("run time against error: curves and their Pareto fronts",
-                         "glibra bench --quick sphere -o out/", "glibra bench");
+                         "glibra bench --quick transforms -o out/", "glibra bench");
     cli::CommandLine line = program.line();
     MeasureArguments arguments;
     addMeasure(line, arguments);
