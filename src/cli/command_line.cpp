@@ -75,14 +75,16 @@ Option& Option::placeholder(const std::string& word) {
 }
 
 Option& Option::within(double least, double most) {
-    const std::string allowed = std::isinf(most) ? fmt::format("{:g} or more", least)
-                                                 : fmt::format("{:.10g} to {:.10g}", least, most);
+    const bool isOpen = std::isinf(most);
+    const std::string allowed =
+        isOpen ? fmt::format("{:g} or more", least) : fmt::format("{:.10g} to {:.10g}", least, most);
+    const std::string expected = (isOpen ? "a number, " : "a number from ") + allowed;
     option_->description(fmt::format("{} ({})", option_->get_description(), allowed));
-    option_->check([least, most, allowed](const std::string& text) -> std::string {
+    option_->check([least, most, expected](const std::string& text) -> std::string {
         double value = 0;
         // What is not a number is reported where it is read.
         if (!readNumber(text, value) || (value >= least && value <= most)) return {};
-        return fmt::format("expected {}, found '{}'", allowed, text);
+        return fmt::format("expected {}, found '{}'", expected, text);
     });
     return *this;
 }
