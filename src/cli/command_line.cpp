@@ -26,16 +26,20 @@ class ExampleFormatter : public CLI::Formatter {
     std::string example_;
 };
 
+/// The last of an option's names is the one that messages show.
+std::string shownName(const std::string& name) {
+    return name.substr(name.rfind(',') + 1);
+}
+
+void readOne(const std::string& name, const ReadValue& read, const std::string& text) {
+    if (const std::string wrong = read(text); !wrong.empty())
+        throw CLI::ValidationError(shownName(name), wrong);
+}
+
 CLI::Option* addReader(CLI::App& app, const std::string& name, const ReadValue& read,
                        const std::string& help) {
-    // The last of the names is the one that messages show.
-    const std::string shown = name.substr(name.rfind(',') + 1);
-    const auto readAll = [shown, read](const std::vector<std::string>& texts) {
-        for (const std::string& each : texts)
-            if (const std::string wrong = read(each); !wrong.empty())
-                throw CLI::ValidationError(shown, wrong);
-    };
-    return app.add_option_function<std::vector<std::string>>(name, readAll, help);
+    return app.add_option_function<std::string>(
+        name, [name, read](const std::string& text) { readOne(name, read, text); }, help);
 }
 
 /// Reads the whole text as a number.
@@ -55,7 +59,7 @@ CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& to, const
         return fmt::format("expected a {}number, found '{}'", std::is_integral_v<Number> ? "whole " : "",
                            text);
     };
-    CLI::Option* option = addReader(app, name, read, help)->expected(1)->type_name("N");
+    CLI::Option* option = addReader(app, name, read, help)->type_name("N");
     option->default_function([&to] { return fmt::format("{:g}", static_cast<double>(to)); });
     return option;
 }
@@ -148,11 +152,11 @@ Option CommandLine::option(const std::string& name, std::optional<double>& to, c
         if (readNumber(text, to.emplace())) return {};
         return fmt::format("expected a number, found '{}'", text);
     };
-    return Option(*addReader(*app_, name, read, help)->expected(1)->type_name("N"));
+    return Option(*addReader(*app_, name, read, help)->type_name("N"));
 }
 
 Option CommandLine::option(const std::string& name, const ReadValue& read, const std::string& help) {
-    return Option(*addReader(*app_, name, read, help)->expected(1));
+    return Option(*addReader(*app_, name, read, help));
 }
 
 Option CommandLine::flag(const std::string& name, bool& to, const std::string& help) {
@@ -169,7 +173,11 @@ Option CommandLine::repeated(const std::string& name, std::vector<std::string>& 
 }
 
 Option CommandLine::repeated(const std::string& name, const ReadValue& read, const std::string& help) {
-    return Option(*addReader(*app_, name, read, help)->allow_extra_args(false));
+    const auto readAll = [name, read](const std::vector<std::string>& texts) {
+        for (const std::string& each : texts) readOne(name, read, each);
+    };
+    CLI::Option* option = app_->add_option_function<std::vector<std::string>>(name, readAll, help);
+    return Option(*option->allow_extra_args(false));
 }
 
 Option CommandLine::list(const std::string& name, std::vector<std::string>& to, const std::string& help) {

@@ -55,7 +55,7 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
 
 int start(int argc, char** argv) {
     glibra::cli::Program program("shows a scene in a window, with a slider for every range",
-                                 "glibra view glib/start/teapot.glib --set uKd=.5", "glibra view");
+                                 "glibra view glib/start/teapot.glib --paused", "glibra view");
     glibra::cli::CommandLine line = program.line();
     glibra::view::WindowArguments arguments;
     std::vector<std::string> scenes;
