@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -201,33 +200,32 @@ int runCommand(const TestArguments& arguments) {
 
 }  // namespace
 
-void addTest(CLI::App& app, int& status) {
+void addTest(CommandLine& program, int& status) {
     auto arguments = std::make_shared<TestArguments>();
-    CLI::App* command =
-        addCommand(app, "test", "renders the shots of suites and compares them with golden pictures",
-                   "glibra test scenes/start.toml --report report");
+    CommandLine command =
+        program.subcommand("test", "renders the shots of suites and compares them with golden pictures",
+                           "glibra test scenes/start.toml --report report");
     TestArguments& to = *arguments;
-    command->add_option("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
-    command->add_flag("--update", to.update, "accept pictures that differ as the new goldens");
-    command->add_flag(
-        "--force", to.force,
-        "with --update: accept even pictures of one colour or with values that are not a number");
-    command->add_flag("--variant", to.variant,
-                      "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
-    addSelectionOptions(*command, to.suites);
-    command->add_option("--results", to.results, "folder for the results and the pictures of failures")
-        ->capture_default_str();
-    command->add_option("--report", to.report, "folder for a report that a browser shows");
-    command->add_option("--junit", to.junit, "file for a JUnit report (XML)");
-    command->add_option("--goldens", to.goldens,
-                        "folder with one folder of goldens per suite, instead of the suites' own");
-    command->add_option("--merge", to.merge, "merge the results in these folders, as the shards of one run");
-    addJobsOption(*command, to.suites.jobs);
-    addDriverOption(*command, to.suites.driver);
-    addPictureOption(*command, "timeout", to.picture);
-    addPictureOption(*command, "no-skip", to.picture);
-    command->callback([arguments, command, &status] {
-        if (command->count("--timeout") > 0) arguments->suites.timeout = arguments->picture.timeout;
+    command.list("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
+    command.flag("--update", to.update, "accept pictures that differ as the new goldens");
+    command.flag("--force", to.force,
+                 "with --update: accept even pictures of one colour or with values that are not a number");
+    command.flag("--variant", to.variant,
+                 "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
+    addSelectionOptions(command, to.suites);
+    command.option("--results", to.results, "folder for the results and the pictures of failures")
+        .withDefault();
+    command.option("--report", to.report, "folder for a report that a browser shows");
+    command.option("--junit", to.junit, "file for a JUnit report (XML)");
+    command.option("--goldens", to.goldens,
+                   "folder with one folder of goldens per suite, instead of the suites' own");
+    command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    command.jobs(to.suites.jobs);
+    command.driver(to.suites.driver);
+    addPictureOption(command, "timeout", to.picture);
+    addPictureOption(command, "no-skip", to.picture);
+    command.onRun([arguments, timeout = command.find("--timeout"), &status] {
+        if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
         arguments->command = commandLine();
         arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);

@@ -1,4 +1,4 @@
-// The command table compared with language, 3, whose words are written out here a second time.
+// The command table: every word of existing scenes, and rows that agree with each other.
 
 #include "glib/command_table.h"
 
@@ -14,6 +14,7 @@
 namespace glibra::glib::test {
 namespace {
 
+/// The words that scenes have used since glman. None may vanish. New commands need not be added.
 constexpr const char* kWords =
     "WindowSize Perspective Persp Ortho LookAt Color Colour Background Clear Translate Rotate Scale "
     "PushMatrix TransformBegin "
@@ -29,19 +30,18 @@ constexpr const char* kWords =
     "GeometryOutputType "
     "GeometryVerticesOut GSTAP gstap.h Noise2D Noise3D Timer MessageBox Verbose";
 
-TEST(CommandTable, HoldsExactlyTheWordsOfTheLanguage) {
-    std::set<std::string> expected;
+TEST(CommandTable, KnowsTheWordsOfExistingScenes) {
     std::istringstream words(kWords);
-    for (std::string word; words >> word;) expected.insert(word);
+    for (std::string word; words >> word;) EXPECT_NE(findCommand(word), nullptr) << word;
+}
+
+TEST(CommandTable, HasEveryWordOnce) {
     std::set<std::string> found;
     for (const CommandRow& row : commandTable())
         for (const std::string_view name : row.names)
             if (!name.empty()) {
                 EXPECT_TRUE(found.insert(std::string(name)).second) << name;
             }
-    // Newer shapes are only in geometry's list.
-    for (const geometry::PrimitiveSpec* each : geometry::primitives()) expected.emplace(each->names[0]);
-    EXPECT_EQ(found, expected);
 }
 
 TEST(CommandTable, HasOneRowPerId) {

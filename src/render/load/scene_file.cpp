@@ -26,7 +26,7 @@ Result<std::string> readScene(const std::filesystem::path& path) {
                     place);
 }
 
-/// The parser and the plan may both report a mistake. Of equal ids at one place the first is kept.
+/// The parser and the plan may both report a mistake. The first of equal ids at one place is kept.
 void removeRepeats(Diagnostics& diagnostics) {
     std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
     std::erase_if(diagnostics, [&](const Diagnostic& each) {
