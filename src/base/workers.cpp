@@ -15,13 +15,22 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <vector>
+
+#include "base/memory_limit.h"
 
 namespace glibra::base {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// The shaders of a scene are the longest.
+constexpr std::uint32_t kLargestMessage = 1U << 28U;
+
+/// A process has one state of this kind, as it has one process id.
+bool thisProcessIsWorker = false;
 
 enum class MessageKind : std::uint32_t { step, answer };
 struct Header {
@@ -53,13 +62,18 @@ bool readAll(int file, void* data, std::size_t size) {
     return true;
 }
 
+std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
+    return options.memoryOf ? options.memoryOf(piece) : options.memory;
+}
+
 void send(int file, MessageKind kind, const std::string& text) {
     const Header header{kind, static_cast<std::uint32_t>(text.size())};
     if (!writeAll(file, &header, sizeof header) || !writeAll(file, text.data(), text.size())) ::_exit(1);
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
-[[noreturn]] void serve(int requests, int answers, const WorkerOptions& options, const Work& work) {
+[[noreturn]] void serve(int requests, int answers, std::size_t count, const WorkerOptions& options,
+                        const Work& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // When memory runs out, the kernel should end a worker, not the parent that holds all results.
@@ -70,12 +84,13 @@ void send(int file, MessageKind kind, const std::string& text) {
 #endif
     for (const int each : {SIGINT, SIGHUP, SIGQUIT}) ::signal(each, SIG_IGN);
     ::signal(SIGTERM, SIG_DFL);
-    if (options.memory > 0) {
-        const rlimit limit{options.memory, options.memory};
-        ::setrlimit(RLIMIT_AS, &limit);
-    }
+    thisProcessIsWorker = true;
+    const MemoryLimit limit;
+    if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
     std::uint64_t index = 0;
     while (readAll(requests, &index, sizeof index)) {
+        if (index >= count) ::_exit(1);  // something else has written into the pipe
+        limit.set(memoryOf(options, index));
         const std::string answer =
             work(index, [answers](const std::string& text) { send(answers, MessageKind::step, text); });
         send(answers, MessageKind::answer, answer);
@@ -86,13 +101,14 @@ void send(int file, MessageKind kind, const std::string& text) {
 
 struct Worker {
     pid_t process = -1;
-    int requests = -1;  ///< we write
-    int answers = -1;   ///< we read
+    int requests = -1;     ///< we write
+    int answers = -1;      ///< we read
+    std::string received;  ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
     Clock::time_point deadline = Clock::time_point::max();
 };
 
-std::optional<Worker> start(const WorkerOptions& options, const Work& work,
+std::optional<Worker> start(std::size_t count, const WorkerOptions& options, const Work& work,
                             const std::vector<Worker>& others) {
     std::array<int, 2> requests{};
     std::array<int, 2> answers{};
@@ -112,7 +128,7 @@ std::optional<Worker> start(const WorkerOptions& options, const Work& work,
         }
         ::close(requests[1]);
         ::close(answers[0]);
-        serve(requests[0], answers[1], options, work);
+        serve(requests[0], answers[1], count, options, work);
     }
     ::close(requests[0]);
     ::close(answers[1]);
@@ -128,16 +144,23 @@ std::optional<Worker> start(const WorkerOptions& options, const Work& work,
     return worker;
 }
 
-/// Closes the pipes and waits; returns the signal that ended the worker, or 0.
-int finish(Worker& worker) {
+struct Ended {
+    int signal = 0;  ///< that ended the worker, or 0
+    std::uint64_t peakMemory = 0;
+};
+
+/// Closes the pipes and waits.
+Ended finish(Worker& worker) {
     if (worker.requests >= 0) ::close(worker.requests);
     if (worker.answers >= 0) ::close(worker.answers);
     int status = 0;
+    rusage usage{};
     if (worker.process > 0)
-        while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+        while (::wait4(worker.process, &status, 0, &usage) < 0 && errno == EINTR) {
         }
     worker = Worker{};
-    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    constexpr std::uint64_t kUnit = 1024;  // of ru_maxrss
+    return {WIFSIGNALED(status) ? WTERMSIG(status) : 0, static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit};
 }
 
 class Pool {
@@ -165,7 +188,11 @@ class Pool {
                 if (!worker.piece && next_ < count_) give(worker);
             if (busy() > 0) waitForNews();
         }
-        for (Worker& worker : workers_) finish(worker);
+        for (Worker& worker : workers_) {
+            // One that has been taken over may not end by itself.
+            if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
+            finish(worker);
+        }
         ::sigaction(SIGPIPE, &before, nullptr);
     }
 
@@ -184,7 +211,7 @@ class Pool {
 
     void give(Worker& worker) {
         if (worker.process < 0) {
-            std::optional<Worker> started = start(options_, work_, workers_);
+            std::optional<Worker> started = start(count_, options_, work_, workers_);
             if (!started) {
                 if (busy() > 0) return;  // try again when another worker is done
                 done_(next_++, {.end = Outcome::End::crashed});
@@ -192,6 +219,7 @@ class Pool {
             }
             worker = *started;
         }
+        worker.received.clear();
         worker.piece = next_++;
         const std::uint64_t index = *worker.piece;
         writeAll(worker.requests, &index, sizeof index);
@@ -202,22 +230,43 @@ class Pool {
         const std::size_t piece = *worker.piece;
         outcome.process = worker.process;
         if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
-        const int signal = finish(worker);
-        if (outcome.end == Outcome::End::crashed) outcome.signal = signal;
+        const Ended ended = finish(worker);
+        if (outcome.end == Outcome::End::crashed) {
+            outcome.signal = ended.signal;
+            const std::uint64_t memory = memoryOf(options_, piece);
+            outcome.nearMemoryLimit = memory > 0 && ended.peakMemory > memory / 2;
+        }
         done_(piece, outcome);
     }
 
+    /// Reads what there is. It never waits for the rest of a message, since a worker may stop in its middle.
     void receive(Worker& worker) {
-        Header header;
-        std::string text;
-        bool whole = readAll(worker.answers, &header, sizeof header);
-        if (whole) {
-            text.resize(header.bytes);
-            whole = readAll(worker.answers, text.data(), text.size());
+        constexpr std::size_t kPortion = 1U << 16U;
+        const std::size_t had = worker.received.size();
+        worker.received.resize(had + kPortion);
+        const ssize_t got = ::read(worker.answers, worker.received.data() + had, kPortion);
+        worker.received.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        if (got < 0 && errno == EINTR) return;
+        if (got <= 0) return end(worker, {.end = Outcome::End::crashed});
+        while (worker.piece && takeMessage(worker)) {
         }
-        if (!whole) {
+    }
+
+    /// Takes the first message of what was received. False if it is not whole.
+    bool takeMessage(Worker& worker) {
+        Header header;
+        if (worker.received.size() < sizeof header) return false;
+        std::memcpy(&header, worker.received.data(), sizeof header);
+        const bool isStep = header.kind == MessageKind::step;
+        if ((!isStep && header.kind != MessageKind::answer) || header.bytes > kLargestMessage) {
+            ::kill(worker.process, SIGKILL);  // it has been taken over by what it reads
             end(worker, {.end = Outcome::End::crashed});
-        } else if (header.kind == MessageKind::step) {
+            return false;
+        }
+        if (worker.received.size() - sizeof header < header.bytes) return false;
+        std::string text = worker.received.substr(sizeof header, header.bytes);
+        worker.received.erase(0, sizeof header + header.bytes);
+        if (isStep) {
             beginStep(worker);
             progress_(*worker.piece, text);
         } else {
@@ -225,6 +274,7 @@ class Pool {
             worker.piece.reset();
             done_(piece, {.answer = std::move(text)});
         }
+        return true;
     }
 
     void waitForNews() {
@@ -266,6 +316,10 @@ class Pool {
 };
 
 }  // namespace
+
+bool isWorker() {
+    return thisProcessIsWorker;
+}
 
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t, const Outcome&)>& done,

@@ -3,8 +3,11 @@
 // affects only itself.
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
+
+#include "base/sandbox.h"
 
 namespace glibra::base {
 
@@ -15,17 +18,23 @@ struct Outcome {
     std::string answer{};  ///< what the work returned, if it finished
     int signal = 0;        ///< that ended the process, if it crashed; 0: it exited
     int process = 0;       ///< the process id, if it did not finish
+    /// The process crashed and had used more than half of the memory that it may have: an allocation that
+    /// failed is a likely cause.
+    bool nearMemoryLimit = false;
 };
 
 struct WorkerOptions {
-    int workers = 1;         ///< number of processes, at least 1
-    double timeout = 0;      ///< seconds that one step of a piece may take; 0: no limit
-    std::size_t memory = 0;  ///< bytes of address space that a worker may reserve; 0: no limit
-    /// The time limit of one piece, if the pieces have different limits.
+    int workers = 1;           ///< number of processes, at least 1
+    double timeout = 0;        ///< seconds that one step of a piece may take; 0: no limit
+    std::uint64_t memory = 0;  ///< bytes that a worker may take (memory_limit.h); 0: no limit
+    /// The time limit and the memory of one piece, if the pieces have different limits.
     std::function<double(std::size_t index)> timeoutOf{};
+    std::function<std::uint64_t(std::size_t index)> memoryOf{};
     /// Called five times a second. After it returns true, no further piece begins and the running ones are
     /// ended.
     std::function<bool()> stop{};
+    /// If given, every worker enters this sandbox before its first piece; one that cannot ends by itself.
+    const Sandbox* sandbox = nullptr;
 };
 
 /// Reports to the parent that a step is done, such as a frame; the time limit starts again. The text is
@@ -33,6 +42,9 @@ struct WorkerOptions {
 using Step = std::function<void(const std::string& text)>;
 /// Does piece `index`. It runs in a worker, which keeps its state between pieces.
 using Work = std::function<std::string(std::size_t index, const Step& step)>;
+
+/// True in a process that runInWorkers started, which ends without harm to others.
+bool isWorker();
 
 /// Does pieces 0 to count - 1, each exactly once, in forked workers; a worker that ends is replaced. `done`
 /// and `progress` run in the calling process, in the order of events. Call it before any thread or GL context

@@ -1,18 +1,26 @@
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/memory_limit.h"
+#include "base/workers.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/json_output.h"
 #include "cli/picture_options.h"
+#include "cli/render_answer.h"
+#include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
+#include "suite/run/run.h"
 
 namespace glibra::cli {
 namespace {
@@ -23,42 +31,113 @@ struct CheckArguments {
     Driver driver = Driver::automatic;
     bool json = false;
     std::string translated;
+    int jobs = 0;  ///< 0: one per processor
+    bool untrusted = false;
 };
 
-/// Writes each shader to the folder, which is made if it does not exist.
+/// Writes each shader to the folder, which is made if it does not exist. This is done in the parent process,
+/// in the order of the scenes, since shaders of two scenes may have the same name.
 Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
                          const std::filesystem::path& folder) {
+    if (shaders.empty()) return {};
     Diagnostics problems;
     std::error_code ignored;  // reported with the first file that cannot be written
     std::filesystem::create_directories(folder, ignored);
     for (const render::TranslatedShader& each : shaders)
-        append(problems,
-               image::writeFileAtomically(folder / each.name, std::as_bytes(std::span(each.source))));
+        append(problems, image::writeFileAtomically(folder / std::filesystem::path(each.name).filename(),
+                                                    std::as_bytes(std::span(each.source))));
     return problems;
 }
 
-int run(CheckArguments& arguments) {
-    Result<gpu::Context> context = gpu::openContext({.driver = arguments.driver});
-    if (!context) {
-        print(context.diagnostics);
-        return kNoDriver;
+/// Runs in a worker. It opens the context with its first scene and keeps it.
+class SceneChecker {
+  public:
+    SceneChecker(const CheckArguments& arguments, int jobs) : arguments_(arguments), jobs_(jobs) {}
+
+    std::string operator()(std::size_t index, const base::Step&) {
+        if (!context_) {
+            suite::shareProcessors(jobs_, arguments_.scenes.size());
+            Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
+            if (!opened) return pack({.status = kNoDriver, .remarks = {std::move(opened.diagnostics), {}}});
+            context_.emplace(std::move(*opened));
+        }
+        const std::string& scene = arguments_.scenes[index];
+        return pack(guarded(scene, [&] {
+            render::CheckResult checked = render::checkScene(*context_, scene, arguments_.picture.options);
+            if (arguments_.translated.empty()) checked.shaders.clear();
+            return Answer{.remarks = {std::move(checked.diagnostics), {}},
+                          .shaders = std::move(checked.shaders)};
+        }));
     }
-    arguments.picture.options.libraryRoots = libraryRoots();
-    int status = kDone;
-    std::vector<CheckedScene> report;
-    for (const std::string& scene : arguments.scenes) {
-        const render::CheckResult checked = render::checkScene(*context, scene, arguments.picture.options);
-        Diagnostics diagnostics = checked.diagnostics;
-        if (!arguments.translated.empty())
-            append(diagnostics, writeShaders(checked.shaders, arguments.translated));
-        if (hasError(diagnostics)) status = kSceneIsWrong;
-        if (arguments.json)
-            report.push_back({scene, std::move(diagnostics)});
+
+  private:
+    const CheckArguments& arguments_;
+    int jobs_;
+    std::optional<gpu::Context> context_;
+};
+
+/// Reports what the workers found, in the order of the scenes.
+class CheckReport {
+  public:
+    explicit CheckReport(const CheckArguments& arguments)
+        : arguments_(arguments), answers_(arguments.scenes.size()) {}
+
+    void add(std::size_t index, Answer answer) {
+        answers_[index] = std::move(answer);
+        for (; next_ < answers_.size() && answers_[next_] && status_ != kNoDriver; ++next_) {
+            report(arguments_.scenes[next_], *answers_[next_]);
+            answers_[next_].emplace();  // shaders may be large
+        }
+    }
+    [[nodiscard]] int status() const { return status_; }
+    [[nodiscard]] std::string json() const { return toJson(scenes_); }
+
+  private:
+    void report(const std::string& scene, Answer& answer) {
+        Diagnostics diagnostics = std::move(answer.remarks.general);
+        append(diagnostics, writeShaders(answer.shaders, arguments_.translated));
+        status_ = std::max({status_, answer.status, hasError(diagnostics) ? kSceneIsWrong : kDone});
+        if (arguments_.json && status_ != kNoDriver)
+            scenes_.push_back({scene, std::move(diagnostics)});
         else
             print(diagnostics);
     }
-    if (arguments.json) std::fputs(toJson(report).c_str(), stdout);
-    return status;
+
+    const CheckArguments& arguments_;
+    std::vector<std::optional<Answer>> answers_;
+    std::size_t next_ = 0;  ///< the first scene that is not reported
+    int status_ = kDone;
+    std::vector<CheckedScene> scenes_;
+};
+
+int run(CheckArguments& arguments) {
+    arguments.picture.options.libraryRoots = libraryRoots();
+    const int jobs = arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.untrusted) {
+        if (!prepareUntrusted()) return kNoDriver;
+        sandbox = sandboxOf(arguments.scenes, arguments.picture.options);
+    }
+    SceneChecker checker(arguments, jobs);
+    CheckReport report(arguments);
+    const Interruption interruption;
+    base::runInWorkers(
+        arguments.scenes.size(),
+        {.workers = jobs,
+         .timeout = arguments.picture.timeout,
+         .memory = arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size())),
+         .stop = [&] { return interruption.signal() != 0 || report.status() == kNoDriver; },
+         .sandbox = sandbox ? &*sandbox : nullptr},
+        std::ref(checker),
+        [&](std::size_t index, const base::Outcome& outcome) {
+            if (outcome.end != base::Outcome::End::stopped)
+                report.add(index, answerOf(outcome, arguments.scenes[index], arguments.picture,
+                                           {"checked", "checked"}));
+        },
+        [](std::size_t, const std::string&) {});
+    interruption.obey();
+    if (arguments.json && report.status() != kNoDriver) std::fputs(report.json().c_str(), stdout);
+    return report.status();
 }
 
 }  // namespace
@@ -70,6 +149,10 @@ void addCheck(CommandLine& program, int& status) {
         "glibra check a.glib");
     command.list("SCENE", arguments->scenes, "scene files (.glib)").required();
     command.driver(arguments->driver);
+    command.jobs(arguments->jobs);
+    addPictureOption(command, "timeout", arguments->picture);
+    addPictureOption(command, "memory", arguments->picture);
+    addUntrustedOption(command, arguments->untrusted);
     addPictureOption(command, "strict", arguments->picture);
     addPictureOption(command, "no-shim", arguments->picture);
     command.option("--translated", arguments->translated,

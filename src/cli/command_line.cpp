@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 
+#include "base/utf8.h"
 #include "cli/commands.h"
 
 namespace glibra::cli {
@@ -254,7 +257,16 @@ std::optional<int> Program::parse(int argc, char** argv) {
         app_->parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& wrong) {
-        return app_->exit(wrong) == 0 ? kDone : kWrongUsage;
+        std::ostringstream help;
+        std::ostringstream error;
+        const int status = app_->exit(wrong, help, error);
+        const auto put = [](const std::string& text, std::FILE* file) {
+            const std::string safe = base::printableText(text, true);  // arguments may be names of files
+            std::fwrite(safe.data(), 1, safe.size(), file);
+        };
+        put(help.str(), stdout);
+        put(error.str(), stderr);
+        return status == 0 ? kDone : kWrongUsage;
     }
 }
 

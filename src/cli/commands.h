@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glibra::cli {
@@ -29,10 +30,20 @@ void addBench(CommandLine& program, int& status);
 void addInfo(CommandLine& program, int& status);
 void addLanguage(CommandLine& program, int& status);
 
+// Names, messages and text of scenes go to a terminal or a log only through these four: what a terminal would
+// obey is written out (base::printableText).
+
 /// The lines to print for diagnostics, with colours if `color`.
 std::string printable(const Diagnostics& diagnostics, bool color);
 /// Prints diagnostics to standard error, with colours if it is a terminal.
 void print(const Diagnostics& diagnostics);
+/// Prints a line to standard error.
+void printLine(std::string_view text);
+/// Prints "glibra: error: WHY" to standard error.
+void printError(std::string_view why);
+
+/// The folders of an environment variable, which are separated by colons.
+std::vector<std::filesystem::path> foldersIn(const char* variable);
 /// The folders of the environment variable GLIBRA_PATH.
 std::vector<std::filesystem::path> libraryRoots();
 

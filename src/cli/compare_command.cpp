@@ -4,9 +4,11 @@
 #include <future>
 #include <memory>
 
+#include "base/memory_limit.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/picture_options.h"
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
 #include "image/file.h"
@@ -23,6 +25,7 @@ struct CompareArguments {
     bool exact = false;
     bool everything = false;
     bool json = false;
+    suite::Shot limits;  ///< --timeout and --memory
 };
 
 using File = Result<std::vector<std::byte>>;
@@ -31,8 +34,12 @@ File readWhole(const std::string& path) {
     return image::readFile(path, {path, {path, 1, 1}});
 }
 
-Result<image::Image> decode(const std::vector<std::byte>& file, const std::string& path) {
-    return image::decodeImage(file, path, {path, 1, 1});
+Result<image::Image> decode(const std::vector<std::byte>& file, const std::string& path,
+                            const suite::Shot& limits) {
+    image::ReadOptions options;
+    options.decoder.seconds = limits.timeout;
+    options.decoder.memory = limits.memory.value_or(options.decoder.memory);
+    return image::decodeImage(file, path, {path, 1, 1}, options);
 }
 
 std::string toText(const image::Judgement& judged, const image::Image& expected) {
@@ -74,6 +81,8 @@ int writeHeatMap(const CompareArguments& arguments, const image::Image& expected
 }
 
 int run(CompareArguments& arguments) {
+    // Limits this process, which decodes PNG and BMP itself.
+    base::MemoryLimit().set(arguments.limits.memory.value_or(base::memoryShare(1, 1)));
     if (arguments.exact) arguments.tolerance = image::exactTolerance();
     const File first = readWhole(arguments.first), second = readWhole(arguments.second);
     print(first.diagnostics);
@@ -88,8 +97,9 @@ int run(CompareArguments& arguments) {
         return kDone;
     }
 
-    auto decoding = std::async(std::launch::async, [&] { return decode(*second, arguments.second); });
-    const Result<image::Image> expected = decode(*first, arguments.first);
+    auto decoding =
+        std::async(std::launch::async, [&] { return decode(*second, arguments.second, arguments.limits); });
+    const Result<image::Image> expected = decode(*first, arguments.first, arguments.limits);
     const Result<image::Image> got = decoding.get();
     print(expected.diagnostics);
     print(got.diagnostics);
@@ -153,6 +163,8 @@ void addCompare(CommandLine& program, int& status) {
     command.flag("--all", arguments->everything,
                  "compute FLIP and the structural difference even if they are not needed");
     command.flag("--json", arguments->json, "print the figures as JSON");
+    addPictureOption(command, "timeout", arguments->limits);
+    addPictureOption(command, "memory", arguments->limits);
     command.onRun([arguments, &status] { status = run(*arguments); });
 }
 

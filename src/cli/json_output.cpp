@@ -7,9 +7,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Bytes that are not UTF-8 are replaced.
+/// ASCII, so that a terminal obeys nothing of it. Bytes that are not UTF-8 are replaced.
 std::string lines(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 Json asJson(const Diagnostics& diagnostics) {

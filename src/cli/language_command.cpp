@@ -91,8 +91,8 @@ int run(const LanguageArguments& arguments) {
         return kDone;
     }
     const std::string_view near = glib::nearestCommand(arguments.word);
-    fmt::print(stderr, "glibra: error: there is no command '{}'{}\n", arguments.word,
-               near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+    printError(fmt::format("there is no command '{}'{}", arguments.word,
+                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
     return kWrongUsage;
 }
 

@@ -1,7 +1,8 @@
 
-#include <cstdio>
+#include <csignal>
 #include <exception>
 
+#include "base/standard_files.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 
@@ -28,10 +29,13 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
+    // A write beyond the limit of the shell (ulimit -f) fails with a message instead.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;
     }
 }

@@ -40,7 +40,7 @@ std::string readPoint(const std::string& text, std::map<int, double>& to) {
 }
 
 int refuse(const std::string& why) {
-    std::fprintf(stderr, "glibra: error: %s\n", why.c_str());
+    printError(why);
     return kWrongUsage;
 }
 

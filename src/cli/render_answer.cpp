@@ -1,6 +1,11 @@
 #include "cli/render_answer.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
+#include <exception>
+#include <new>
 
 namespace glibra::cli {
 namespace {
@@ -30,6 +35,8 @@ class Packer {
 class Unpacker {
   public:
     explicit Unpacker(std::string_view packed) : rest_(packed) {}
+    /// A worker that a scene has taken over may announce more than it sends.
+    [[nodiscard]] bool isAtEnd() const { return rest_.empty(); }
     int number() {
         int value = 0;
         const char* end = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value).ptr;
@@ -47,6 +54,10 @@ class Unpacker {
     std::string_view rest_;
 };
 
+Answer wrong(const std::string& scene, const char* id, const std::string& text) {
+    return {.status = kSceneIsWrong, .remarks = {{diagnose(id, text, {scene, 1, 1})}, {}}};
+}
+
 }  // namespace
 
 std::string pack(const Answer& answer) {
@@ -54,6 +65,11 @@ std::string pack(const Answer& answer) {
     packer.add(answer.status);
     packer.add(answer.explanation);
     packer.add(answer.statsJson);
+    packer.add(static_cast<int>(answer.shaders.size()));
+    for (const render::TranslatedShader& each : answer.shaders) {
+        packer.add(each.name);
+        packer.add(each.source);
+    }
     std::size_t count = answer.remarks.general.size();
     for (const auto& [frame, remarks] : answer.remarks.ofFrames) count += remarks.size();
     packer.add(static_cast<int>(count));
@@ -66,13 +82,18 @@ std::string pack(const Answer& answer) {
 Answer unpack(std::string_view packed) {
     Unpacker from(packed);
     Answer answer;
-    answer.status = from.number();
+    answer.status = std::clamp(from.number(), kDone, kNoDriver);
     answer.explanation = from.text();
     answer.statsJson = from.text();
-    for (int count = from.number(); count > 0; --count) {
+    for (int count = from.number(); count > 0 && !from.isAtEnd(); --count) {
+        std::string name = from.text();
+        answer.shaders.push_back({std::move(name), from.text()});
+    }
+    for (int count = from.number(); count > 0 && !from.isAtEnd(); --count) {
         const int frame = from.number();
         Diagnostic remark;
-        remark.severity = static_cast<Severity>(from.number());
+        remark.severity =
+            static_cast<Severity>(std::clamp(from.number(), 0, static_cast<int>(Severity::error)));
         remark.place.line = from.number();
         remark.place.column = from.number();
         remark.id = from.text();
@@ -82,6 +103,30 @@ Answer unpack(std::string_view packed) {
             .push_back(std::move(remark));
     }
     return answer;
+}
+
+Answer answerOf(const base::Outcome& outcome, const std::string& scene, const suite::Shot& picture,
+                const Deed& deed) {
+    if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
+    if (outcome.end == base::Outcome::End::timedOut)
+        return wrong(scene, "draw-E07",
+                     fmt::format("not {} within {:g} seconds (--timeout)", deed.participle, picture.timeout));
+    return wrong(
+        scene, "draw-E06",
+        fmt::format(
+            "the process that {} the scene ended {}{}", deed.past,
+            outcome.signal > 0 ? fmt::format("with signal {}", outcome.signal) : std::string("by itself"),
+            outcome.nearMemoryLimit ? ", perhaps because it reached its limit of memory (--memory)" : ""));
+}
+
+Answer guarded(const std::string& scene, const std::function<Answer()>& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return wrong(scene, "draw-E05", "out of memory (--memory)");
+    } catch (const std::exception& failure) {
+        return wrong(scene, "draw-E06", failure.what());
+    }
 }
 
 }  // namespace glibra::cli

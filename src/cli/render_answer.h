@@ -1,11 +1,17 @@
 #pragma once
-// The answer of a worker process of `glibra render`, as text for the pipe to its parent process.
+// The answer of a worker process of `glibra render` or `glibra check`, as text for the pipe to its parent
+// process.
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/workers.h"
 #include "cli/commands.h"
 #include "render/file/animation.h"
+#include "render/scene_renderer.h"
+#include "suite/suite.h"
 
 namespace glibra::cli {
 
@@ -13,12 +19,25 @@ namespace glibra::cli {
 struct Answer {
     int status = kDone;
     render::AnimationRemarks remarks{};
-    std::string explanation{};  ///< --explain
-    std::string statsJson{};    ///< --stats
+    std::string explanation{};                        ///< --explain
+    std::string statsJson{};                          ///< --stats
+    std::vector<render::TranslatedShader> shaders{};  ///< of glibra check
 };
 
 std::string pack(const Answer& answer);
 /// Reads what pack() wrote.
 Answer unpack(std::string_view packed);
+
+/// What a worker does, for messages: "drew" and "drawn".
+struct Deed {
+    std::string_view past, participle;
+};
+
+/// The worker's own answer, or the error that stands for one.
+Answer answerOf(const base::Outcome& outcome, const std::string& scene, const suite::Shot& picture,
+                const Deed& deed);
+
+/// Calls `work`. If it throws, the answer is the error that stands for the exception.
+Answer guarded(const std::string& scene, const std::function<Answer()>& work);
 
 }  // namespace glibra::cli

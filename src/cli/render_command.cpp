@@ -11,6 +11,7 @@
 #include "cli/render_scenes.h"
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"
+#include "cli/untrusted.h"
 #include "plan/uniforms.h"
 
 namespace glibra::cli {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 /// Checks what CLI11 cannot check, and renders.
 int run(RenderArguments& arguments) {
     if (arguments.output == "-" && (arguments.scenes.size() > 1 || arguments.frames > 1)) {
-        std::fprintf(stderr, "glibra: error: -o - writes one picture, not several\n");
+        printError("-o - writes one picture, not several");
         return kWrongUsage;
     }
     for (const std::string& each : arguments.picture.options.set) {
@@ -29,14 +30,16 @@ int run(RenderArguments& arguments) {
         print(parsed.diagnostics);
         if (!parsed) return kWrongUsage;
     }
+    if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.suite.suites.empty()) {
+        arguments.suite.untrusted = arguments.untrusted;
         arguments.suite.driver = arguments.driver;
         arguments.suite.jobs = arguments.jobs;
         arguments.suite.skip = arguments.picture.options.skip;
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty()) {
-        std::fprintf(stderr, "glibra: error: expected a scene (.glib), or a suite after --suite\n");
+        printError("expected a scene (.glib), or a suite after --suite");
         return kWrongUsage;
     }
     std::vector<fs::path>& roots = arguments.picture.options.libraryRoots;
@@ -73,11 +76,13 @@ void addRender(CommandLine& program, int& status) {
     addSelectionOptions(command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite);
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
+    addUntrustedOption(command, to.untrusted);
     command.option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
     excludePictureOptions(command, suite);
     for (const char* each : {"--frames", "--fps", "--explain", "--stats"}) suite.excludes(command.find(each));
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;
+        arguments->suite.memory = arguments->picture.memory;
         status = run(*arguments);
     });
 }

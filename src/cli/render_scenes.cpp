@@ -4,19 +4,22 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <new>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "base/memory_limit.h"
+#include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
+#include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -61,36 +64,71 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     return names;
 }
 
+constexpr Deed kDrawing{"drew", "drawn"};
+
 int jobsOf(const RenderArguments& arguments) {
     return arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
+}
+
+std::uint64_t memoryOf(const RenderArguments& arguments, std::size_t pieces) {
+    return arguments.picture.memory.value_or(base::memoryShare(jobsOf(arguments), pieces));
+}
+
+/// A worker's count, at most `most`, whatever the text is.
+int countIn(const std::string& text, int most) {
+    int count = 0;
+    std::from_chars(text.data(), text.data() + text.size(), count);
+    return std::clamp(count, 0, most);
 }
 
 /// The number of processes that share the frames of an animation. On a software rasteriser two processes with
 /// half of the frames each are faster than one with all its threads. Figures and explanations need one
 /// process.
-int partsOf(const RenderArguments& arguments) {
+/// The frames that differ are counted in a worker, since that reads the scene and its shaders. Without a
+/// value the worker did not answer in time, and the error is in `late`.
+std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox* sandbox,
+                           const std::function<bool()>& stop, Diagnostics& late) {
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
     const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
     if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
         gpu::mayUseHardware(arguments.driver))
         return 1;
-    const int different =
-        render::mostDifferentFrames(arguments.scenes.front(), arguments.picture.options, arguments.frames,
-                                    arguments.framesPerSecond, most * kLeastFrames);
-    return std::max(1, different / kLeastFrames);
+    std::optional<int> parts = 1;  // if the worker crashes, so does the one that draws, which is reported
+    const std::string& scene = arguments.scenes.front();
+    base::runInWorkers(
+        1,
+        {.timeout = arguments.picture.timeout,
+         .memory = memoryOf(arguments, 1),
+         .stop = stop,
+         .sandbox = sandbox},
+        [&](std::size_t, const base::Step&) {
+            return std::to_string(render::mostDifferentFrames(scene, arguments.picture.options,
+                                                              arguments.frames, arguments.framesPerSecond,
+                                                              most * kLeastFrames));
+        },
+        [&](std::size_t, const base::Outcome& outcome) {
+            if (outcome.end == base::Outcome::End::finished)
+                parts = std::max(1, countIn(outcome.answer, most * kLeastFrames) / kLeastFrames);
+            if (outcome.end == base::Outcome::End::timedOut) {
+                parts.reset();
+                late = answerOf(outcome, scene, arguments.picture, kDrawing).remarks.general;
+            }
+        },
+        [](std::size_t, const std::string&) {});
+    return parts;
 }
 
 /// Runs in the worker. It opens the context with its first job and keeps it.
 class JobRunner {
   public:
     /// Each scene is drawn in `parts` pieces.
-    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts)
-        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts) {}
+    JobRunner(const RenderArguments& arguments, std::vector<fs::path> outputs, std::size_t parts,
+              const StagingFolder* staging)
+        : arguments_(arguments), outputs_(std::move(outputs)), parts_(parts), staging_(staging) {}
 
     std::string operator()(std::size_t piece, const base::Step& step) {
         const std::size_t index = piece / parts_;
-        Answer answer;
         if (!context_) {
             suite::shareProcessors(jobsOf(arguments_), arguments_.scenes.size() * parts_);
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
@@ -99,7 +137,7 @@ class JobRunner {
         }
         render::Job job;
         job.scene = arguments_.scenes[index];
-        job.output = outputs_[index];
+        job.output = staging_ ? staging_->fileOf(piece, outputs_[index]) : outputs_[index];
         job.options = arguments_.picture.options;
         job.frames = arguments_.frames;
         job.framesPerSecond = arguments_.framesPerSecond;
@@ -107,28 +145,21 @@ class JobRunner {
         job.parts = static_cast<int>(parts_);
         job.explain = arguments_.explain;
         job.stats = !arguments_.statsFile.empty();
-        render::JobResult result;
-        try {
-            result = render::runJob(
+        return pack(guarded(arguments_.scenes[index], [&] {
+            render::JobResult result = render::runJob(
                 *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
-        } catch (const std::bad_alloc&) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E05", "out of memory", {job.scene.string(), 1, 1}));
-        } catch (const std::exception& failure) {
-            result.failed = true;
-            result.diagnostics.push_back(diagnose("draw-E06", failure.what(), {job.scene.string(), 1, 1}));
-        }
-        answer.status = result.failed ? kSceneIsWrong : kDone;
-        answer.remarks = {std::move(result.diagnostics), std::move(result.ofFrames)};
-        answer.explanation = std::move(result.explanation);
-        answer.statsJson = std::move(result.statsJson);
-        return pack(answer);
+            return Answer{.status = result.failed ? kSceneIsWrong : kDone,
+                          .remarks = {std::move(result.diagnostics), std::move(result.ofFrames)},
+                          .explanation = std::move(result.explanation),
+                          .statsJson = std::move(result.statsJson)};
+        }));
     }
 
   private:
     const RenderArguments& arguments_;
     std::vector<fs::path> outputs_;
     std::size_t parts_;
+    const StagingFolder* staging_;
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
@@ -139,7 +170,8 @@ class ProgressLine {
     ProgressLine(bool shown, std::size_t scenes, int frames)
         : shown_(shown && (scenes > 1 || frames > 1)), total_(scenes * static_cast<std::size_t>(frames)) {}
     void show(std::size_t done, const std::string& what) const {
-        if (shown_) std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, what.c_str());
+        if (shown_)
+            std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done, total_, base::printableText(what).c_str());
     }
     void clear() const {
         if (shown_) std::fputs("\r\033[K", stderr);
@@ -153,10 +185,14 @@ class ProgressLine {
 /// All scenes of one command: gives them to worker processes and collects the answers.
 class SceneBatch {
   public:
-    explicit SceneBatch(const RenderArguments& arguments)
+    /// Each scene is drawn in `parts` pieces, in the sandbox if there is one.
+    SceneBatch(const RenderArguments& arguments, std::size_t parts, std::optional<base::Sandbox> sandbox,
+               const Interruption& interruption)
         : arguments_(arguments),
+          interruption_(interruption),
           outputs_(outputFiles(arguments)),
-          parts_(static_cast<std::size_t>(partsOf(arguments))),
+          parts_(parts),
+          sandbox_(std::move(sandbox)),
           progress_(::isatty(STDERR_FILENO) == 1, arguments.scenes.size(), arguments.frames),
           stats_(arguments.scenes.size()),
           framesWritten_(arguments.scenes.size() * parts_) {}
@@ -166,25 +202,41 @@ class SceneBatch {
         std::error_code ignored;  // reported with the file that cannot be written
         for (const fs::path& each : outputs_)
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
-        JobRunner runner(arguments_, outputs_, parts_);
-        const Interruption interruption;
+        confine();
+        JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
         base::runInWorkers(
             framesWritten_.size(),
             {.workers = jobsOf(arguments_),
              .timeout = arguments_.picture.timeout,
-             .stop = [&] { return interruption.signal() != 0; }},
+             .memory = memoryOf(arguments_, framesWritten_.size()),
+             .stop = [this] { return interruption_.signal() != 0; },
+             .sandbox = sandbox_ ? &*sandbox_ : nullptr},
             std::ref(runner),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
-            [this](std::size_t piece, const std::string& text) { countFrames(piece, std::stoi(text)); });
+            [this](std::size_t piece, const std::string& text) {
+                countFrames(piece, countIn(text, arguments_.frames));
+            });
+        staging_.reset();
         progress_.clear();
         print(render::joined(remarks_));
-        interruption.obey();
+        interruption_.obey();
         if (arguments_.scenes.size() > 1) printSummary();
         if (!arguments_.statsFile.empty()) writeStats();
         return status_;
     }
 
   private:
+    /// With --untrusted the workers write to a folder of their own.
+    void confine() {
+        if (!sandbox_) return;
+        if (arguments_.output == "-") {
+            sandbox_->standardOutput = true;
+        } else {
+            staging_.emplace(outputs_.front().parent_path());
+            sandbox_->writable.push_back(staging_->path());
+        }
+    }
+
     void countFrames(std::size_t piece, int written) {
         doneCount_ += static_cast<std::size_t>(written - framesWritten_[piece]);
         framesWritten_[piece] = written;
@@ -197,14 +249,22 @@ class SceneBatch {
         // A worker that ends by itself cannot remove what it has half written.
         if (outcome.end != base::Outcome::End::finished)
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
+        Diagnostics undelivered;
+        if (staging_)
+            for (int frame = 0; frame < arguments_.frames; ++frame)
+                append(undelivered, staging_->deliver(
+                                        piece, render::frameFile(outputs_[index], frame, arguments_.frames)));
         if (outcome.end == base::Outcome::End::stopped) return;
-        Answer answer = answerOf(outcome, scene);
+        Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
+        if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
+        append(answer.remarks.general, std::move(undelivered));
         progress_.clear();
         if (parts_ > 1)
             remarks_.push_back(std::move(answer.remarks));
         else
             print(render::joined({answer.remarks}));
-        std::fwrite(answer.explanation.data(), 1, answer.explanation.size(), stdout);
+        const std::string explanation = base::printableText(answer.explanation, true);
+        std::fwrite(explanation.data(), 1, explanation.size(), stdout);
         std::fflush(stdout);
         stats_[index] = std::move(answer.statsJson);
         status_ = std::max(status_, answer.status);
@@ -215,28 +275,12 @@ class SceneBatch {
             progress_.show(doneCount_, scene);
     }
 
-    /// The worker's own answer, or the error that stands for one.
-    [[nodiscard]] Answer answerOf(const base::Outcome& outcome, const std::string& scene) const {
-        if (outcome.end == base::Outcome::End::finished) return unpack(outcome.answer);
-        const Place place{scene, 1, 1};
-        Answer answer{.status = kSceneIsWrong};
-        if (outcome.end == base::Outcome::End::timedOut)
-            answer.remarks.general = {diagnose(
-                "draw-E07",
-                fmt::format("not drawn within {:g} seconds (--timeout)", arguments_.picture.timeout), place)};
-        else
-            answer.remarks.general = {diagnose(
-                "draw-E06",
-                fmt::format("the process that drew the scene ended with signal {}", outcome.signal), place)};
-        return answer;
-    }
-
     void printSummary() const {
         std::string summary = fmt::format(
             "{} of {} scenes rendered", arguments_.scenes.size() - failed_.size(), arguments_.scenes.size());
         for (std::size_t i = 0; i < failed_.size(); ++i)
             summary += (i == 0 ? ", failed: " : ", ") + failed_[i];
-        std::fprintf(stderr, "%s\n", summary.c_str());
+        printLine(summary);
     }
 
     void writeStats() {
@@ -252,8 +296,11 @@ class SceneBatch {
     }
 
     const RenderArguments& arguments_;
+    const Interruption& interruption_;
     std::vector<fs::path> outputs_;
-    std::size_t parts_;  ///< pieces per scene
+    std::size_t parts_;
+    std::optional<base::Sandbox> sandbox_;
+    std::optional<StagingFolder> staging_;
     ProgressLine progress_;
     int status_ = kDone;
     std::vector<std::string> failed_;
@@ -266,7 +313,18 @@ class SceneBatch {
 }  // namespace
 
 int renderScenes(const RenderArguments& arguments) {
-    return SceneBatch(arguments).run();
+    const Interruption interruption;
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.untrusted) sandbox = sandboxOf(arguments.scenes, arguments.picture.options);
+    Diagnostics late;
+    const std::optional<int> parts = partsOf(
+        arguments, sandbox ? &*sandbox : nullptr, [&] { return interruption.signal() != 0; }, late);
+    interruption.obey();
+    if (parts)
+        return SceneBatch(arguments, static_cast<std::size_t>(*parts), std::move(sandbox), interruption)
+            .run();
+    print(late);
+    return kSceneIsWrong;
 }
 
 }  // namespace glibra::cli

@@ -22,6 +22,7 @@ struct RenderArguments {
     int jobs = 0;  ///< 0: one process per processor
     SuiteArguments suite;
     bool explain = false;
+    bool untrusted = false;
 };
 
 /// Renders the scenes and prints what went wrong. Returns the exit status: the worst of all scenes.

@@ -4,6 +4,7 @@
 #include <glibra/render.h>
 #include <glibra/result.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,10 +22,12 @@ struct SuiteArguments {
     std::vector<std::string> only;
     std::string shard;
     Driver driver = Driver::automatic;
-    int jobs = 0;                   ///< 0: one per processor
-    std::optional<double> timeout;  ///< seconds; nothing: what each shot states
+    int jobs = 0;                         ///< 0: one per processor
+    std::optional<double> timeout;        ///< seconds; nothing: what each shot states
+    std::optional<std::uint64_t> memory;  ///< bytes; nothing: what each shot states
     bool resume = false;
     bool skip = true;  ///< false: --no-skip
+    bool untrusted = false;
     /// Also runs the shots that others name by `match` and `differ`. With --update only the shots that --only
     /// names are replaced.
     bool withNamed = true;

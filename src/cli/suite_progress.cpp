@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/utf8.h"
+
 namespace glibra::cli {
 namespace {
 
@@ -58,7 +60,9 @@ void SuiteProgress::show(bool now) {
     const std::size_t full = total_ > 0 ? kBarWidth * done_ / total_ : kBarWidth;
     std::string line =
         fmt::format("[{:=<{}}{: <{}}] {}  {}", "", full, "", kBarWidth - full, figures(time), current_);
-    line.resize(std::min(line.size(), terminalWidth() - 1));
+    std::size_t end = std::min(line.size(), terminalWidth() - 1);
+    while (end > 0 && end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+    line.resize(end);
     std::fprintf(stderr, "\r\033[K%s", line.c_str());
 }
 
@@ -69,7 +73,7 @@ void SuiteProgress::add(bool failed) {
 }
 
 void SuiteProgress::begins(const std::string& name) {
-    current_ = name;
+    current_ = base::printableText(name);
     if (terminal_) show(false);
 }
 

@@ -17,7 +17,7 @@ class SuiteProgress {
     void add(bool failed);
     /// Shows the name of the shot that is being drawn.
     void begins(const std::string& name);
-    /// Prints a line above the bar.
+    /// Prints a line, or several, above the bar. The text is safe for a terminal: see commands.h.
     void print(const std::string& line);
     /// Removes the bar.
     void clear();

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/suite_progress.h"
+#include "cli/untrusted.h"
 
 namespace glibra::cli {
 
@@ -23,9 +23,20 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     options.driver = arguments.driver;
     options.jobs = arguments.jobs;
     options.timeout = arguments.timeout;
+    options.memory = arguments.memory;
     options.skip = arguments.skip;
     options.onlyRender = output;
     if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;
+
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.untrusted) {
+        std::vector<fs::path> folders;
+        for (const suite::Suite& each : selection->suites)
+            folders.push_back(several ? options.onlyRender / each.name : options.onlyRender);
+        sandbox = sandboxOf(*selection, {}, folders);
+        if (!sandbox) return kSceneIsWrong;
+        options.sandbox = &*sandbox;
+    }
 
     std::vector<suite::ShotReference> open;
     for (const suite::ShotReference& each : selection->shots) {
@@ -69,9 +80,9 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     if (open.size() < selection->shots.size())
         summary += fmt::format(", {} exist already", selection->shots.size() - open.size());
     for (std::size_t i = 0; i < failed.size(); ++i) summary += (i == 0 ? ", failed: " : ", ") + failed[i];
-    std::fprintf(stderr, "%s\n", summary.c_str());
+    printLine(summary);
     if (end.stopped) {
-        std::fprintf(stderr, "stopped; continue with --resume\n");
+        printLine("stopped; continue with --resume");
         interruption.obey();
     }
     return failed.empty() ? kDone : kSceneIsWrong;

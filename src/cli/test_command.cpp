@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -17,6 +18,7 @@
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
+#include "cli/untrusted.h"
 #include "image/file.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_words.h"
@@ -52,8 +54,7 @@ int report(const suite::RunResult& run, const TestArguments& arguments) {
     Diagnostics problems;
     if (!arguments.report.empty()) {
         append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report));
-        if (!hasError(problems))
-            std::fprintf(stderr, "report: %s\n", (fs::path(arguments.report) / "index.html").c_str());
+        if (!hasError(problems)) printLine("report: " + (fs::path(arguments.report) / "index.html").string());
     }
     if (!arguments.junit.empty()) {
         const std::string xml = suite::toJunit(run);
@@ -91,8 +92,9 @@ std::string utcNow() {
 /// The line to print for a shot while the run goes on; empty for a plain pass.
 std::string lineOf(const suite::ShotResult& shot) {
     if (shot.verdict == suite::Verdict::passed && !shot.changed) return {};
-    return fmt::format("{}: {}/{}{}{}", shot.changed ? "changed" : suite::name(shot.verdict), shot.suite,
-                       shot.shot, shot.reason.empty() ? "" : ": ", shot.reason);
+    return base::printableText(fmt::format("{}: {}/{}{}{}",
+                                           shot.changed ? "changed" : suite::name(shot.verdict), shot.suite,
+                                           shot.shot, shot.reason.empty() ? "" : ": ", shot.reason));
 }
 
 /// The names of all shots to judge.
@@ -115,17 +117,19 @@ suite::RunResult beginningOf(const TestArguments& arguments, const Selection& se
     return run;
 }
 
-suite::RunOptions runOptions(const TestArguments& arguments) {
+suite::RunOptions runOptions(const TestArguments& arguments, const std::optional<base::Sandbox>& sandbox) {
     suite::RunOptions options;
     options.driver = arguments.suites.driver;
     options.jobs = arguments.suites.jobs;
     options.timeout = arguments.suites.timeout;
+    options.memory = arguments.suites.memory;
     options.skip = arguments.picture.options.skip;
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
+    options.sandbox = sandbox ? &*sandbox : nullptr;
     return options;
 }
 
@@ -133,6 +137,15 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
+
+    std::optional<base::Sandbox> sandbox;
+    if (arguments.suites.untrusted) {
+        std::vector<fs::path> folders;
+        for (const suite::Suite& each : selection->suites)
+            folders.push_back(fs::path(arguments.results) / each.name);
+        sandbox = sandboxOf(*selection, arguments.goldens, folders);
+        if (!sandbox) return kSceneIsWrong;
+    }
 
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
@@ -161,8 +174,14 @@ int test(const TestArguments& arguments) {
         record->add(shot);
     };
     events.stop = [&] { return interruption.signal() != 0 || record->failed(); };
-    const suite::RunEnd end = suite::runShots(selection->suites, open, runOptions(arguments), events);
+    const suite::RunEnd end =
+        suite::runShots(selection->suites, open, runOptions(arguments, sandbox), events);
     progress.clear();
+    if (sandbox)
+        for (const fs::path& each : sandbox->writable) {
+            std::error_code notEmpty;
+            fs::remove(each, notEmpty);
+        }
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;
 
@@ -177,7 +196,7 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(status, report(run, arguments));
     if (end.stopped && interruption.signal() != 0) {
-        std::fprintf(stderr, "stopped; continue with --resume\n");
+        printLine("stopped; continue with --resume");
         interruption.obey();
     }
     return status;
@@ -185,7 +204,7 @@ int test(const TestArguments& arguments) {
 
 int runCommand(const TestArguments& arguments) {
     const auto refuse = [](const char* why) {
-        std::fprintf(stderr, "glibra: error: %s\n", why);
+        printError(why);
         return kWrongUsage;
     };
     if (!arguments.merge.empty()) {
@@ -195,6 +214,9 @@ int runCommand(const TestArguments& arguments) {
     if (arguments.suites.suites.empty()) return refuse("expected a suite: a TOML file or a folder of scenes");
     if ((arguments.force || arguments.variant) && !arguments.update)
         return refuse("--force and --variant need --update");
+    if (arguments.update && arguments.suites.untrusted)
+        return refuse("--untrusted writes no goldens, so it excludes --update");
+    if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
     return test(arguments);
 }
 
@@ -223,9 +245,12 @@ void addTest(CommandLine& program, int& status) {
     command.jobs(to.suites.jobs);
     command.driver(to.suites.driver);
     addPictureOption(command, "timeout", to.picture);
+    addPictureOption(command, "memory", to.picture);
     addPictureOption(command, "no-skip", to.picture);
+    addUntrustedOption(command, to.suites.untrusted);
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
+        arguments->suites.memory = arguments->picture.memory;
         arguments->command = commandLine();
         arguments->suites.withNamed = !arguments->update;
         status = runCommand(*arguments);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <thread>
 
 #include "cli/commands.h"
@@ -44,10 +43,8 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
             suite::ResultsWriter::open(folder, run, resume ? Start::resumed : Start::anew);
         if (!writer && isLocked(writer.diagnostics) && !stop()) {
             if (!reported)
-                std::fprintf(stderr,
-                             "another run is writing to '%s'; waiting for it (or choose another folder with "
-                             "--results)\n",
-                             folder.c_str());
+                printLine("another run is writing to '" + folder.string() +
+                          "'; waiting for it (or choose another folder with --results)");
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
             continue;
         }

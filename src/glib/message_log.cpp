@@ -10,16 +10,18 @@
 namespace glibra::glib {
 
 void MessageLog::report(const char* id, std::string text, Position position) {
-    const bool isError = severityOf(id) == Severity::error;
+    report(diagnose(id, std::move(text), {path_, position.line, position.column}));
+}
+
+void MessageLog::report(Diagnostic message) {
+    const bool isError = message.severity == Severity::error;
     ++count_;
     if (isError) ++errors_;
-    const bool kept = kept_.size() < kMostMessages;
-    if (!kept && (!isError || firstCutError_)) return;
-    Diagnostic message = diagnose(id, std::move(text), {path_, position.line, position.column});
-    if (kept) {
+    if (counted_ < kMostMessages) {
+        ++counted_;
         if (isError) ++keptErrors_;
         kept_.push_back(std::move(message));
-    } else {
+    } else if (isError && !firstCutError_) {
         firstCutError_ = std::move(message);
     }
 }
@@ -30,11 +32,14 @@ Diagnostics MessageLog::take() {
     };
     std::stable_sort(kept_.begin(), kept_.end(), byPlace);
     if (keptErrors_ == 0 && firstCutError_) {
-        kept_.back() = std::move(*firstCutError_);
+        const auto last = std::find_if(kept_.rbegin(), kept_.rend(), [](const Diagnostic& each) {
+            return each.severity == Severity::warning;
+        });
+        (last != kept_.rend() ? *last : kept_.back()) = std::move(*firstCutError_);
         keptErrors_ = 1;
     }
-    if (count_ > kept_.size()) {
-        std::string text = fmt::format("{} not shown", counted(count_ - kept_.size(), "more message"));
+    if (count_ > counted_) {
+        std::string text = fmt::format("{} not shown", counted(count_ - counted_, "more message"));
         const std::size_t cutErrors = errors_ - keptErrors_;
         if (cutErrors > 0) text += fmt::format(", {} of them", counted(cutErrors, "error"));
         const Place last = kept_.back().place;

@@ -1,11 +1,12 @@
 #pragma once
-// Collects the messages of the parser's stages. At most 100 messages per file are kept, so memory is bounded.
+// Collects the messages about one scene file. At most 100 are kept, so memory is bounded.
 
 #include <glibra/diagnostic.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "glib/script.h"
 
@@ -19,9 +20,12 @@ class MessageLog {
     explicit MessageLog(std::string path) : path_(std::move(path)) {}
 
     void report(const char* id, std::string text, Position position);
+    void report(Diagnostic message);
+    /// Keeps a message that the scene asks for, such as those of Verbose, beside the 100.
+    void keep(Diagnostic message) { kept_.push_back(std::move(message)); }
 
     /// True if a further error would only be counted, so its text is not needed.
-    [[nodiscard]] bool isFull() const { return kept_.size() >= kMostMessages && firstCutError_; }
+    [[nodiscard]] bool isFull() const { return counted_ >= kMostMessages && firstCutError_; }
 
     /// Errors reported so far, kept or not.
     [[nodiscard]] std::size_t errorCount() const { return errors_; }
@@ -35,6 +39,7 @@ class MessageLog {
     std::string path_;
     Diagnostics kept_;
     std::optional<Diagnostic> firstCutError_;
+    std::size_t counted_ = 0;  ///< those of kept_ that the limit counts
     std::size_t errors_ = 0;
     std::size_t keptErrors_ = 0;
     std::size_t count_ = 0;

@@ -31,7 +31,28 @@ std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, s
                         fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
                                     readableBytes(bytes), width, height, readableBytes(limits.texelBytes)),
                         label.place);
-    return std::nullopt;
+    return checkSceneBytes(bytes, limits, fmt::format("'{}'", label.name), label.place);
+}
+
+std::optional<Diagnostic> checkSceneBytes(std::uint64_t bytes, const Limits& limits, const std::string& what,
+                                          const Place& place) {
+    if (bytes <= limits.sceneBytesLeft) return std::nullopt;
+    return diagnose(
+        "draw-E08",
+        fmt::format("{} needs {}, but the textures of a scene may have {} together, and {} are left", what,
+                    readableBytes(bytes), readableBytes(kSceneTexelBytes),
+                    readableBytes(limits.sceneBytesLeft)),
+        place);
+}
+
+std::optional<Diagnostic> checkInflation(std::uint64_t width, std::uint64_t height, std::uint64_t fileBytes,
+                                         const FileLabel& label) {
+    // A blank fax of 8192 x 8192 pixels may have 1 KB, so pictures up to this size pass. Beyond it, a byte of
+    // TIFF with LZW holds 21,845 pixels at most, and every other common packing less.
+    constexpr std::uint64_t kAlwaysPass = std::uint64_t{8192} * 8192;
+    constexpr std::uint64_t kMostPerByte = 21'845;
+    if (width * height <= kAlwaysPass || width * height / kMostPerByte <= fileBytes) return std::nullopt;
+    return damaged(label, fmt::format("{} bytes cannot hold {} x {} pixels", fileBytes, width, height));
 }
 
 Diagnostic damaged(const FileLabel& label, const std::string& what) {

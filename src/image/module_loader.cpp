@@ -3,10 +3,13 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <new>
 #include <system_error>
 
+#include "base/workers.h"
 #include "image/convert.h"
 #include "image/module/abi.h"
 
@@ -51,30 +54,146 @@ Diagnostic notInstalled(Format format, const FileLabel& label) {
                     label.place);
 }
 
-/// The results of the module's callback.
-struct Reception {
-    Image image;
-    const Limits& limits;
+/// What the module has read: plain data, which may lie in memory that two processes share.
+struct Reading {
+    int result = kGlibraFailed;
+    bool hasSize = false;
+    std::uint64_t width = 0, height = 0;
+    Component type = Component::u8;
+    std::array<char, 500> message{};
+
+    [[nodiscard]] std::size_t bytes() const {
+        return static_cast<std::size_t>(width * height * 4 * bytesOf(type));
+    }
+};
+
+struct ReadingJob {
+    GlibraReadPicture read;
+    Format format;
+    std::span<const std::byte> file;
+    const fs::path& path;
     const FileLabel& label;
-    std::optional<Diagnostic> refusal;
+    const Limits& limits;
+};
+
+/// The reason why a picture of this size is not read.
+std::optional<Diagnostic> refusal(const Reading& reading, const ReadingJob& job) {
+    if (!reading.hasSize) return std::nullopt;
+    if (auto tooLarge =
+            checkSize(reading.width, reading.height, 4 * bytesOf(reading.type), job.limits, job.label))
+        return tooLarge;
+    return checkInflation(reading.width, reading.height, job.file.size(), job.label);
+}
+
+/// The context of the module's callback.
+struct Reception {
+    Reading& reading;
+    const ReadingJob& job;
+    const std::function<void*(std::size_t)>& memory;
 };
 
 /// No exception may pass through the module, so a lack of memory rejects the picture like any other problem.
 void* receive(void* context, std::uint64_t width, std::uint64_t height, int type) {
-    auto& reception = *static_cast<Reception*>(context);
-    Image& image = reception.image;
-    image.type = type == kGlibraU8 ? Component::u8 : type == kGlibraU16 ? Component::u16 : Component::f32;
+    const auto& [reading, job, memory] = *static_cast<Reception*>(context);
+    reading.hasSize = true;
+    reading.width = width;
+    reading.height = height;
+    reading.type = type == kGlibraU8 ? Component::u8 : type == kGlibraU16 ? Component::u16 : Component::f32;
     try {
-        reception.refusal =
-            checkSize(width, height, 4 * bytesOf(image.type), reception.limits, reception.label);
-        if (reception.refusal) return nullptr;
-        image.width = static_cast<int>(width);
-        image.height = static_cast<int>(height);
-        image.data.resize(image.rowBytes() * static_cast<std::size_t>(height));
+        return refusal(reading, job) ? nullptr : memory(reading.bytes());
     } catch (const std::bad_alloc&) {
         return nullptr;
     }
-    return image.data.data();
+}
+
+/// Calls the module. `memory` gives the place for so many bytes of pixels, or null.
+void readPixels(const ReadingJob& job, Reading& reading, const std::function<void*(std::size_t)>& memory) {
+    Reception reception{reading, job, memory};
+    const std::string formatName(openImageIoName(job.format));
+    GlibraReadRequest request{};
+    request.format = formatName.c_str();
+    request.path = job.path.empty() ? nullptr : job.path.c_str();
+    request.bytes = job.file.data();
+    request.size = job.file.size();
+    request.allocate = receive;
+    request.context = &reception;
+    request.message = reading.message.data();
+    request.messageSize = reading.message.size();
+    reading.result = job.read(&request);
+}
+
+Result<Image> pictureOf(const Reading& reading, const ReadingJob& job, std::vector<std::byte> pixels) {
+    if (auto refused = refusal(reading, job)) return *std::move(refused);
+    if (reading.result == kGlibraDone && pixels.size() == reading.bytes())
+        return Image{static_cast<int>(reading.width), static_cast<int>(reading.height), 4, reading.type,
+                     std::move(pixels)};
+    if (reading.result == kGlibraRefused || reading.result == kGlibraDone)
+        return damaged(job.label, "there is not enough memory to read it");
+    const auto end = std::find(reading.message.begin(), reading.message.end(), '\0');
+    return damaged(job.label,
+                   fmt::format("damaged or short file ({})",
+                               std::string_view(reading.message.data(),
+                                                static_cast<std::size_t>(end - reading.message.begin()))));
+}
+
+Result<Image> readHere(const ReadingJob& job) {
+    Reading reading;
+    std::vector<std::byte> pixels;
+    readPixels(job, reading, [&](std::size_t bytes) -> void* {
+        pixels.resize(bytes);
+        return pixels.data();
+    });
+    return pictureOf(reading, job, std::move(pixels));
+}
+
+/// Reads in a process of its own. The pixels come back through memory that both processes share.
+Result<Image> readContained(const ReadingJob& job, const base::CallLimits& limits) {
+    constexpr std::size_t kPixelsAt = 4096;
+    static_assert(sizeof(Reading) <= kPixelsAt);
+    const base::SharedMemory shared(kPixelsAt + static_cast<std::size_t>(job.limits.texelBytes));
+    if (shared.bytes().empty()) return damaged(job.label, "there is not enough memory to read it");
+    auto& reading = *new (shared.bytes().data()) Reading;
+    const std::span<std::byte> place = shared.bytes().subspan(kPixelsAt);
+    const base::CallEnd end = base::runContained(limits, [&] {
+        readPixels(job, reading,
+                   [&](std::size_t bytes) { return bytes <= place.size() ? place.data() : nullptr; });
+    });
+    using Kind = base::CallEnd::Kind;
+    if (end.kind == Kind::timedOut)
+        return diagnose("file-E11",
+                        fmt::format("'{}': not decoded within {:g} seconds", job.label.name, limits.seconds),
+                        job.label.place);
+    if (end.kind == Kind::died) {
+        const std::string how =
+            end.signal > 0 ? fmt::format("ended with signal {}", end.signal) : "could not finish";
+        return diagnose("file-E11", fmt::format("'{}': its decoder {}", job.label.name, how),
+                        job.label.place);
+    }
+    // From here on this process reads a copy, since the shared one is not trusted.
+    const Reading copy = reading;
+    std::vector<std::byte> pixels;
+    if (copy.result == kGlibraDone && copy.hasSize && !refusal(copy, job)) {
+        const auto whole = place.first(std::min(copy.bytes(), place.size()));
+        pixels.assign(whole.begin(), whole.end());
+    }
+    return pictureOf(copy, job, std::move(pixels));
+}
+
+/// The size that the header of a Photoshop file states. OpenImageIO reserves memory for all channels before
+/// it reports a size.
+std::optional<Diagnostic> checkPhotoshop(const ReadingJob& job) {
+    constexpr std::size_t kHeader = 26;
+    if (job.format != Format::photoshop || job.file.size() < kHeader) return std::nullopt;
+    const auto big = [&](std::size_t at, std::size_t bytes) {
+        std::uint64_t value = 0;
+        for (std::size_t i = at; i < at + bytes; ++i)
+            value = value << 8U | std::to_integer<std::uint64_t>(job.file[i]);
+        return value;
+    };
+    const std::uint64_t channels = big(12, 2), height = big(14, 4), width = big(18, 4), bits = big(22, 2);
+    if (auto tooLarge = checkSize(width, height, (channels * bits + 7) / 8, job.limits, job.label))
+        return tooLarge;
+    return checkInflation(width, height, job.file.size(), job.label);
 }
 
 }  // namespace
@@ -96,27 +215,12 @@ std::vector<fs::path> defaultModuleFolders() {
 
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const fs::path& path,
                            const FileLabel& label, const Limits& limits,
-                           std::span<const fs::path> moduleFolders) {
+                           std::span<const fs::path> moduleFolders, const base::CallLimits& decoder) {
     const auto module = loadModule(moduleFolders);
     if (!module) return notInstalled(format, label);
-
-    Reception reception{{}, limits, label, std::nullopt};
-    std::array<char, 500> message{};
-    const std::string formatName(openImageIoName(format));
-    GlibraReadRequest request{};
-    request.format = formatName.c_str();
-    request.path = path.empty() ? nullptr : path.c_str();
-    request.bytes = file.data();
-    request.size = file.size();
-    request.allocate = receive;
-    request.context = &reception;
-    request.message = message.data();
-    request.messageSize = message.size();
-    const int result = module->read(&request);
-    if (result == kGlibraDone) return std::move(reception.image);
-    if (reception.refusal) return *std::move(reception.refusal);
-    if (result == kGlibraRefused) return damaged(label, "there is not enough memory to read it");
-    return damaged(label, fmt::format("damaged or short file ({})", message.data()));
+    const ReadingJob job{module->read, format, file, path, label, limits};
+    if (auto refused = checkPhotoshop(job)) return *std::move(refused);
+    return base::isWorker() ? readHere(job) : readContained(job, decoder);
 }
 
 Diagnostics writeByModule(const Image& image, Format format, const fs::path& path, const FileLabel& label,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/contained_call.h"
 #include "image/format.h"
 #include "image/image.h"
 #include "image/limits.h"
@@ -20,11 +21,14 @@ namespace glibra::image {
 std::vector<std::filesystem::path> defaultModuleFolders();
 
 /// Reads a picture with the module: RGBA, u8, u16 or f32. `path` may be empty if the bytes come from inside
-/// another file. Errors: file-E03 the module is not installed, naming the format; file-E04 damaged; file-E09
-/// exceeds the limits.
+/// another file. The decoders are foreign code, so they run in a process of their own within the limits of
+/// `decoder`; in a worker (base::isWorker) they run directly, since it has limits itself. Errors: file-E03
+/// the module is not installed, naming the format; file-E04 damaged; file-E09 exceeds the limits; file-E11
+/// the decoder crashed or took too long.
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const std::filesystem::path& path,
                            const FileLabel& label, const Limits& limits,
-                           std::span<const std::filesystem::path> moduleFolders);
+                           std::span<const std::filesystem::path> moduleFolders,
+                           const base::CallLimits& decoder = {});
 
 /// Writes a picture with the module to exactly this path; not atomic. EXR and HDR become float, JPEG has
 /// quality 95; alpha and `comment` are dropped if the format has none. Errors: file-E03 the module is not

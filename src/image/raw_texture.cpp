@@ -117,6 +117,9 @@ Result<TexelBlock> decodeRawTexture(Bytes file, int dimensions, const FileLabel&
                                     describe(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
                                     readableBytes(limits.texelBytes)),
                         label.place);
+    if (auto over =
+            checkSceneBytes(file.size() - offset, limits, fmt::format("'{}'", label.name), label.place))
+        return *std::move(over);
 
     TexelBlock block;
     block.dimensions = shape.dimensions;

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 Result<Image> decodeJpeg(std::span<const std::byte> file, const FileLabel& label,
                          const ReadOptions& options) {
-    auto read =
-        readByModule(Format::jpeg, withoutMetadata(file), {}, label, options.limits, options.moduleFolders);
+    auto read = readByModule(Format::jpeg, withoutMetadata(file), {}, label, options.limits,
+                             options.moduleFolders, options.decoder);
     if (read && !hasEndOfImage(file)) return damaged(label, "the file ends before its pixels do");
     return read;
 }
@@ -44,7 +44,8 @@ Result<Image> decode(std::span<const std::byte> file, Format format, const fs::p
         case Format::jpeg:
             return decodeJpeg(file, label, options);
         default:
-            return readByModule(format, file, path, label, options.limits, options.moduleFolders);
+            return readByModule(format, file, path, label, options.limits, options.moduleFolders,
+                                options.decoder);
     }
 }
 

@@ -109,8 +109,9 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
     Diagnostics remarks;
     Component widest = Component::u8;
     std::uint64_t bytes = 0;
+    ReadOptions rest = options;
     for (const fs::path& path : six) {
-        auto face = readTexture(path, 2, place, options);
+        auto face = readTexture(path, 2, place, rest);
         append(remarks, std::move(face.diagnostics));
         if (!face) continue;  // all six faces are read, so that the messages of all come together
         const TexelBlock& first = faces.empty() ? *face : faces.front();
@@ -124,6 +125,7 @@ Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place
         }
         widest = std::max(widest, face->type);
         bytes += face->data.size();
+        rest.limits.sceneBytesLeft -= face->data.size();
         if (bytes > options.limits.texelBytes) {
             append(remarks,
                    {diagnose("file-E09",

@@ -72,6 +72,7 @@ FileIndex fileOf(Interpreter& in, const std::string& name, const Place& place) {
 
 Scene interpret(const glib::Script& script, const InterpretOptions& options) {
     Interpreter in{.script = script,
+                   .log = glib::MessageLog(script.path),
                    .scene = {},
                    .state = {},
                    .folders = searchFolders(script.path, options),
@@ -99,11 +100,7 @@ Scene interpret(const glib::Script& script, const InterpretOptions& options) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
     }
-    std::stable_sort(in.scene.diagnostics.begin(), in.scene.diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::pair(a.place.line, a.place.column) <
-                                std::pair(b.place.line, b.place.column);
-                     });
+    in.scene.diagnostics = in.log.take();
     return std::move(in.scene);
 }
 

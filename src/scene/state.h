@@ -14,6 +14,7 @@
 
 #include "geometry/list_mesh.h"
 #include "glib/command_table.h"
+#include "glib/message_log.h"
 #include "glib/script.h"
 #include "scene/file_lookup.h"
 #include "scene/interpret.h"
@@ -71,6 +72,7 @@ struct OpenList {
 /// One run over a script.
 struct Interpreter {
     const glib::Script& script;
+    glib::MessageLog log;
     Scene scene;
     State state;
     SearchFolders folders;
@@ -94,7 +96,13 @@ struct Interpreter {
     std::optional<std::pair<int, int>> windowSize;
 
     [[nodiscard]] Place place(const glib::Command& command) const { return script.place(command.position); }
-    void report(Diagnostic diagnostic) { scene.diagnostics.push_back(std::move(diagnostic)); }
+    /// Messages are limited in number, except notes, which the scene asks for.
+    void report(Diagnostic diagnostic) {
+        if (diagnostic.severity == Severity::note)
+            log.keep(std::move(diagnostic));
+        else
+            log.report(std::move(diagnostic));
+    }
     void reportAt(const glib::Command& command, std::string id, std::string text) {
         report(diagnose(std::move(id), std::move(text), place(command)));
     }

@@ -4,6 +4,7 @@
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -34,7 +35,9 @@ struct Shot {
     std::filesystem::path script;
     RenderOptions options;
     image::Tolerance tolerance;
-    double timeout = 300;           ///< seconds
+    double timeout = 300;  ///< seconds
+    /// Bytes that the process that draws may take; 0: no limit; nothing: base::memoryShare().
+    std::optional<std::uint64_t> memory;
     std::vector<std::string> tags;  ///< for --only tag:NAME
     std::optional<ExpectedError> expectedError;
     std::string match;   ///< another shot of the suite that must give the same picture, or empty

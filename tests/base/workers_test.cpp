@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <map>
@@ -74,6 +76,53 @@ TEST(Workers, APieceThatHangsIsEndedAndTheOthersGoOn) {
     EXPECT_EQ(log.outcomes.at(2).end, Outcome::End::finished);
 }
 
+/// Writes bytes to every pipe of this process, as code can that a shader has brought in.
+void writeToPipes(const std::string& bytes) {
+    for (int file = 3; file < 64; ++file) {
+        struct stat status {};
+        if (::fstat(file, &status) == 0 && S_ISFIFO(status.st_mode))
+            static_cast<void>(::write(file, bytes.data(), bytes.size()));
+    }
+}
+
+TEST(Workers, AMessageThatStopsInItsMiddleHoldsUpNobody) {
+    const Log log =
+        runAll(5, {.workers = 2, .timeout = 0.3}, [](std::size_t index, const Step&) -> std::string {
+            if (index == 1) {
+                writeToPipes("abc");
+                for (;;) ::pause();
+            }
+            return "good";
+        });
+    for (const auto& [index, outcome] : log.outcomes)
+        EXPECT_EQ(outcome.end, index == 1 ? Outcome::End::timedOut : Outcome::End::finished) << index;
+}
+
+TEST(Workers, AMessageThatIsNoneEndsItsWorker) {
+    for (const std::string& message :
+         {std::string("\xff\xff\xff\xff\1\0\0\0", 8), std::string("\0\0\0\0\xff\xff\xff\xff", 8)}) {
+        const Log log = runAll(5, {.workers = 2}, [&](std::size_t index, const Step&) -> std::string {
+            if (index == 1) {
+                writeToPipes(message);
+                for (;;) ::pause();
+            }
+            return "good";
+        });
+        for (const auto& [index, outcome] : log.outcomes)
+            EXPECT_EQ(outcome.end, index == 1 ? Outcome::End::crashed : Outcome::End::finished) << index;
+    }
+}
+
+TEST(Workers, LongMessagesArriveWhole) {
+    const Log log = runAll(3, {.workers = 2}, [](std::size_t index, const Step& step) {
+        for (int i = 0; i < 100; ++i) step(std::string(static_cast<std::size_t>(i) * 997, 's'));
+        return std::string(5'000'000 + index, static_cast<char>('a' + index));
+    });
+    for (const auto& [index, outcome] : log.outcomes)
+        EXPECT_EQ(outcome.answer, std::string(5'000'000 + index, static_cast<char>('a' + index)));
+    EXPECT_EQ(log.steps.at(2), 100);
+}
+
 TEST(Workers, EveryStepBeginsTheTimeLimitAnew) {
     const Log log =
         runAll(1, {.workers = 1, .timeout = 1.0}, [](std::size_t, const Step& step) -> std::string {
@@ -140,6 +189,40 @@ TEST(Workers, PassOverTheSignalsOfATerminal) {
         return std::string("alive");
     });
     EXPECT_EQ(log.outcomes.at(0).answer, "alive");
+}
+
+TEST(Workers, EveryPieceMayHaveALimitOfMemoryOfItsOwn) {
+    constexpr std::uint64_t kMuch = std::uint64_t{1} << 30;
+    const Log log = runAll(
+        3, {.workers = 1, .memoryOf = [](std::size_t index) { return index == 1 ? kMuch / 4 : 2 * kMuch; }},
+        [](std::size_t, const Step&) {
+            void* got = ::mmap(nullptr, kMuch, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+            if (got == MAP_FAILED) return std::string("refused");
+            ::munmap(got, kMuch);
+            return std::string("given");
+        });
+    EXPECT_EQ(log.outcomes.at(0).answer, "given");
+    EXPECT_EQ(log.outcomes.at(1).answer, "refused");
+    EXPECT_EQ(log.outcomes.at(2).answer, "given");
+}
+
+TEST(Workers, ACrashNearTheLimitOfMemoryIsReportedAsSuch) {
+    constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+    const Log log = runAll(2, {.workers = 1, .memory = kLimit}, [](std::size_t index, const Step&) {
+        std::string all(index == 0 ? kLimit * 3 / 4 : 1, 'x');
+        if (all.back() == 'x') ::raise(SIGKILL);
+        return all;
+    });
+    EXPECT_TRUE(log.outcomes.at(0).nearMemoryLimit);
+    EXPECT_FALSE(log.outcomes.at(1).nearMemoryLimit);
+}
+
+TEST(Workers, KnowThatTheyAreWorkers) {
+    EXPECT_FALSE(isWorker());
+    const Log log = runAll(1, {.workers = 1},
+                           [](std::size_t, const Step&) { return std::string(isWorker() ? "yes" : "no"); });
+    EXPECT_EQ(log.outcomes.at(0).answer, "yes");
+    EXPECT_FALSE(isWorker());
 }
 
 TEST(Workers, LongAnswersArriveWhole) {

@@ -46,6 +46,24 @@ TEST(Refusals, BuiltinRedeclaredWithAnotherType) {
     EXPECT_EQ("", glslangErrors(same));
 }
 
+TEST(Refusals, MacrosThatGrowWithoutBound) {
+    const auto doubling = [](int count) {
+        std::string text = "#version 330\n#define M0 1.\n";
+        for (int i = 1; i <= count; ++i)
+            text += "#define M" + std::to_string(i) + " M" + std::to_string(i - 1) + "+M" +
+                    std::to_string(i - 1) + "\n";
+        return text + "out vec4 o; void main() { o = vec4(M" + std::to_string(count) + "); }";
+    };
+    EXPECT_EQ("", ids(messages(Stage::fragment, doubling(10))));
+    EXPECT_EQ("glsl-E11", ids(messages(Stage::fragment, doubling(40))));
+
+    // Here the macros are few, but each use of a parameter copies the argument.
+    std::string copies = "#version 330\n#define F(x) ";
+    for (int i = 0; i < 200; ++i) copies += "+x";
+    copies += "\nout vec4 o; void main() { o = vec4(F(F(F(F(1.+2.+3.+4.))))); }";
+    EXPECT_EQ("glsl-E11", ids(messages(Stage::fragment, copies)));
+}
+
 TEST(Refusals, ReservedPrefix) {
     EXPECT_EQ("names beginning with 'glibra_' are reserved",
               textOf(messages(Stage::vertex,

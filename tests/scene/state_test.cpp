@@ -172,6 +172,31 @@ TEST(State, TheStackHolds256Matrices) {
               "257:1 glib-E15 PushMatrix: the limit is 256 matrices");
 }
 
+TEST(State, MessagesAreCappedAsThoseOfTheParserAre) {
+    std::string text = "Verbose\n";
+    for (int i = 0; i < 5'000; ++i) text += "PushMatrix\n";
+    const Diagnostics found = run(text).diagnostics;
+    std::size_t errors = 0, notes = 0;
+    for (const Diagnostic& each : found) {
+        errors += each.severity == Severity::error ? 1U : 0U;
+        notes += each.id == "glib-N02" ? 1U : 0U;
+    }
+    EXPECT_EQ(errors, 100U);
+    EXPECT_EQ(notes, 5'001U) << "what the scene asks for, a note per command, is not cut";
+    // 4744 are too deep, and one message says that all are open at the end.
+    EXPECT_EQ(found.back().text, "4645 more messages not shown, 4644 errors of them") << found.back().text;
+}
+
+TEST(State, AnErrorIsNotCutBehindWarnings) {
+    std::string text;
+    for (int i = 0; i < 120; ++i) text += "WindowSize " + std::to_string(300 + i) + " 300\n";
+    text += "Verbose\nPopMatrix\n";
+    const Diagnostics found = run(text).diagnostics;
+    EXPECT_TRUE(hasError(found));
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                            [](const Diagnostic& each) { return each.id == "glib-N02"; }));
+}
+
 TEST(State, MatricesThatLeaveTheRangeOfFloatsAreRefused) {
     const Scene scene = run("Scale 1e30\nScale 1e30\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "glib-E05");

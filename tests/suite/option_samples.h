@@ -36,6 +36,9 @@ inline void setSample(const OptionRow& row, Shot& shot) {
         void operator()(const ColorValue& color) const {
             color.member.edit(shot) = std::array{.1, 1. / 3, 1., .5};
         }
+        void operator()(const MemoryValue& memory) const {
+            memory.member.edit(shot) = std::uint64_t{1536} << 20U;
+        }
         void operator()(const FoldersValue& folders) const {
             folders.member.edit(shot) = {"lib one", "lib two"};
         }

@@ -67,9 +67,11 @@ void expectSurvives(Shot before, const std::string& what) {
         if (row.key.empty()) copyOption(row, before, read);
     EXPECT_EQ(read.options, before.options) << what << "\n" << lines;
     EXPECT_EQ(read.timeout, before.timeout) << what;
+    EXPECT_EQ(read.memory, before.memory) << what;
     const Shot after = parsed(reproduceCommand(read));
     EXPECT_EQ(after.options, before.options) << what << "\n" << reproduceCommand(read);
     EXPECT_EQ(after.timeout, before.timeout) << what;
+    EXPECT_EQ(after.memory, before.memory) << what;
     EXPECT_EQ(optionLines(after, folder.path()), lines) << what;
 }
 

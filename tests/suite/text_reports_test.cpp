@@ -5,13 +5,13 @@
 #include <cstring>
 #include <limits>
 
+#include "base/utf8.h"
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
 #include "suite/report/junit_report.h"
 #include "suite/report/small_heat_map.h"
 #include "suite/report/terminal_report.h"
-#include "suite/report/utf8.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {
@@ -121,7 +121,7 @@ TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
     RunResult run = maker.run();
     for (int i = 0; i < 300; ++i) run.shots.push_back(maker.shot());
     const std::string xml = toJunit(run);
-    EXPECT_TRUE(isUtf8(xml));
+    EXPECT_TRUE(base::isUtf8(xml));
     for (const char each : xml)
         ASSERT_TRUE(static_cast<unsigned char>(each) >= 0x20 || each == '\n' || each == '\t' || each == '\r');
     EXPECT_EQ(xml.find('\x7f'), std::string::npos);
@@ -129,16 +129,6 @@ TEST(Junit, NothingOfWhatXmlCannotHoldGetsIn) {
     EXPECT_EQ(occurrences(xml, "<"), occurrences(xml, ">"));
     EXPECT_EQ(occurrences(xml, "\"") % 2, 0);
     EXPECT_EQ(xml.find("</script>"), std::string::npos);
-}
-
-TEST(Utf8, KnowsWhatRfc3629Allows) {
-    for (const char* good : {"a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
-                             "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"})
-        EXPECT_TRUE(isUtf8(good)) << good;
-    for (const char* bad :
-         {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf0\x8f\xbf\xbf",
-          "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\xc3\x61"})
-        EXPECT_FALSE(isUtf8(bad));
 }
 
 TEST(Terminal, EndsWithTheSummary) {

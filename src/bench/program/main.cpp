@@ -4,6 +4,7 @@
 #include <exception>
 #include <optional>
 
+#include "base/standard_files.h"
 #include "bench/program/commands.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -53,10 +54,11 @@ int run(int argc, char** argv) {
 }  // namespace glibra::bench
 
 int main(int argc, char** argv) {
+    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
         return glibra::bench::run(argc, argv);
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        glibra::cli::printError(failure.what());
         return glibra::cli::kSceneIsWrong;
     }
 }

@@ -5,7 +5,6 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr std::size_t kMostSteps = 2'000'000;
 constexpr int kDeepest = 64;
 
 /// The index after the parenthesis that closes the one at `open`; tokens.size() + 1 if none does.
@@ -65,6 +64,8 @@ void MacroTable::expandInto(std::span<const ViewToken> tokens, std::vector<ViewT
         const auto found = token.kind == TokenKind::word ? macros_.find(token.text) : macros_.end();
         if (found == macros_.end() || depth > kDeepest || disabled_.contains(token.text) ||
             ++steps_ > kMostSteps) {
+            // Arguments are copied for each use of their parameter, so what they hold counts, too.
+            if (depth > 0) ++steps_;
             out.push_back(token);
             continue;
         }

@@ -39,8 +39,12 @@ class MacroTable {
     void undefine(std::string_view name);
     [[nodiscard]] bool isDefined(std::string_view name) const { return macros_.find(name) != macros_.end(); }
 
-    /// Appends the expansion of `tokens` to `out`. After some million steps names are no longer expanded.
+    /// Appends the expansion of `tokens` to `out`. After kMostSteps steps names are no longer expanded.
     void expand(std::span<const ViewToken> tokens, std::vector<ViewToken>& out);
+
+    /// True once there were so many steps that something was not expanded.
+    [[nodiscard]] bool isExhausted() const { return steps_ > kMostSteps; }
+    static constexpr std::size_t kMostSteps = 2'000'000;  // glsl-E11 states it
 
   private:
     void expandInto(std::span<const ViewToken> tokens, std::vector<ViewToken>& out, int depth);

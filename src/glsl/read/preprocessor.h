@@ -33,6 +33,8 @@ class Preprocessor {
     void text(const ViewToken& token) { pending_.push_back(token); }
     /// Expands the text added so far into the view of the stage.
     void flush();
+    /// True if the macros expand to more than the limit; the view is not complete then.
+    [[nodiscard]] bool isExhausted() const { return macros_.isExhausted(); }
     /// Performs #if, #ifdef, #ifndef, #elif, #else, #endif, #define and #undef; false for other directives.
     bool perform(std::string_view directive, const SourceLine& line);
     /// Gives `value` the integer with which the tokens of a line from `first` on begin; false if there is

@@ -35,6 +35,8 @@ class SourceReader {
         findVersion(tokens);
         addFile(tokens, 0);
         preprocessor_.flush();
+        if (preprocessor_.isExhausted())
+            report_.report("glsl-E11", "the macros expand to more than 2,000,000 tokens", stage_.start());
         stage_.edits.resize(stage_.tokens.size());
         for (const std::uint32_t each : blanked_) stage_.edits.remove(each);
         for (auto& [token, text2] : replaced_) stage_.edits.replace(token, std::move(text2));

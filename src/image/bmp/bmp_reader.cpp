@@ -100,6 +100,9 @@ Result<Image> decodeBmp(Bytes file, const FileLabel& label, const Limits& limits
 
     const bool packed =
         header.compression == BmpCompression::rle4 || header.compression == BmpCompression::rle8;
+    if (packed)
+        if (auto tooShort = checkInflation(header.width, header.height, file.size(), label))
+            return *std::move(tooShort);
     const Bytes data = file.subspan(header.dataOffset);
     const std::uint64_t rowBits = std::uint64_t{header.width} * header.bits;
     const std::uint64_t stride = (rowBits + 31) / 32 * 4;

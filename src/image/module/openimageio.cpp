@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -159,6 +162,15 @@ int readPicture(const GlibraReadRequest& request) {
     return kGlibraDone;
 }
 
+void writeFile(const char* path, const std::vector<unsigned char>& bytes) {
+    std::FILE* const file = std::fopen(path, "wb");
+    if (file == nullptr) throw Failure{std::strerror(errno)};
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    const int before = errno;
+    if (const bool closed = std::fclose(file) == 0; !written || !closed)
+        throw Failure{std::strerror(written ? errno : before)};
+}
+
 int writePicture(const GlibraWriteRequest& request) {
     quieten();
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.format);
@@ -180,10 +192,14 @@ int writePicture(const GlibraWriteRequest& request) {
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (request.comment != nullptr && *request.comment != 0)
         spec.attribute("ImageDescription", request.comment);
+    // Into memory first: not every writer of OpenImageIO notices that a disk is full.
+    OIIO::Filesystem::IOVecOutput memory;
+    const bool inMemory = output->supports("ioproxy") && output->set_ioproxy(&memory);
     if (!output->open(request.path, spec)) throw Failure{output->geterror()};
     const auto stride = static_cast<OIIO::stride_t>(typeOf(request.type).size()) * request.components;
     if (!output->write_image(typeOf(request.type), request.pixels, stride) || !output->close())
         throw Failure{output->geterror()};
+    if (inMemory) writeFile(request.path, memory.buffer());
     return kGlibraDone;
 }
 
@@ -193,6 +209,8 @@ int guarded(const Request* request, const Work& work) {
         return work(*request);
     } catch (const Failure& failure) {
         return fail(request->message, request->messageSize, failure.text.empty() ? "damaged" : failure.text);
+    } catch (const std::bad_alloc&) {
+        return kGlibraRefused;
     } catch (const std::exception& caught) {
         return fail(request->message, request->messageSize, caught.what());
     } catch (...) {

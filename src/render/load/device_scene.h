@@ -14,6 +14,7 @@
 #include "gpu/object/texture.h"
 #include "gpu/object/vertex_array.h"
 #include "image/image.h"
+#include "image/limits.h"
 #include "noise/texel_bytes.h"
 #include "plan/frame_plan.h"
 #include "render/load/programs.h"
@@ -106,6 +107,8 @@ class DeviceScene {
     Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key);
     NoiseTexels noiseTexels(const scene::NoiseSource& source, const Place& place);
     PictureTexels pictureTexels(const scene::Texture& texture, const scene::PictureSource& picture);
+    /// Takes the bytes of a texture from what is left for the scene; draw-E08 if it is not enough.
+    std::optional<Diagnostic> charge(std::uint64_t bytes, const scene::Texture& texture);
 
     const gpu::Context& context_;
     const scene::Scene& scene_;
@@ -125,6 +128,7 @@ class DeviceScene {
     std::map<scene::TextureIndex, scene::TextureIndex> sameTexture_;
     std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
     std::map<std::string, NoiseTexels> noiseAhead_;
+    std::uint64_t texelBytesLeft_ = image::kSceneTexelBytes;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
     std::map<bool, gpu::Sampler> samplers_;
     std::map<std::pair<plan::PlannedMeshIndex, plan::PlannedProgramIndex>, gpu::VertexArray> vertexArrays_;

@@ -113,7 +113,9 @@ DeviceScene::NoiseTexels DeviceScene::noiseTexels(const scene::NoiseSource& sour
     }
     stats_.add("files read", 1);
     const scene::FileReference& file = scene_.files[source.file];
-    Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place);
+    image::ReadOptions options;
+    options.limits.sceneBytesLeft = texelBytesLeft_;
+    Result<image::TexelBlock> read = image::readTexture(file.path, source.dimensions, place, options);
     if (!read) return std::move(read.diagnostics);
     noise::TexelBytes bytes(read->data.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::to_integer<std::uint8_t>(read->data[i]);
@@ -125,8 +127,24 @@ DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& text
     const StageTimer timer(stats_, "read");
     const std::vector<std::filesystem::path> paths = pathsOf(scene_, picture);
     stats_.add("files read", paths.size());
-    if (texture.target == scene::TextureTarget::cube) return image::readCubeMap(paths, texture.place);
-    return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place);
+    image::ReadOptions options;
+    options.limits.sceneBytesLeft = texelBytesLeft_;
+    PictureTexels read =
+        texture.target == scene::TextureTarget::cube
+            ? image::readCubeMap(paths, texture.place, options)
+            : image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
+    if (read) texelBytesLeft_ -= read->data.size();
+    return read;
+}
+
+std::optional<Diagnostic> DeviceScene::charge(std::uint64_t bytes, const scene::Texture& texture) {
+    image::Limits limits;
+    limits.sceneBytesLeft = texelBytesLeft_;
+    auto over = image::checkSceneBytes(
+        bytes, limits, fmt::format("the texture of unit {}", plan::slotText(texture.unit, texture.target)),
+        texture.place);
+    if (!over) texelBytesLeft_ -= bytes;
+    return over;
 }
 
 void DeviceScene::readAhead(scene::TextureIndex index) {
@@ -166,6 +184,9 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
     const bool isOwn = key.empty() || written_.contains(index);
     if (!isOwn)
         if (std::shared_ptr<const gpu::Texture> earlier = earlierTexture(key, texture)) {
+            const std::uint64_t bytes =
+                texelsOf(earlier->size(), texture.target) * gpu::bytesPerTexel(earlier->format());
+            if (auto over = charge(bytes, texture)) return {*std::move(over)};
             textures_.emplace(index, std::move(earlier));
             return {};
         }
@@ -205,6 +226,11 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
                                     {empty->width, empty->height, empty->depth});
 
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
+        const auto side = static_cast<std::uint64_t>(noise->size);
+        if (auto over = charge(side * side * (noise->dimensions == 3 ? side : 1) *
+                                   gpu::bytesPerTexel(gpu::TexelFormat::rgba16),
+                               texture))
+            return *std::move(over);
         auto ahead = noiseAhead_.extract(key);
         NoiseTexels texels = ahead ? std::move(ahead.mapped()) : noiseTexels(*noise, texture.place);
         const StageTimer timer(stats_, "noise");

@@ -14,6 +14,7 @@
 #include "glib/text.h"
 #include "suite/file/missing_folder.h"
 #include "suite/file/sweep.h"
+#include "suite/options/option_words.h"
 
 namespace glibra::suite {
 namespace {
@@ -65,6 +66,14 @@ struct OptionReader {
         if (const auto read = numbers(value, key, "[R, G, B] or [R, G, B, A]", 3, 4))
             color.member.edit(to.shot) = {(*read)[0], (*read)[1], (*read)[2],
                                           read->size() == 4 ? (*read)[3] : 1};
+    }
+    void operator()(const MemoryValue& memory) const {
+        const auto* text = value.as<std::string>();
+        const auto bytes = text ? parseMemory(*text) : std::nullopt;
+        if (bytes)
+            memory.member.edit(to.shot) = *bytes;
+        else
+            reader.wrongType(value, key, kMemoryForm);
     }
     void operator()(const FoldersValue& folders) const;
 

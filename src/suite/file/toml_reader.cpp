@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "base/suggest.h"
+#include "base/utf8.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "suite/file/toml_syntax.h"
-#include "suite/report/utf8.h"
 
 namespace glibra::suite {
 namespace {
@@ -239,7 +239,8 @@ void TomlReader::wrongType(const TomlValue& value, std::string_view name, std::s
 void TomlReader::report(const char* id, const std::string& text, Place place) {
     ++count_;
     if (problems_.size() < kMostMessages)
-        problems_.push_back(diagnose(id, printableText(text), std::move(place)));  // keys may have line ends
+        problems_.push_back(
+            diagnose(id, base::printableText(text), std::move(place)));  // keys may have line ends
 }
 
 Diagnostics TomlReader::take() {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "glib/text.h"
-#include "suite/report/utf8.h"
 
 namespace glibra::suite {
 namespace {
@@ -60,7 +60,7 @@ std::string syntaxMessage(std::string_view said, std::string_view text, std::siz
     constexpr std::string_view kPreamble = "Error while parsing ";
     if (said.starts_with(kPreamble)) said.remove_prefix(kPreamble.size());
     const std::string_view hint = syntaxHint(said, text, offset);
-    return fmt::format("not TOML: {}{}{}", printableText(said), hint.empty() ? "" : "; ", hint);
+    return fmt::format("not TOML: {}{}{}", base::printableText(said), hint.empty() ? "" : "; ", hint);
 }
 
 std::optional<std::size_t> endlessKey(std::string_view text) {

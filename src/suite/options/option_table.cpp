@@ -100,6 +100,12 @@ constexpr OptionRow kRows[] = {
      .value = NumberValue{kTo<&Shot::timeout>, 0, 1e6},
      .help = "seconds that one picture may take; 0 means no limit",
      .withSuite = true},
+    {.name = "memory",
+     .key = "memory",
+     .value = MemoryValue{kTo<&Shot::memory>},
+     .help = "memory that a process that works on pictures may take, as 512M or 2G; 0 means no limit; by "
+             "default half of the machine's, divided by the processes, but at least 2G",
+     .withSuite = true},
     {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
      "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
     {.name = "no-skip",
@@ -170,6 +176,7 @@ std::string placeholder(const OptionRow& row) {
                    [](const MatrixValue&) { return std::string("M"); },
                    [](const ObjectsValue&) { return std::string("LINE:M"); },
                    [](const ColorValue&) { return std::string("R,G,B[,A]"); },
+                   [](const MemoryValue&) { return std::string("SIZE"); },
                    [](const FoldersValue&) { return std::string("FOLDER"); }},
         row.value);
 }

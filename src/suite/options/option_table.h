@@ -6,6 +6,7 @@
 #include <glibra/render.h>
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -74,13 +75,18 @@ struct ObjectsValue {
 struct ColorValue {
     ShotMember<std::optional<std::array<double, 4>>> member;
 };
+/// Bytes, as "512M" or "2G"; 0 is no limit.
+struct MemoryValue {
+    ShotMember<std::optional<std::uint64_t>> member;
+};
 /// Folders; a suite states them relative to its own.
 struct FoldersValue {
     ShotMember<std::vector<std::filesystem::path>> member;
 };
 
-using OptionValue = std::variant<FlagValue, WholeValue, NumberValue, TimeValue, SizeValue, WordValue,
-                                 UniformsValue, MatrixValue, ObjectsValue, ColorValue, FoldersValue>;
+using OptionValue =
+    std::variant<FlagValue, WholeValue, NumberValue, TimeValue, SizeValue, WordValue, UniformsValue,
+                 MatrixValue, ObjectsValue, ColorValue, MemoryValue, FoldersValue>;
 
 struct OptionRow {
     std::string_view name;  ///< on the command line, after "--"; empty: the output file's ending decides

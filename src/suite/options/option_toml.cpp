@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "suite/options/option_words.h"
+
 namespace glibra::suite {
 namespace {
 
@@ -65,6 +67,9 @@ struct TomlWriter {
         return "{ " + text + " }";
     }
     std::string operator()(const ColorValue& color) const { return list(color.member.get(shot).value()); }
+    std::string operator()(const MemoryValue& memory) const {
+        return tomlText(memoryText(memory.member.get(shot).value()));
+    }
     std::string operator()(const FoldersValue& folders) const {
         std::string text;
         for (const fs::path& each : folders.member.get(shot))

@@ -16,6 +16,10 @@
 namespace glibra::suite {
 namespace {
 
+constexpr std::string_view kUnits = "KMGT";                       // 1024 to the power of 1, 2, 3, 4
+constexpr std::uint64_t kLeastMemory = std::uint64_t{64} << 20U;  // what a driver needs to start
+constexpr std::uint64_t kMostMemory = std::uint64_t{1} << 60U;
+
 /// The number that is the whole text.
 template <class T>
 std::optional<T> numberOf(std::string_view text) {
@@ -120,6 +124,12 @@ struct TextReader {
                                    values->size() == 4 ? (*values)[3] : 1};
         return {};
     }
+    std::string operator()(const MemoryValue& memory) const {
+        const auto bytes = parseMemory(text);
+        if (!bytes) return std::string(kMemoryForm);
+        memory.member.edit(shot) = *bytes;
+        return {};
+    }
     std::string operator()(const FoldersValue& folders) const {
         if (text.empty()) return "a folder";
         folders.member.edit(shot).emplace_back(text);
@@ -171,6 +181,9 @@ struct TextWriter {
     std::vector<std::string> operator()(const ColorValue& color) const {
         return {colorList(color.member.get(shot).value())};
     }
+    std::vector<std::string> operator()(const MemoryValue& memory) const {
+        return {memoryText(memory.member.get(shot).value())};
+    }
     std::vector<std::string> operator()(const FoldersValue& folders) const {
         std::vector<std::string> all;
         for (const std::filesystem::path& each : folders.member.get(shot)) all.push_back(each.string());
@@ -179,6 +192,26 @@ struct TextWriter {
 };
 
 }  // namespace
+
+std::optional<std::uint64_t> parseMemory(std::string_view text) {
+    const std::size_t unit = text.empty() ? text.npos : kUnits.find(text.back());
+    const auto number = numberOf<std::uint64_t>(text.substr(0, text.size() - (unit == text.npos ? 0 : 1)));
+    const std::uint64_t shift = unit == text.npos ? 0 : 10 * (unit + 1);
+    if (!number || *number > kMostMemory >> shift) return std::nullopt;
+    const std::uint64_t bytes = *number << shift;
+    if (bytes != 0 && bytes < kLeastMemory) return std::nullopt;
+    return bytes;
+}
+
+std::string memoryText(std::uint64_t bytes) {
+    std::string unit;
+    for (const char each : kUnits) {
+        if (bytes == 0 || bytes % 1024 != 0) break;
+        bytes /= 1024;
+        unit = each;
+    }
+    return std::to_string(bytes) + unit;
+}
 
 std::string readOptionText(const OptionRow& row, std::string_view text, Shot& shot) {
     const std::string expected = std::visit(TextReader{text, shot, row}, row.value);

@@ -1,6 +1,8 @@
 #pragma once
 // Options as words of a command line.
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,12 @@ std::vector<std::string> optionWords(const OptionRow& row, const Shot& shot);
 
 /// All options as one text for a POSIX shell, with a blank before each word.
 std::string optionArguments(const Shot& shot);
+
+/// Bytes from "512M" or "2G" (K, M, G, T: powers of 1024); nothing if it is not kMemoryForm.
+std::optional<std::uint64_t> parseMemory(std::string_view text);
+inline constexpr std::string_view kMemoryForm = "a size from 64M, as 512M or 2G, or 0";
+/// The shortest text that parseMemory() reads as these bytes.
+std::string memoryText(std::uint64_t bytes);
 
 /// As one word of a POSIX shell; quoted only where it has to be.
 std::string shellWord(std::string_view text);

@@ -9,9 +9,9 @@
 
 #include "embedded/report_page.h"
 #include "image/file.h"
+#include "suite/report/escape_xml.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
-#include "suite/report/utf8.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "suite/report/utf8.h"
+#include "suite/report/escape_xml.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {

@@ -7,13 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include "base/utf8.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
 #include "suite/golden/hash.h"
-#include "suite/report/utf8.h"
 #include "suite/results/results_file.h"
 
 namespace glibra::suite {
@@ -48,8 +48,8 @@ bool isOurs(std::string_view name) {
 std::string onlyUtf8(std::string_view text) {
     std::string valid;
     while (!text.empty()) {
-        const Character next = firstCharacter(text);
-        appendUtf8(valid, next.code);
+        const base::Character next = base::firstCharacter(text);
+        base::appendUtf8(valid, next.code);
         text.remove_prefix(next.bytes);
     }
     return valid;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/utf8.h"
 #include "glib/text.h"
 #include "image/read.h"
 #include "suite/report/small_heat_map.h"
-#include "suite/report/utf8.h"
 #include "suite/results/figures.h"
 #include "suite/results/results_file.h"
 
@@ -25,8 +25,8 @@ class Text {
     void shot(const ShotResult& shot, bool full) {
         const std::string_view paint = isFailure(shot.verdict) ? kRed : kYellow;
         line(painted(name(shot.verdict), paint) + " " +
-             painted(printableText(shot.suite + "/" + shot.shot), kBold) +
-             (reasonOf(shot).empty() ? "" : ": " + printableText(reasonOf(shot))));
+             painted(base::printableText(shot.suite + "/" + shot.shot), kBold) +
+             (reasonOf(shot).empty() ? "" : ": " + base::printableText(reasonOf(shot))));
         if (full) details(shot);
     }
 
@@ -59,9 +59,10 @@ class Text {
         }
         constexpr std::size_t kMost = 10;
         for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i)
-            line(printableText(toString(*all[i].warning)) +
+            line(base::printableText(toString(*all[i].warning)) +
                  painted(fmt::format(" in {}, as {}/{}", glib::counted(all[i].shots, "shot"),
-                                     printableText(all[i].first->suite), printableText(all[i].first->shot)),
+                                     base::printableText(all[i].first->suite),
+                                     base::printableText(all[i].first->shot)),
                          kGrey));
         if (all.size() > kMost) line(fmt::format("{} more warnings are not shown", all.size() - kMost));
     }
@@ -73,7 +74,7 @@ class Text {
 
   private:
     void details(const ShotResult& shot) {
-        for (const Diagnostic& each : shot.diagnostics) line("    " + printableText(toString(each)));
+        for (const Diagnostic& each : shot.diagnostics) line("    " + base::printableText(toString(each)));
         for (const Figure& figure : figures(shot)) {
             const std::string value = figure.beyond ? painted(figure.value, kRed) : figure.value;
             line(fmt::format("    {:<19} {}{}", figure.name, value,
@@ -90,7 +91,7 @@ class Text {
         line("");
     }
     void pair(std::string_view title, std::string_view value) {
-        if (!value.empty()) line(fmt::format("    {:<15} {}", title, printableText(value)));
+        if (!value.empty()) line(fmt::format("    {:<15} {}", title, base::printableText(value)));
     }
     void map(const ShotResult& shot) {
         if (options_.mapColumns < 1 || shot.difference.empty()) return;
@@ -124,14 +125,14 @@ std::string toText(const RunResult& run, const TextOptions& options) {
         text.line(fmt::format("the first {} failures are shown in full, {} more with one line each",
                               options.mostDetails, failures - options.mostDetails));
     if (const std::string missing = shortfall(run); !missing.empty())
-        text.line(text.painted("incomplete: " + printableText(missing), kRed));
+        text.line(text.painted("incomplete: " + base::printableText(missing), kRed));
     std::string summary = counts(run);
     if (changed > 0)
         summary +=
             fmt::format(" ({} differ in bits from an earlier run on this driver and processor)", changed);
     summary += fmt::format("; {} in {}", glib::counted(run.shots.size(), "shot"), readableTime(run.seconds));
-    if (!run.driver.empty()) summary += ", " + printableText(run.driver);
-    if (!run.shard.empty()) summary += ", shard " + printableText(run.shard);
+    if (!run.driver.empty()) summary += ", " + base::printableText(run.driver);
+    if (!run.shard.empty()) summary += ", shard " + base::printableText(run.shard);
     text.line(text.painted(summary, failures > 0 || !shortfall(run).empty() ? kRed : kGreen));
     return text.take();
 }

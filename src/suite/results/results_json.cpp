@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "suite/report/utf8.h"
+#include "base/utf8.h"
 #include "suite/results/results.h"
 
 namespace glibra::suite {
@@ -31,9 +31,9 @@ template <class Archive, class Value>
 void members(Archive& archive, Value& value);
 
 Json written(const std::string& text) {
-    if (isUtf8(text)) return text;
+    if (base::isUtf8(text)) return text;
     std::string characters;
-    for (const char byte : text) appendUtf8(characters, static_cast<unsigned char>(byte));
+    for (const char byte : text) base::appendUtf8(characters, static_cast<unsigned char>(byte));
     return {{"bytes", characters}};
 }
 Json written(const std::filesystem::path& path) {
@@ -118,7 +118,7 @@ struct Reader {
         to.clear();
         std::string_view rest = bytes->get_ref<const std::string&>();
         while (!rest.empty()) {
-            const Character next = firstCharacter(rest);
+            const base::Character next = base::firstCharacter(rest);
             if (next.code > 0xFF) fail("\"bytes\" holds a character above U+00FF");
             to += static_cast<char>(next.code);
             rest.remove_prefix(next.bytes);

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "base/memory_limit.h"
 #include "base/workers.h"
 #include "image/file.h"
 #include "suite/run/run_messages.h"
@@ -42,6 +43,7 @@ class Run {
 
     RunEnd run(std::span<const ShotReference> shots) {
         std::vector<ShotReference> open(shots.begin(), shots.end());
+        count_ = shots.size();
         while (!open.empty() && !stopped()) {
             round(open);
             std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
@@ -62,9 +64,15 @@ class Run {
         return options_.timeout.value_or(shotOf(reference).timeout);
     }
 
+    std::uint64_t memoryOf(const ShotReference& reference) const {
+        if (options_.memory) return *options_.memory;
+        return shotOf(reference).memory.value_or(base::memoryShare(jobs_, count_));
+    }
+
     void round(const std::vector<ShotReference>& open) {
         const auto joins = [&](std::size_t i) {
-            return timeoutOf(open[i]) == timeoutOf(open[i - 1]) && !suspicions_.isUnder(open[i]) &&
+            return timeoutOf(open[i]) == timeoutOf(open[i - 1]) &&
+                   memoryOf(open[i]) == memoryOf(open[i - 1]) && !suspicions_.isUnder(open[i]) &&
                    !suspicions_.isUnder(open[i - 1]);
         };
         plan_.pieces.clear();
@@ -77,7 +85,9 @@ class Run {
         const base::WorkerOptions options{
             .workers = jobs_,
             .timeoutOf = [this](std::size_t piece) { return timeoutOf(plan_.pieces[piece].front()); },
-            .stop = [this] { return stopped(); }};
+            .memoryOf = [this](std::size_t piece) { return memoryOf(plan_.pieces[piece].front()); },
+            .stop = [this] { return stopped(); },
+            .sandbox = options_.sandbox};
         base::runInWorkers(
             plan_.pieces.size(), options, std::ref(worker),
             [this](std::size_t piece, const base::Outcome& outcome) { pieceEnds(piece, outcome); },
@@ -90,12 +100,22 @@ class Run {
         if (const auto* driver = std::get_if<DriverIs>(&*message)) {
             end_.driver = driver->words;
         } else if (const auto* begins = std::get_if<Begins>(&*message)) {
+            if (!isOf(piece, begins->shot)) return;
             begun_[piece] = begins->shot;
             if (events_.begins) events_.begins(begins->shot);
         } else if (auto* done = std::get_if<Done>(&*message)) {
+            if (!isOf(piece, done->shot)) return;
+            done->result.suite = plan_.suites[done->shot.suite].name;
+            done->result.shot = shotOf(done->shot).name;
             if (done->accepted) accepted_[done->shot.suite].push_back(std::move(*done->accepted));
             finish(done->shot, done->result);
         }
+    }
+
+    /// A worker that a shader has taken over may send anything; it speaks for the shots of its piece only.
+    [[nodiscard]] bool isOf(std::size_t piece, const ShotReference& shot) const {
+        const std::vector<ShotReference>& shots = plan_.pieces[piece];
+        return std::find(shots.begin(), shots.end(), shot) != shots.end();
     }
 
     void finish(const ShotReference& shot, const ShotResult& result) {
@@ -147,11 +167,12 @@ class Run {
 
     [[nodiscard]] ShotResult endedBy(const ShotReference& blamed, const base::Outcome& outcome) const {
         const bool late = outcome.end == End::timedOut;
-        const std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
-                                   : outcome.signal > 0
-                                       ? fmt::format("the process that drew it ended with signal {} ({})",
-                                                     outcome.signal, signalName(outcome.signal))
-                                       : "the process that drew it ended by itself";
+        std::string reason = late ? fmt::format("not drawn within {:g} seconds", timeoutOf(blamed))
+                             : outcome.signal > 0
+                                 ? fmt::format("the process that drew it ended with signal {} ({})",
+                                               outcome.signal, signalName(outcome.signal))
+                                 : "the process that drew it ended by itself";
+        if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
         ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], shotOf(blamed),
                                               late ? Verdict::timedOut : Verdict::crashed, reason);
         result.accept.clear();
@@ -199,6 +220,7 @@ class Run {
     RunPlan plan_;
     RunEnd end_;
     int jobs_ = 1;
+    std::size_t count_ = 0;  ///< of the shots
     std::set<ShotReference> done_;
     Suspicions suspicions_;
     std::map<ShotReference, int> unexplained_;  ///< number of workers that ended before they began a shot

@@ -2,6 +2,7 @@
 // Draws the shots of suites in worker processes and judges them there, so that pictures never travel through
 // a pipe. A shot that crashes, hangs or runs out of memory affects only itself.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/sandbox.h"
 #include "suite/results/results.h"
 #include "suite/suite.h"
 
@@ -25,15 +27,17 @@ struct ShotReference {
 
 struct RunOptions {
     Driver driver = Driver::automatic;
-    int jobs = 0;                        ///< worker processes; 0: defaultJobs()
-    std::optional<double> timeout;       ///< seconds for every shot, instead of its own; 0: no limit
-    bool update = false;                 ///< pictures that differ replace their goldens
-    bool force = false;                  ///< ... even pictures of one colour or with NaN
-    bool skip = true;                    ///< false: also makes and draws what the pictures do not need
-    bool variant = false;                ///< ... for this family of drivers alone
-    std::filesystem::path goldens{};     ///< folder with one folder per suite, instead of the suites' own
-    std::filesystem::path results{};     ///< folder for the pictures of failures
-    std::filesystem::path onlyRender{};  ///< if not empty: no goldens, pictures are written here by name
+    int jobs = 0;                            ///< worker processes; 0: defaultJobs()
+    std::optional<double> timeout;           ///< seconds for every shot, instead of its own; 0: no limit
+    std::optional<std::uint64_t> memory;     ///< bytes for every shot, instead of its own; 0: no limit
+    bool update = false;                     ///< pictures that differ replace their goldens
+    bool force = false;                      ///< ... even pictures of one colour or with NaN
+    bool skip = true;                        ///< false: also makes and draws what the pictures do not need
+    bool variant = false;                    ///< ... for this family of drivers alone
+    std::filesystem::path goldens{};         ///< folder with one folder per suite, instead of the suites' own
+    std::filesystem::path results{};         ///< folder for the pictures of failures
+    std::filesystem::path onlyRender{};      ///< if not empty: no goldens, pictures are written here by name
+    const base::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`
 };
 
 struct RunEvents {

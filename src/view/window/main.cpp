@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/standard_files.h"
+#include "base/utf8.h"
 #include "cli/command_line.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/window/window.h"
@@ -46,7 +48,7 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
     arguments.options.libraryRoots = libraryRoots();
     int status = 0;
     for (const glibra::Diagnostic& each : glibra::view::runWindow(arguments)) {
-        std::fprintf(stderr, "%s\n", glibra::toString(each).c_str());
+        std::fprintf(stderr, "%s\n", glibra::base::printableText(glibra::toString(each)).c_str());
         if (each.severity != glibra::Severity::error) continue;
         status = each.id == "view-E02" || each.id == "gpu-E01" ? kNoDriver : kWrongUsage;
     }
@@ -89,6 +91,7 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (!glibra::base::openStandardFiles()) return kNoDriver;
     try {
         return start(argc, argv);
     } catch (const std::exception& failure) {

@@ -1,11 +1,12 @@
 #pragma once
-// Makes text of unknown origin (messages, names, scenes) valid for JSON, XML and terminals.
+// Text of unknown origin (messages, names, scenes) as UTF-8, and in a form that a terminal shows and does not
+// obey.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace glibra::suite {
+namespace glibra::base {
 
 /// One character of UTF-8.
 struct Character {
@@ -24,13 +25,11 @@ bool isUtf8(std::string_view text);
 /// Appends the character, which must be valid.
 void appendUtf8(std::string& text, std::uint32_t code);
 
-/// For XML 1.0 and HTML, in element content and in attributes with double quotes. The characters & < > " '
-/// are escaped. What XML cannot contain (most control characters, U+FFFE, U+FFFF, bytes that are not UTF-8)
-/// becomes U+FFFD.
-std::string escapeXml(std::string_view text);
-
-/// For a terminal. Control characters, which could move the cursor or change its state, become U+FFFD. A line
-/// end stays if `keepLines`; otherwise it becomes a blank.
+/// Returns the text for a terminal or a line of a log. What could move the cursor, change the terminal's
+/// state or reorder what is shown is written out: control characters and bytes that are not UTF-8 as \x1b, C1
+/// controls, directional marks, invisible characters and line separators as \u202e or \U000e0001. A tab
+/// becomes a blank. A line end stays if `keepLines`; otherwise it becomes a blank. The result is UTF-8, and
+/// the same function leaves it as it is.
 std::string printableText(std::string_view text, bool keepLines = false);
 
-}  // namespace glibra::suite
+}  // namespace glibra::base

@@ -1,15 +1,37 @@
-#include "suite/report/utf8.h"
+#include "base/utf8.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-namespace glibra::suite {
+#include <array>
+#include <iterator>
+
+namespace glibra::base {
 namespace {
 
 constexpr std::uint32_t kReplacement = 0xFFFD;
 
-constexpr bool isXmlCharacter(std::uint32_t code) {
-    return code == '\t' || code == '\n' || code == '\r' || (code >= 0x20 && code < 0x7F) ||
-           (code >= 0xA0 && code != 0xFFFE && code != 0xFFFF);
+struct Range {
+    std::uint32_t first, last;
+};
+/// Characters from U+0080 on that a terminal obeys, does not show, or shows in another order.
+constexpr std::array kUnsafe{
+    Range{0x80, 0x9F},        // C1 controls, such as U+009B for ESC [
+    Range{0x61C, 0x61C},      // Arabic letter mark
+    Range{0x200B, 0x200B},    // zero width space
+    Range{0x200E, 0x200F},    // directional marks
+    Range{0x2028, 0x202E},    // line separators, directional embeddings and overrides
+    Range{0x2060, 0x206F},    // invisible operators, directional isolates
+    Range{0xFEFF, 0xFEFF},    // byte order mark
+    Range{0xFFF9, 0xFFFB},    // interlinear annotation
+    Range{0xE0000, 0xE0FFF},  // tags
+};
+
+bool isUnsafe(std::uint32_t code) {
+    if (code < 0x20 || code == 0x7F) return true;
+    if ((code & 0xFFFEU) == 0xFFFE) return true;  // no characters, in every plane
+    for (const Range& each : kUnsafe)
+        if (code >= each.first && code <= each.last) return true;
+    return false;
 }
 
 }  // namespace
@@ -61,49 +83,26 @@ void appendUtf8(std::string& text, std::uint32_t code) {
     }
 }
 
-std::string escapeXml(std::string_view text) {
-    std::string escaped;
-    escaped.reserve(text.size());
-    while (!text.empty()) {
-        const Character next = firstCharacter(text);
-        switch (next.code) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            case '\'':
-                escaped += "&#39;";
-                break;
-            default:
-                appendUtf8(escaped, isXmlCharacter(next.code) ? next.code : kReplacement);
-        }
-        text.remove_prefix(next.bytes);
-    }
-    return escaped;
-}
-
 std::string printableText(std::string_view text, bool keepLines) {
     std::string printable;
     printable.reserve(text.size());
+    const auto to = std::back_inserter(printable);
     while (!text.empty()) {
         const Character next = firstCharacter(text);
-        if (next.code == '\t' || (next.code == '\n' && !keepLines))
+        if (!next.valid ||
+            (next.code != '\n' && next.code != '\t' && next.code < 0x80 && isUnsafe(next.code)))
+            fmt::format_to(to, "\\x{:02x}", static_cast<unsigned char>(text.front()));
+        else if (next.code == '\t' || (next.code == '\n' && !keepLines))
             printable += ' ';
-        else if (next.code == '\n' || (next.code >= 0x20 && isXmlCharacter(next.code)))
-            appendUtf8(printable, next.code);
+        else if (next.code == '\n' || !isUnsafe(next.code))
+            printable.append(text.substr(0, next.bytes));
+        else if (next.code < 0x10000)
+            fmt::format_to(to, "\\u{:04x}", next.code);
         else
-            appendUtf8(printable, kReplacement);
+            fmt::format_to(to, "\\U{:08x}", next.code);
         text.remove_prefix(next.bytes);
     }
     return printable;
 }
 
-}  // namespace glibra::suite
+}  // namespace glibra::base

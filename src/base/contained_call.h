@@ -1,0 +1,46 @@
+#pragma once
+// Runs one function in a process of its own, so that a function of foreign code that hangs, crashes or takes
+// all memory affects nothing else.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "base/memory_limit.h"
+
+namespace glibra::base {
+
+/// What a contained call may take.
+struct CallLimits {
+    double seconds = 60;                 ///< of time, and of processor time; 0: no limit
+    std::uint64_t memory = kLeastShare;  ///< bytes beyond what the calling process has; 0: no limit
+};
+
+struct CallEnd {
+    enum class Kind { finished, timedOut, died };
+    Kind kind = Kind::finished;
+    int signal = 0;  ///< that ended the process, if it died; 0: it exited, or it could not be started
+};
+
+/// Calls `work` in a forked process and waits for its end. Results come back through SharedMemory; nothing
+/// else that `work` changes is seen by the caller. `work` must not throw. May be called from any thread.
+CallEnd runContained(const CallLimits& limits, const std::function<void()>& work);
+
+/// Memory that a process shares with those that it forks. It is zero at first, and takes up space only where
+/// it is written.
+class SharedMemory {
+  public:
+    explicit SharedMemory(std::size_t size);
+    SharedMemory(const SharedMemory&) = delete;
+    SharedMemory& operator=(const SharedMemory&) = delete;
+    ~SharedMemory();
+
+    /// Empty if the system has not given it.
+    [[nodiscard]] std::span<std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::span<std::byte> bytes_;
+};
+
+}  // namespace glibra::base

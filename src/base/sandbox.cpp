@@ -1,0 +1,117 @@
+#include "base/sandbox.h"
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <string>
+
+#include "base/call_filter.h"
+#include "base/landlock.h"
+
+namespace glibra::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Closes all descriptors from 3 on but these. The parent's results file and other workers' pipes are among
+/// them.
+bool closeAllBut(std::vector<int> kept) {
+#ifdef SYS_close_range
+    std::sort(kept.begin(), kept.end());
+    unsigned next = 3;
+    const auto closeUpTo = [](unsigned first, unsigned last) {
+        return first > last || ::syscall(SYS_close_range, first, last, 0) == 0;
+    };
+    for (const int each : kept) {
+        const auto number = static_cast<unsigned>(each);
+        if (number < next) continue;
+        if (!closeUpTo(next, number - 1)) return false;
+        next = number + 1;
+    }
+    return closeUpTo(next, UINT_MAX);
+#else
+    return kept.empty();
+#endif
+}
+
+/// What drivers and the C library read and use, on this and other systems.
+void addSystem(Sandbox& sandbox) {
+    for (const char* each : {"/usr/lib",
+                             "/usr/lib64",
+                             "/usr/lib32",
+                             "/lib",
+                             "/lib64",
+                             "/usr/local/lib",
+                             "/usr/share/glvnd",
+                             "/usr/share/drirc.d",
+                             "/usr/share/libdrm",
+                             "/usr/share/egl",
+                             "/usr/share/nvidia",
+                             "/usr/share/zoneinfo",
+                             "/etc/glvnd",
+                             "/etc/drirc",
+                             "/etc/ld.so.cache",
+                             "/etc/ld.so.conf",
+                             "/etc/ld.so.conf.d",
+                             "/etc/ld.so.preload",
+                             "/etc/localtime",
+                             "/nix/store",
+                             "/run/opengl-driver",
+                             "/sys/devices",
+                             "/sys/dev/char",
+                             "/sys/bus/pci/devices",
+                             "/sys/class/drm",
+                             "/proc/cpuinfo",
+                             "/proc/meminfo",
+                             "/proc/stat",
+                             "/proc/sys/vm/overcommit_memory",
+                             "/proc/driver/nvidia",
+                             "/proc/modules",
+                             "/dev/urandom",
+                             "/dev/random"})
+        sandbox.readable.emplace_back(each);
+    for (const char* each : {"/dev/null", "/dev/zero", "/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset",
+                             "/dev/nvidia-uvm", "/dev/dxg"})
+        sandbox.devices.emplace_back(each);
+    for (int i = 0; i < 16; ++i) sandbox.devices.emplace_back("/dev/nvidia" + std::to_string(i));
+}
+
+}  // namespace
+
+std::string missingForSandbox() {
+    std::string missing = missingLandlock();
+    if (const std::string other = missingCallFilter(); !other.empty())
+        missing += (missing.empty() ? "" : "; ") + other;
+    return missing;
+}
+
+std::string enterSandbox(const Sandbox& sandbox, std::span<const int> kept) {
+#ifdef __linux__
+    const auto failed = [](const char* what) { return std::string(what) + ": " + std::strerror(errno); };
+    if (!closeAllBut({kept.begin(), kept.end()})) return failed("close_range");
+    const int null = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (null < 0) return failed("/dev/null");
+    for (const int each : {0, 1, 2})
+        if (!(each == 1 && sandbox.standardOutput) && ::dup2(null, each) < 0) return failed("/dev/null");
+    ::close(null);
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
+    Sandbox whole = sandbox;
+    addSystem(whole);
+    if (std::string problem = confineFiles(whole); !problem.empty()) return problem;
+    return filterCalls();
+#else
+    static_cast<void>(sandbox);
+    static_cast<void>(kept);
+    return missingForSandbox();
+#endif
+}
+
+}  // namespace glibra::base

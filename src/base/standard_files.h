@@ -1,0 +1,11 @@
+#pragma once
+// The descriptors 0, 1 and 2.
+
+namespace glibra::base {
+
+/// Opens /dev/null on those of the descriptors 0, 1 and 2 that are closed, so that no file or pipe of the
+/// program gets one of these numbers and is taken for standard output. Reading and writing still fail, as on
+/// a closed descriptor. Call it first in main. Returns false if a descriptor stays closed.
+bool openStandardFiles() noexcept;
+
+}  // namespace glibra::base

@@ -1,0 +1,57 @@
+#pragma once
+// --untrusted: the processes that read scenes of strangers are confined to what they need (base/sandbox.h).
+
+#include <glibra/diagnostic.h>
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/sandbox.h"
+#include "cli/command_line.h"
+#include "cli/suite_options.h"
+
+namespace glibra::cli {
+
+/// Adds --untrusted.
+void addUntrustedOption(CommandLine& command, bool& to);
+
+/// Prepares this process for confined workers: their driver has no cache on disk. Returns false if the system
+/// has no sandbox; the reason has been printed, and the exit status is kNoDriver.
+bool prepareUntrusted();
+
+/// What workers need that draw these scenes: the scenes' folders, the library folders that the file look-up
+/// searches, and the image module.
+base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options);
+
+/// The same for suites; their workers write only into `folders`, which are made if they do not exist. A suite
+/// may have been written by a stranger too, so its scenes, goldens and libraries must be below its own folder
+/// or the current one; `goldens` is a folder that the command line names. Without a value, the reason has
+/// been printed, and the exit status is kSceneIsWrong.
+std::optional<base::Sandbox> sandboxOf(const Selection& selection, const std::filesystem::path& goldens,
+                                       const std::vector<std::filesystem::path>& folders);
+
+/// A new hidden folder, the only one that confined workers of `glibra render` write to. Their files are moved
+/// out of it when they are complete. It is removed with the object.
+class StagingFolder {
+  public:
+    /// Makes the folder inside of this one.
+    explicit StagingFolder(const std::filesystem::path& parent);
+    StagingFolder(const StagingFolder&) = delete;
+    StagingFolder& operator=(const StagingFolder&) = delete;
+    ~StagingFolder();
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// Where the worker of a piece writes the file that will be `target`.
+    [[nodiscard]] std::filesystem::path fileOf(std::size_t piece, const std::filesystem::path& target) const;
+    /// Moves the file to its place, if there is one. Only ordinary files are moved, and only such are
+    /// replaced. Empty on success, otherwise one file-E10.
+    [[nodiscard]] Diagnostics deliver(std::size_t piece, const std::filesystem::path& target) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace glibra::cli
