@@ -11,6 +11,7 @@
 #include <memory>
 #include <thread>
 
+#include "base/contained.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -19,6 +20,7 @@
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
 #include "image/file.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_words.h"
 #include "suite/report/html_report.h"
@@ -36,23 +38,25 @@ struct TestArguments {
     bool update = false;
     bool force = false;
     bool variant = false;
+    bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     std::string report;
     std::string junit;
     std::string goldens;
     std::vector<std::string> merge;
+    std::vector<std::string> roots;
     std::string command;
 };
 
 /// Writes the reports and prints the summary. Returns the exit status.
-int report(const suite::RunResult& run, const TestArguments& arguments) {
+int report(const suite::RunResult& run, const TestArguments& arguments, const base::Roots& roots) {
     const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     Diagnostics problems;
     if (!arguments.report.empty()) {
-        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report));
+        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report, roots));
         if (!hasError(problems))
             std::fprintf(stderr, "report: %s\n", (fs::path(arguments.report) / "index.html").c_str());
     }
@@ -72,7 +76,11 @@ int merge(const TestArguments& arguments) {
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
-    return merged ? std::max(status, report(*merged, arguments)) : status;
+    // The results may come from anywhere, so what they name outside of their folders is shown only where the
+    // user says so.
+    base::Roots roots;
+    for (const std::string& each : arguments.roots) roots.add(each);
+    return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 
 /// The command line of this process, or empty if the system does not provide it.
@@ -125,6 +133,7 @@ suite::RunOptions runOptions(const TestArguments& arguments) {
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
+    options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
     return options;
@@ -134,6 +143,12 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
+    if (arguments.update && !arguments.allowOutside && arguments.goldens.empty()) {
+        Diagnostics problems;
+        for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
+        print(problems);
+        if (hasError(problems)) return kWrongUsage;
+    }
 
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
@@ -176,7 +191,8 @@ int test(const TestArguments& arguments) {
         status = kSceneIsWrong;
     }
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
-    status = std::max(status, report(run, arguments));
+    status = std::max(
+        status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
     if (end.stopped && interruption.signal() != 0) {
         std::fprintf(stderr, "stopped; continue with --resume\n");
         interruption.obey();
@@ -196,6 +212,7 @@ int runCommand(const TestArguments& arguments) {
     if (arguments.suites.suites.empty()) return refuse("expected a suite: a TOML file or a folder of scenes");
     if ((arguments.force || arguments.variant) && !arguments.update)
         return refuse("--force and --variant need --update");
+    if (!arguments.roots.empty()) return refuse("--root needs --merge; a run knows its folders");
     return test(arguments);
 }
 
@@ -221,7 +238,16 @@ void addTest(CLI::App& app, int& status) {
     command->add_option("--junit", to.junit, "file for a JUnit report (XML)");
     command->add_option("--goldens", to.goldens,
                         "folder with one folder of goldens per suite, instead of the suites' own");
+    command->add_flag(
+        "--allow-outside", to.allowOutside,
+        "let --update write goldens outside of the suite's folder, and follow goldens that are links "
+        "to such places");
     command->add_option("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    command
+        ->add_option("--root", to.roots,
+                     "with --merge: a folder of scenes, shaders or goldens that the report may show; may be "
+                     "repeated")
+        ->allow_extra_args(false);
     addJobsOption(*command, to.suites.jobs);
     addDriverOption(*command, to.suites.driver);
     addPictureOption(*command, "timeout", to.picture);

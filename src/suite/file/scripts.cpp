@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "glib/number.h"
 #include "glib/suggest.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
@@ -52,14 +53,20 @@ class ScriptFinder {
         return fs::is_regular_file(path, failure);
     }
 
-    std::vector<fs::path> fitting(const PlacedText& pattern) {
+    /// The files that match a pattern, or nothing if it was reported that there are none.
+    std::vector<fs::path> fitting(std::string_view key, const PlacedText& pattern) {
         const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
-        if (files) return *files;
-        reader_.report("suite-E11",
-                       fmt::format("{}: the search would look at more than 1,000,000 files",
-                                   glib::inQuotes(pattern.text)),
-                       pattern.place);
-        return {};
+        if (!files)
+            reader_.report(
+                "suite-E11",
+                fmt::format("{}: {} has too much to search; the limits are {} files and {} folders "
+                            "below each other",
+                            key, glib::inQuotes(pattern.text),
+                            glib::groupedText(static_cast<long long>(kMostSearched)), kDeepestSearch),
+                pattern.place);
+        else if (files->empty())
+            fitsNothing(key, pattern);
+        return files ? *files : std::vector<fs::path>();
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
@@ -86,14 +93,11 @@ class ScriptFinder {
     }
 
     void exclude(const PlacedText& pattern) {
-        const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty()) fitsNothing("except", pattern);
-        for (const fs::path& each : files) excluded_.insert(each.lexically_normal());
+        for (const fs::path& each : fitting("except", pattern)) excluded_.insert(each.lexically_normal());
     }
 
     void addFitting(const PlacedText& pattern) {
-        const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty()) fitsNothing("script", pattern);
+        const std::vector<fs::path> files = fitting("script", pattern);
         const fs::path fixed = folder_ / fixedFolder(pattern.text);
         for (const fs::path& each : files)
             add(each, each.lexically_relative(fixed).generic_string(), true, pattern.place);
