@@ -185,6 +185,12 @@ void Roots::add(const fs::path& folder) {
     if (!failed) put(named);
 }
 
+void Roots::addBelow(const fs::path& root, const fs::path& folder) {
+    Roots outer;
+    outer.add(root);
+    if (outer.contains(folder)) add(folder);
+}
+
 bool Roots::contains(const fs::path& file) const {
     std::error_code failed;
     const fs::path resolved = fs::canonical(file, failed);

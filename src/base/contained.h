@@ -56,8 +56,12 @@ int renameDurably(const std::filesystem::path& from, const std::filesystem::path
 /// The folders whose files may be shown: to a reader of a report, of a message, of a translated shader.
 class Roots {
   public:
-    /// A folder that does not exist is ignored.
+    /// A folder that does not exist is ignored. It may be reached through links, so it must be one that the
+    /// user named.
     void add(const std::filesystem::path& folder);
+    /// The same for a folder whose name somebody else chose: it is ignored unless it lies below `root` after
+    /// all links are resolved.
+    void addBelow(const std::filesystem::path& root, const std::filesystem::path& folder);
 
     /// True if the file lies below a root after all links are resolved, and nothing between them is hidden,
     /// as .git and .ssh are.

@@ -11,7 +11,6 @@
 #include <memory>
 #include <thread>
 
-#include "base/contained.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
@@ -50,7 +49,7 @@ struct TestArguments {
 };
 
 /// Writes the reports and prints the summary. Returns the exit status.
-int report(const suite::RunResult& run, const TestArguments& arguments, const base::Roots& roots) {
+int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
     const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
@@ -78,8 +77,11 @@ int merge(const TestArguments& arguments) {
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
     // The results may come from anywhere, so what they name outside of their folders is shown only where the
     // user says so.
-    base::Roots roots;
-    for (const std::string& each : arguments.roots) roots.add(each);
+    suite::ReportRoots roots;
+    for (const std::string& each : arguments.roots) {
+        roots.texts.add(each);
+        roots.pictures.add(each);
+    }
     return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 

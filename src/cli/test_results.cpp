@@ -110,13 +110,15 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
     failed_ = hasError(problems);
 }
 
-base::Roots shownRoots(std::span<const suite::Suite> suites, std::span<const suite::ShotReference> shots,
-                       const fs::path& goldens) {
-    base::Roots roots;
+suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
+                              std::span<const suite::ShotReference> shots, const fs::path& goldens) {
+    suite::ReportRoots roots;
     std::error_code ignored;
     for (const suite::Suite& suite : suites) {
-        roots.add(fs::is_directory(suite.file, ignored) ? suite.file : suite.file.parent_path());
-        roots.add(goldens.empty() ? suite.goldens : goldens / suite.name);
+        const fs::path folder = fs::is_directory(suite.file, ignored) ? suite.file : suite.file.parent_path();
+        roots.texts.add(folder);
+        roots.pictures.add(folder);
+        roots.pictures.add(goldens.empty() ? suite.goldens : goldens / suite.name);
     }
     std::set<std::pair<fs::path, std::vector<fs::path>>> seen;
     for (const suite::ShotReference& each : shots) {
@@ -124,8 +126,9 @@ base::Roots shownRoots(std::span<const suite::Suite> suites, std::span<const sui
         if (!seen.emplace(shot.script.parent_path(), shot.options.libraryRoots).second) continue;
         const scene::SearchFolders folders =
             scene::searchFolders(shot.script, {.libraryRoots = shot.options.libraryRoots});
-        for (const auto* some : {&folders.beside, &folders.library})
-            for (const fs::path& folder : *some) roots.add(folder);
+        roots.texts.add(folders.beside.back());
+        for (std::size_t i = 0; i < folders.library.size(); ++i)
+            roots.texts.addBelow(folders.roots[i], folders.library[i]);
     }
     return roots;
 }

@@ -170,8 +170,10 @@ std::optional<fs::path> libraryAbove(const fs::path& folder) {
 
 void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& sceneFolder) {
     const auto add = [&](const fs::path& folder) {
-        if (std::find(folders.library.begin(), folders.library.end(), folder) == folders.library.end())
-            folders.library.push_back(folder);
+        if (std::find(folders.library.begin(), folders.library.end(), folder) != folders.library.end())
+            return;
+        folders.library.push_back(folder);
+        folders.roots.push_back(root);
     };
     std::error_code failure;
     const fs::path inside = fs::absolute(root, failure).lexically_normal() / "glib";
@@ -252,7 +254,9 @@ std::vector<std::string> FolderListings::namesWithoutCase(const fs::path& folder
 base::Roots shownRoots(const SearchFolders& folders) {
     base::Roots roots;
     if (!folders.beside.empty()) roots.add(folders.beside.back());
-    for (const fs::path& folder : folders.library) roots.add(folder);
+    // A folder of scenes may hold a link `shaders` to any place.
+    for (std::size_t i = 0; i < folders.library.size(); ++i)
+        roots.addBelow(folders.roots[i], folders.library[i]);
     return roots;
 }
 

@@ -55,6 +55,7 @@ struct SearchFolders {
         beside;  ///< the folder of the including file (if any), then the scene's
     std::vector<std::filesystem::path>
         library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
+    std::vector<std::filesystem::path> roots;  ///< for each of `library` the library root that it belongs to
 };
 
 /// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then

@@ -131,6 +131,18 @@ TEST_F(BadInput, LinkError) {
                   {"vN", "a.vert", "a.frag", "[glsl-E02]"});
 }
 
+TEST_F(BadInput, ASceneThatIsALinkToAnotherKindOfFileIsNotRead) {
+    folder.write("secret", "TOP_SECRET 1\n");
+    folder.write("real.glib", "Sphere 1\n");
+    fs::create_symlink("secret", folder / "a.glib");
+    fs::create_symlink("real.glib", folder / "b.glib");
+    const Finished refused = glibra(folder.path(), "check a.glib");
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_NE(refused.err.find("glib-E14"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("TOP_SECRET"), std::string::npos) << refused.err;
+    EXPECT_EQ(glibra(folder.path(), "check b.glib").status, 0);
+}
+
 TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     folder.write("outside/secret.txt", "TOP_SECRET_token = hunter2;\n");
     folder.write("outside/good.frag",
@@ -168,8 +180,15 @@ TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());
     EXPECT_NE(translated.find("#error not shown"), std::string::npos);
     EXPECT_EQ(translated.find("TOP_SECRET"), std::string::npos);
-    fs::create_directories(folder / "lib");
-    fs::create_directory_symlink(folder / "outside", folder / "lib/shaders");
+    fs::create_directory_symlink(folder / "outside", folder / "scenes/shaders");
+    ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out").status, 0);
+    translated.clear();
+    for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());
+    EXPECT_NE(translated.find("#error"), std::string::npos) << "a link beside the scene makes no library";
+    fs::remove(folder / "scenes/shaders");
+    fs::create_directories(folder / "lib/shaders");
+    fs::copy(folder / "outside/good.frag", folder / "lib/shaders/good.frag");
+    scene("../lib/shaders/good.frag", "QuadXY 0 1 1 1");
     ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out", "GLIBRA_PATH=lib").status, 0);
     translated.clear();
     for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());

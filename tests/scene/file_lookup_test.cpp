@@ -278,7 +278,8 @@ TEST_F(FileLookup, OneBudgetForAllNamesOfASceneWithOneMessage) {
     for (int i = 0; i < 20'000; ++i) {
         const FileReference missing = find(fmt::format("picture-numbr-{:05}.bmp", i));
         EXPECT_EQ(missing.remarks.at(0).id, "file-E01");
-        EXPECT_EQ(idsOf(missing.remarks).find("file-W13") != std::string::npos, missing.remarks.size() > 1) << i;
+        EXPECT_EQ(idsOf(missing.remarks).find("file-W13") != std::string::npos, missing.remarks.size() > 1)
+            << i;
         reported += static_cast<int>(missing.remarks.size()) - 1;
     }
     EXPECT_EQ(reported, 1);

@@ -55,7 +55,8 @@ class Hostile : public testing::Test {
         writeText(folder / "project/scene.glib", "Sphere 1\n");
         writeText(folder / "project/.git/config", kSecret);
         fs::create_symlink(folder / "outside/secret.txt", folder / "project/link.glib");
-        roots.add(folder / "project");
+        roots.texts.add(folder / "project");
+        roots.pictures.add(folder / "project");
 
         const fs::path run = folder / "run";
         writeText(run / "s/a.got.png", png(1));
@@ -147,7 +148,7 @@ class Hostile : public testing::Test {
 
     Folder folder;
     std::string secretPicture;
-    base::Roots roots;
+    ReportRoots roots;
 };
 
 TEST_F(Hostile, NoMergeAndNoReportHoldsWhatLiesOutsideOfItsRoots) {
@@ -163,7 +164,8 @@ TEST_F(Hostile, NoMergeAndNoReportHoldsWhatLiesOutsideOfItsRoots) {
         ASSERT_EQ(merged->shots.size(), run.shots.size());
         for (const ShotResult& shot : merged->shots)
             for (const fs::path& each : {shot.got, shot.expected, shot.difference})
-                EXPECT_TRUE(each.empty() || *each.begin() != "pictures" || each.extension() == ".png") << each;
+                EXPECT_TRUE(each.empty() || *each.begin() != "pictures" || each.extension() == ".png")
+                    << each;
         EXPECT_FALSE(hasError(writeHtmlReport(*merged, into, report, roots)));
         EXPECT_FALSE(hasError(writeHtmlReport(run, folder / "run", direct, roots)));
         writeText(report / "text",
@@ -196,8 +198,12 @@ TEST_F(Hostile, TheTestCanFail) {
     ASSERT_FALSE(hasError(writeHtmlReport(run, folder / "run", folder / "report", roots)));
     EXPECT_NE(textOf(folder / "report/index.html").find("Sphere 1"), std::string::npos);
     EXPECT_FALSE(fs::is_empty(folder / "report/pictures"));
-    roots.add(folder / "outside");
+    roots.pictures.add(folder / "outside");
     run.shots[0].script = folder / "outside/secret.txt";
+    ASSERT_FALSE(hasError(writeHtmlReport(run, folder / "run", folder / "report", roots)));
+    EXPECT_EQ(textOf(folder / "report/index.html").find(kSecret), std::string::npos)
+        << "a folder of goldens shows no texts";
+    roots.texts.add(folder / "outside");
     ASSERT_FALSE(hasError(writeHtmlReport(run, folder / "run", folder / "report", roots)));
     EXPECT_NE(textOf(folder / "report/index.html").find(kSecret), std::string::npos);
 }

@@ -35,7 +35,12 @@ class ScriptFinder {
     std::vector<FoundScript> find() {
         for (const PlacedText& each : shot_.exceptions) exclude(each);
         for (const PlacedText& each : shot_.scripts) {
-            if (isFile(folder_ / each.text))
+            if (isFile(folder_ / each.text) && !isScene(folder_ / each.text))
+                reader_.report("suite-E10",
+                               fmt::format("script: {} is no scene; the name of a scene ends with '.glib'",
+                                           glib::inQuotes((folder_ / each.text).string())),
+                               each.place);
+            else if (isFile(folder_ / each.text))
                 add(folder_ / each.text, fs::path(each.text).filename().string(), shot_.isList, each.place);
             else if (isPattern(each.text))
                 addFitting(each);
@@ -53,9 +58,15 @@ class ScriptFinder {
         return fs::is_regular_file(path, failure);
     }
 
+    /// Messages about a scene quote it, so that a suite may name only files that are scenes by their names.
+    static bool isScene(const fs::path& path) { return glib::sameWord(path.extension().string(), ".glib"); }
+
     /// The files that match a pattern, or nothing if it was reported that there are none.
     std::vector<fs::path> fitting(std::string_view key, const PlacedText& pattern) {
-        const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
+        Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
+        // "a/**" matches pictures and shaders too.
+        if (files && key == "script")
+            std::erase_if(*files, [](const fs::path& each) { return !isScene(each); });
         if (!files)
             reader_.report(
                 "suite-E11",

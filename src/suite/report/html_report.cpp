@@ -124,7 +124,7 @@ std::string runDetails(const RunResult& run) {
 }  // namespace
 
 Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
-                            const std::filesystem::path& reportFolder, const base::Roots& roots) {
+                            const std::filesystem::path& reportFolder, const ReportRoots& roots) {
     ReportFiles files(resultsFolder, reportFolder, roots);
     std::vector<ShownShot> shown;
     shown.reserve(run.shots.size());

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "base/contained.h"
+#include "suite/report/report_files.h"
 #include "suite/results/results.h"
 
 namespace glibra::suite {
@@ -22,6 +22,6 @@ namespace glibra::suite {
 /// The warning result-W02 names a picture or a scene that cannot be read (at most 20 of them); the report
 /// mentions it too. Errors: file-E10.
 Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
-                            const std::filesystem::path& reportFolder, const base::Roots& roots = {});
+                            const std::filesystem::path& reportFolder, const ReportRoots& roots = {});
 
 }  // namespace glibra::suite

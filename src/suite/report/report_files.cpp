@@ -62,7 +62,7 @@ bool isPlain(const ShotResult& shot) {
     return (shot.verdict == Verdict::passed && !shot.changed) || shot.verdict == Verdict::skipped;
 }
 
-ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder, base::Roots roots)
+ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder, ReportRoots roots)
     : resultsFolder_(std::move(resultsFolder)),
       reportFolder_(std::move(reportFolder)),
       roots_(std::move(roots)) {
@@ -97,7 +97,7 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
 ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
                                           std::string_view ending, bool wantsPixels, ShownShot& shown) {
     if (picture.empty()) return {};
-    Result<std::vector<std::byte>> bytes = readNamed(picture, resultsFolder_, roots_);
+    Result<std::vector<std::byte>> bytes = readNamed(picture, resultsFolder_, roots_.pictures);
     if (!bytes) {
         remark(shown, shot, bytes.diagnostics.front().text);
         return {};
@@ -148,7 +148,8 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
     if (known == sourceOf_.end()) {
         // A results file may name any file of this machine, so only files below the roots are shown. Of
         // others the report has the name, and the diagnostics say why a scene cannot be read.
-        const Result<std::vector<std::byte>> bytes = readNamed(path, resultsFolder_, roots_, kLargestSource);
+        const Result<std::vector<std::byte>> bytes =
+            readNamed(path, resultsFolder_, roots_.texts, kLargestSource);
         if (!bytes) return;
         const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
         if (text.find('\0') != std::string_view::npos) return;

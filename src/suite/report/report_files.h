@@ -34,10 +34,16 @@ struct Source {
 /// True for a shot that is shown as a small picture only: a pass without changes, or a shot that was not run.
 bool isPlain(const ShotResult& shot);
 
+/// The folders, besides that of the results, whose files a report may show.
+struct ReportRoots {
+    base::Roots texts;     ///< scenes and shaders
+    base::Roots pictures;  ///< goldens
+};
+
 class ReportFiles {
   public:
     /// Pictures and texts are taken from the results folder and from below `roots` only; see readNamed.
-    ReportFiles(std::filesystem::path resultsFolder, std::filesystem::path reportFolder, base::Roots roots);
+    ReportFiles(std::filesystem::path resultsFolder, std::filesystem::path reportFolder, ReportRoots roots);
 
     /// Writes the pictures and pixels of a shot. `number` counts from 1 and names its files.
     ShownShot add(const ShotResult& shot, std::size_t number);
@@ -63,7 +69,7 @@ class ReportFiles {
     void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);
 
     std::filesystem::path resultsFolder_, reportFolder_;
-    base::Roots roots_;
+    ReportRoots roots_;
     std::set<std::string> written_;
     std::map<std::string, std::size_t> sourceOf_;
     std::vector<Source> sources_;
