@@ -46,6 +46,7 @@ function(glibra_add_golden_test name)
     endif()
     add_custom_target("${name}-update"
                       COMMAND glibra::program test "${suite}" ${options} --results "${results}" --update
+                              --allow-outside # the project names the suite itself
                       COMMENT "Golden pictures of ${name}"
                       USES_TERMINAL VERBATIM)
 endfunction()

@@ -20,6 +20,7 @@
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
 #include "image/file.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_words.h"
 #include "suite/report/html_report.h"
@@ -37,23 +38,25 @@ struct TestArguments {
     bool update = false;
     bool force = false;
     bool variant = false;
+    bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     std::string report;
     std::string junit;
     std::string goldens;
     std::vector<std::string> merge;
+    std::vector<std::string> roots;
     std::string command;
 };
 
 /// Writes the reports and prints the summary. Returns the exit status.
-int report(const suite::RunResult& run, const TestArguments& arguments) {
+int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
     const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     Diagnostics problems;
     if (!arguments.report.empty()) {
-        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report));
+        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report, roots));
         if (!hasError(problems)) printLine("report: " + (fs::path(arguments.report) / "index.html").string());
     }
     if (!arguments.junit.empty()) {
@@ -72,7 +75,14 @@ int merge(const TestArguments& arguments) {
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
-    return merged ? std::max(status, report(*merged, arguments)) : status;
+    // The results may come from anywhere, so what they name outside of their folders is shown only where the
+    // user says so.
+    suite::ReportRoots roots;
+    for (const std::string& each : arguments.roots) {
+        roots.texts.add(each);
+        roots.pictures.add(each);
+    }
+    return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 
 /// The command line of this process, or empty if the system does not provide it.
@@ -127,6 +137,7 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
+    options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
     options.sandbox = sandbox ? &*sandbox : nullptr;
@@ -137,6 +148,12 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
+    if (arguments.update && !arguments.allowOutside && arguments.goldens.empty()) {
+        Diagnostics problems;
+        for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
+        print(problems);
+        if (hasError(problems)) return kWrongUsage;
+    }
 
     std::optional<base::Sandbox> sandbox;
     if (arguments.suites.untrusted) {
@@ -194,7 +211,8 @@ int test(const TestArguments& arguments) {
         status = kSceneIsWrong;
     }
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
-    status = std::max(status, report(run, arguments));
+    status = std::max(
+        status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();
@@ -217,6 +235,7 @@ int runCommand(const TestArguments& arguments) {
     if (arguments.update && arguments.suites.untrusted)
         return refuse("--untrusted writes no goldens, so it excludes --update");
     if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
+    if (!arguments.roots.empty()) return refuse("--root needs --merge; a run knows its folders");
     return test(arguments);
 }
 
@@ -241,7 +260,14 @@ void addTest(CommandLine& program, int& status) {
     command.option("--junit", to.junit, "file for a JUnit report (XML)");
     command.option("--goldens", to.goldens,
                    "folder with one folder of goldens per suite, instead of the suites' own");
+    command.flag(
+        "--allow-outside", to.allowOutside,
+        "let --update write goldens outside of the suite's folder, and follow goldens that are links "
+        "to such places");
     command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    command.repeated("--root", to.roots,
+                     "with --merge: a folder of scenes, shaders or goldens that the report may show; may be "
+                     "repeated");
     command.jobs(to.suites.jobs);
     command.driver(to.suites.driver);
     addPictureOption(command, "timeout", to.picture);

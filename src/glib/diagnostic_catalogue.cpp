@@ -156,6 +156,8 @@ constexpr CatalogueRow kRows[] = {
     {"file-W10", "'noise3d.064.tex' does not hold 64 x 64 x 64 byte texels; it is ignored"},
     {"file-W11", "3 multipatch shapes skipped"},
     {"file-W12", "'Cow.obj' matches 'COW.obj' and 'cow.obj'; 'COW.obj' is used"},
+    {"file-W13",
+     "the scene names too many missing files; further names are looked up only as they are written"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},
@@ -186,6 +188,9 @@ constexpr CatalogueRow kRows[] = {
     {"suite-E18",
      "'a/start.toml' and 'b/start.toml' are both named 'start'; results and goldens need names of their own"},
     {"suite-E19", "no program of the scene has a uniform 'uNoiseAmpp'; did you mean 'uNoiseAmp'?"},
+    {"suite-E20",
+     "goldens: '../pictures' is outside of the suite's folder 'tests'; --allow-outside lets --update write "
+     "there"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
