@@ -11,14 +11,11 @@ set(bench_page_files page.html bench.css bench.js)
 list(TRANSFORM bench_page_files PREPEND ${PROJECT_SOURCE_DIR}/src/bench/report/page/)
 glibra_embed(glibra_bench bench_page ${bench_page_files})
 
-# The files of src/cli are those that it shares with glibra.
 file(GLOB bench_program_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/bench/program/*.cpp)
-add_executable(glibra_bench_program ${bench_program_sources} ${PROJECT_SOURCE_DIR}/src/cli/command_line.cpp
-                                    ${PROJECT_SOURCE_DIR}/src/cli/info_output.cpp ${PROJECT_SOURCE_DIR}/src/cli/print.cpp)
+add_executable(glibra_bench_program ${bench_program_sources})
 set_target_properties(glibra_bench_program PROPERTIES OUTPUT_NAME glibra-bench RUNTIME_OUTPUT_DIRECTORY
                                                                                ${PROJECT_BINARY_DIR})
 glibra_compile_options(glibra_bench_program)
 glibra_quick_to_compile(glibra_bench_program)
-target_compile_definitions(glibra_bench_program PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
-target_link_libraries(glibra_bench_program PRIVATE glibra_bench CLI11::CLI11)
+target_link_libraries(glibra_bench_program PRIVATE glibra_bench glibra_cli)
 install(TARGETS glibra_bench_program RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)

@@ -1,7 +1,7 @@
 # The GL loader, generated at build time from Debian's python3-glad (its Khronos registry comes with the package, so
-# this works offline). EGL itself is opened at run time, like OSMesa, and only a dozen of its functions are needed: of
-# its loader the generated header is used, for types and numbers. --debug puts a table of wrappers beside the table of
-# functions, by which calls are counted while somebody wants to know (gpu/context/call_counter.h).
+# this works offline). EGL itself is opened at run time, like OSMesa, and only a dozen of its functions are needed, so only
+# the header of its loader is used, for types and numbers. --debug adds a table of wrappers to the table of functions;
+# gpu/context/call_counter.h uses them to count calls.
 
 find_program(GLAD_PROGRAM glad REQUIRED)
 set(glad_dir ${PROJECT_BINARY_DIR}/glad)

@@ -4,9 +4,9 @@
 #                          [ONLY pattern...] [DRIVER auto|egl|egl-device|osmesa] [JOBS n] [LABELS label...])
 #
 # adds the CTest test NAME, which renders the shots of a suite (a TOML file, or a folder of scenes) with the installed
-# program and holds them against their golden pictures. Of shots that fail the folder NAME-report below the current binary
-# folder has a page to look at (index.html), and NAME-results/junit.xml has the results for a CI server. The target
-# NAME-update makes what differs the new golden.
+# program and compares them with their golden pictures. In the current binary folder, NAME-report/index.html is a page that
+# shows the shots that failed, and NAME-results/junit.xml has the results for a CI server. The target NAME-update accepts
+# pictures that differ as the new goldens.
 
 function(glibra_add_golden_test name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "SUITE;DRIVER;JOBS" "ONLY;LABELS")
@@ -46,6 +46,7 @@ function(glibra_add_golden_test name)
     endif()
     add_custom_target("${name}-update"
                       COMMAND glibra::program test "${suite}" ${options} --results "${results}" --update
+                              --allow-outside # the project names the suite itself
                       COMMENT "Golden pictures of ${name}"
                       USES_TERMINAL VERBATIM)
 endfunction()

@@ -3,7 +3,7 @@
 
 include(CMakePackageConfigHelpers)
 
-# The library: what include/glibra declares is defined in one file; of the rooms it takes what that file uses.
+# The library: what include/glibra declares is defined in one file. The linker takes from the rooms what that file uses.
 add_library(glibra SHARED ${PROJECT_SOURCE_DIR}/src/render/renderer.cpp)
 add_library(glibra::glibra ALIAS glibra)
 glibra_compile_options(glibra)

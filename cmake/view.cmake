@@ -17,6 +17,5 @@ set_target_properties(glibra_window PROPERTIES OUTPUT_NAME glibra-view RUNTIME_O
 glibra_compile_options(glibra_window)
 glibra_quick_to_compile(glibra_window)
 glibra_precompile(glibra_window glibra_window)
-target_compile_definitions(glibra_window PRIVATE GLIBRA_VERSION="${PROJECT_VERSION}")
-target_link_libraries(glibra_window PRIVATE glibra_view PkgConfig::imgui PkgConfig::glfw CLI11::CLI11 Threads::Threads)
+target_link_libraries(glibra_window PRIVATE glibra_view glibra_cli PkgConfig::imgui PkgConfig::glfw Threads::Threads)
 install(TARGETS glibra_window RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)

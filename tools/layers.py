@@ -2,9 +2,10 @@
 """Checks that no include runs upward.
 
 The rooms and their order are declared in CMakeLists.txt and cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
-itself, the rooms that it names, and the rooms that those name. Programs (src/cli and a room's folder program) may
-include every room and the command line, and no room may include them. Inside glsl the sub-folders have an order of their own. Prints
-each include that breaks the order, as file:line, and exits with status 1 if there is one.
+itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/view/window and a
+room's folder program) may include every room and the command line, and no room may include them. Inside glsl the
+sub-folders have an order of their own. Prints each include that breaks the order, as file:line, and exits with status 1
+if there is one.
 
     tools/layers.py
 """
@@ -48,7 +49,7 @@ def declared_rooms():
 
 def is_program(path):
     """True for files that belong to a program rather than to a room."""
-    return path.parts[0] == "cli" or path.parts[1] == "program"
+    return path.parts[0] == "cli" or path.parts[1] == "program" or path.parts[:2] == ("view", "window")
 
 
 def includes():

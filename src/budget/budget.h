@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "budget/contour_shift.h"
+#include "budget/decision.h"
 #include "budget/patch_error.h"
 #include "budget/sampling_model.h"
 #include "plan/frame_plan.h"
@@ -57,13 +58,6 @@ struct Request {
     std::function<std::optional<std::vector<Patch>>(std::size_t pass, std::size_t step,
                                                     std::span<const LevelValue> values)>
         patches{};
-};
-
-/// What was chosen or kept, and why; for --explain and --stats.
-struct Decision {
-    std::string what;  ///< "Sphere", "samples", "Noise3D"
-    std::string why;
-    Place place;
 };
 
 /// New numbers for the shape of one draw.

@@ -1,6 +1,6 @@
 #pragma once
-// Counts of meshes whose programs make more of the vertices than places, such as light. No theorem bounds
-// what a program does, so pictures with finer meshes tell.
+// Chooses counts of meshes whose programs compute more at the vertices than their places, such as light. No
+// theorem bounds what a program does, so the error is measured on pictures with finer meshes.
 
 #include <array>
 #include <functional>

@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -144,23 +142,23 @@ int run(CheckArguments& arguments) {
 
 }  // namespace
 
-void addCheck(CLI::App& app, int& status) {
+void addCheck(CommandLine& program, int& status) {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = addCommand(
-        app, "check", "parses scenes, finds their files, compiles and links their shaders; draws nothing",
+    CommandLine command = program.subcommand(
+        "check", "parses scenes, finds their files, compiles and links their shaders; draws nothing",
         "glibra check a.glib");
-    command->add_option("SCENE", arguments->scenes, "scene files (.glib)")->required();
-    addDriverOption(*command, arguments->driver);
-    addJobsOption(*command, arguments->jobs);
-    addPictureOption(*command, "timeout", arguments->picture);
-    addPictureOption(*command, "memory", arguments->picture);
-    addUntrustedOption(*command, arguments->untrusted);
-    addPictureOption(*command, "strict", arguments->picture);
-    addPictureOption(*command, "no-shim", arguments->picture);
-    command->add_option("--translated", arguments->translated,
-                        "folder for the shaders after translation, as the driver compiles them");
-    command->add_flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
-    command->callback([arguments, &status] { status = run(*arguments); });
+    command.list("SCENE", arguments->scenes, "scene files (.glib)").required();
+    command.driver(arguments->driver);
+    command.jobs(arguments->jobs);
+    addPictureOption(command, "timeout", arguments->picture);
+    addPictureOption(command, "memory", arguments->picture);
+    addUntrustedOption(command, arguments->untrusted);
+    addPictureOption(command, "strict", arguments->picture);
+    addPictureOption(command, "no-shim", arguments->picture);
+    command.option("--translated", arguments->translated,
+                   "folder for the shaders after translation, as the driver compiles them");
+    command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
+    command.onRun([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace glibra::cli

@@ -1,5 +1,6 @@
 #pragma once
-// The subcommands, one per file. Each adds itself to the command line and stores its exit status in `status`.
+// The subcommands, one per file. Each adds itself to the program's command line and stores its exit status in
+// `status`.
 
 #include <glibra/diagnostic.h>
 
@@ -8,11 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's own name
-class App;
-}
-
 namespace glibra::cli {
+
+class CommandLine;
 
 // Exit statuses. If several apply, the largest is used.
 inline constexpr int kDone = 0;
@@ -21,15 +20,15 @@ inline constexpr int kWrongUsage = 2;
 inline constexpr int kSceneIsWrong = 3;
 inline constexpr int kNoDriver = 4;
 
-void addRender(CLI::App& app, int& status);
-void addTest(CLI::App& app, int& status);
-void addCheck(CLI::App& app, int& status);
-void addCompare(CLI::App& app, int& status);
-void addView(CLI::App& app, int& status);
-void addNoise(CLI::App& app, int& status);
-void addBench(CLI::App& app, int& status);
-void addInfo(CLI::App& app, int& status);
-void addLanguage(CLI::App& app, int& status);
+void addRender(CommandLine& program, int& status);
+void addTest(CommandLine& program, int& status);
+void addCheck(CommandLine& program, int& status);
+void addCompare(CommandLine& program, int& status);
+void addView(CommandLine& program, int& status);
+void addNoise(CommandLine& program, int& status);
+void addBench(CommandLine& program, int& status);
+void addInfo(CommandLine& program, int& status);
+void addLanguage(CommandLine& program, int& status);
 
 // Names, messages and text of scenes go to a terminal or a log only through these four: what a terminal would
 // obey is written out (base::printableText).

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <future>
 #include <memory>
@@ -113,63 +112,60 @@ int run(CompareArguments& arguments) {
 
 }  // namespace
 
-void addCompare(CLI::App& app, int& status) {
+void addCompare(CommandLine& program, int& status) {
     auto arguments = std::make_shared<CompareArguments>();
     image::Tolerance& tolerance = arguments->tolerance;
-    CLI::App* command =
-        addCommand(app, "compare", "compares two pictures; the exit status is 1 if they differ",
-                   "glibra compare expected.png got.png --heatmap difference.png");
-    command->add_option("A", arguments->first, "picture file, the expected one")->required();
-    command->add_option("B", arguments->second, "picture file")->required();
+    CommandLine command =
+        program.subcommand("compare", "compares two pictures; the exit status is 1 if they differ",
+                           "glibra compare expected.png got.png --heatmap difference.png");
+    command.option("A", arguments->first, "picture file, the expected one").required();
+    command.option("B", arguments->second, "picture file").required();
     command
-        ->add_option("--heatmap", arguments->heatMap,
-                     "picture file that shows where and how much they differ; with --flip, the FLIP errors")
-        ->type_name("FILE");
+        .option("--heatmap", arguments->heatMap,
+                "picture file that shows where and how much they differ; with --flip, the FLIP errors")
+        .placeholder("FILE");
     command
-        ->add_option("--max", tolerance.largest,
-                     "difference that a component of every pixel may have, in 255ths")
-        ->check(CLI::Range(0.0, 255.0))
-        ->capture_default_str();
+        .option("--max", tolerance.largest, "difference that a component of every pixel may have, in 255ths")
+        .within(0.0, 255.0)
+        .withDefault();
     command
-        ->add_option("--fraction", tolerance.fraction,
-                     "fraction of the pixels that may differ by more than --max")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--cluster", tolerance.cluster, "how many of those pixels may touch each other")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command->add_option("--line", tolerance.line, "how many of those pixels may be in one row or column")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+        .option("--fraction", tolerance.fraction, "fraction of the pixels that may differ by more than --max")
+        .within(0.0, 1.0)
+        .withDefault();
+    command.option("--cluster", tolerance.cluster, "how many of those pixels may touch each other")
+        .atLeast(0)
+        .withDefault();
+    command.option("--line", tolerance.line, "how many of those pixels may be in one row or column")
+        .atLeast(0)
+        .withDefault();
     command
-        ->add_option("--bias", tolerance.bias,
-                     "mean difference that a block of 16 x 16 pixels may have, in 255ths")
-        ->check(CLI::Range(0.0, 255.0))
-        ->capture_default_str();
+        .option("--bias", tolerance.bias,
+                "mean difference that a block of 16 x 16 pixels may have, in 255ths")
+        .within(0.0, 255.0)
+        .withDefault();
     command
-        ->add_option("--flip", tolerance.flip,
-                     "mean FLIP (0 to 1) up to which pictures pass that exceed the limits above")
-        ->check(CLI::Range(0.0, 1.0));
+        .option("--flip", tolerance.flip, "mean FLIP up to which pictures pass that exceed the limits above")
+        .within(0.0, 1.0);
     command
-        ->add_option("--structure", tolerance.structure,
-                     "structural difference (0 to 1) up to which pictures pass that exceed the limits above; "
-                     "edges may move by a pixel")
-        ->check(CLI::Range(0.0, 1.0));
+        .option("--structure", tolerance.structure,
+                "structural difference up to which pictures pass that exceed the limits above; "
+                "edges may move by a pixel")
+        .within(0.0, 1.0);
     command
-        ->add_option("--relative", tolerance.relative,
-                     "float pictures, instead of --max: allowed difference as a part of the value")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command->add_option("--absolute", tolerance.absolute, "float pictures: allowed difference in addition")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command->add_flag("--exact", arguments->exact, "no pixel may differ; overrides all limits");
-    command->add_flag("--all", arguments->everything,
-                      "compute FLIP and the structural difference even if they are not needed");
-    command->add_flag("--json", arguments->json, "print the figures as JSON");
-    addPictureOption(*command, "timeout", arguments->limits);
-    addPictureOption(*command, "memory", arguments->limits);
-    command->callback([arguments, &status] { status = run(*arguments); });
+        .option("--relative", tolerance.relative,
+                "float pictures, instead of --max: allowed difference as a part of the value")
+        .atLeast(0)
+        .withDefault();
+    command.option("--absolute", tolerance.absolute, "float pictures: allowed difference in addition")
+        .atLeast(0)
+        .withDefault();
+    command.flag("--exact", arguments->exact, "no pixel may differ; overrides all limits");
+    command.flag("--all", arguments->everything,
+                 "compute FLIP and the structural difference even if they are not needed");
+    command.flag("--json", arguments->json, "print the figures as JSON");
+    addPictureOption(command, "timeout", arguments->limits);
+    addPictureOption(command, "memory", arguments->limits);
+    command.onRun([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace glibra::cli

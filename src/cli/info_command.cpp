@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -40,16 +39,16 @@ int run(const InfoArguments& arguments) {
 
 }  // namespace
 
-void addInfo(CLI::App& app, int& status) {
+void addInfo(CommandLine& program, int& status) {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* command =
-        addCommand(app, "info", "prints the driver, its limits and its capabilities", "glibra info --json");
-    addDriverOption(*command, arguments->driver);
-    command->add_flag(
+    CommandLine command = program.subcommand("info", "prints the driver, its limits and its capabilities",
+                                             "glibra info --json");
+    command.driver(arguments->driver);
+    command.flag(
         "--precision", arguments->precision,
         "measure the errors of the GLSL functions and compare them with the limits of the specification");
-    command->add_flag("--json", arguments->json, "print as JSON");
-    command->callback([arguments, &status] { status = run(*arguments); });
+    command.flag("--json", arguments->json, "print as JSON");
+    command.onRun([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace glibra::cli

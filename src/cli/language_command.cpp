@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <span>
@@ -99,22 +98,21 @@ int run(const LanguageArguments& arguments) {
 
 }  // namespace
 
-void addLanguage(CLI::App& app, int& status) {
+void addLanguage(CommandLine& program, int& status) {
     auto arguments = std::make_shared<LanguageArguments>();
-    CLI::App* command =
-        addCommand(app, "language", "lists the commands of the scene language, with defaults in [ ]",
-                   "glibra language Sphere");
-    command->add_option("COMMAND", arguments->word, "show only this command");
-    command->add_flag("--diagnostics", arguments->diagnostics,
-                      "list all diagnostics with their ids and an example");
-    command->add_flag("--words", arguments->words, "list all command words, one per line, for editors");
-    CLI::Option* markdown = command->add_flag(
-        "--markdown", arguments->markdown, "print the generated sections of the documentation as Markdown");
+    CommandLine command =
+        program.subcommand("language", "lists the commands of the scene language, with defaults in [ ]",
+                           "glibra language Sphere");
+    command.option("COMMAND", arguments->word, "show only this command");
+    command.flag("--diagnostics", arguments->diagnostics,
+                 "list all diagnostics with their ids and an example");
+    command.flag("--words", arguments->words, "list all command words, one per line, for editors");
+    const Option markdown = command.flag("--markdown", arguments->markdown,
+                                         "print the generated sections of the documentation as Markdown");
     command
-        ->add_option("--update", arguments->update,
-                     "with --markdown: replace the generated sections of these pages")
-        ->needs(markdown);
-    command->callback([arguments, &status] { status = run(*arguments); });
+        .list("--update", arguments->update, "with --markdown: replace the generated sections of these pages")
+        .needs(markdown);
+    command.onRun([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace glibra::cli

@@ -7,8 +7,12 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "expression/functions.h"
+#include "expression/name_table.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
@@ -249,16 +253,54 @@ std::string optionSection() {
     return text;
 }
 
+// ---- Expressions
+
+/// A table for each group; the forms of one function share a row.
+std::string functionSection() {
+    std::string text;
+    std::span<const expression::FunctionRow> rows = expression::functionTable();
+    std::optional<expression::FunctionGroup> group;
+    while (!rows.empty()) {
+        if (group != rows.front().group) {
+            text += fmt::format("{}**{}**\n\n| Forms | Value |\n|---|---|\n", group ? "\n" : "",
+                                expression::title(rows.front().group));
+            group = rows.front().group;
+        }
+        // A row without a summary is another form of the row before.
+        std::size_t forms = 1;
+        while (forms < rows.size() && rows[forms].summary.empty()) ++forms;
+        std::vector<std::string> prototypes;
+        for (const expression::FunctionRow& each : rows.first(forms))
+            prototypes.push_back(fmt::format("`{}`", each.prototype));
+        text += fmt::format("| {} | {} |\n", joined(prototypes, "<br>"), cell(rows.front().summary));
+        rows = rows.subspan(forms);
+    }
+    return text;
+}
+
+std::string nameSection() {
+    std::string text = "| Name | Type | Value |\n|---|---|---|\n";
+    for (const expression::NameRow& each : expression::sceneNames())
+        text +=
+            fmt::format("| `{}` | {} | {} |\n", each.path, expression::name(each.type), cell(each.summary));
+    for (const expression::NameRow& each : expression::cameraFields())
+        text += fmt::format("| `camera.{}` | {} | {} |\n", each.path, expression::name(each.type),
+                            cell(each.summary));
+    return text;
+}
+
 struct Section {
     std::string_view name;
     std::string (*make)();
 };
 
-constexpr std::array<Section, 6> kSections{{
+constexpr std::array<Section, 8> kSections{{
     {"commands", commandSection},
     {"primitives", primitiveSection},
     {"formats", formatSection},
     {"supplied", suppliedSection},
+    {"functions", functionSection},
+    {"names", nameSection},
     {"diagnostics", diagnosticSection},
     {"options", optionSection},
 }};

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 
 #include <csignal>
 #include <exception>
@@ -10,26 +9,21 @@
 namespace {
 
 int run(int argc, char** argv) {
-    CLI::App app{"glibra runs GLIB shader scenes"};
-    glibra::cli::setExample(app, "glibra render glib/start/teapot.glib");
-    app.set_version_flag("--version", "glibra " GLIBRA_VERSION);
-    app.require_subcommand(1);
+    glibra::cli::Program program("glibra runs GLIB shader scenes", "glibra render glib/start/teapot.glib");
+    program.version("glibra " GLIBRA_VERSION);
+    program.requireSubcommand();
+    glibra::cli::CommandLine line = program.line();
     int status = glibra::cli::kDone;
-    try {
-        glibra::cli::addRender(app, status);
-        glibra::cli::addTest(app, status);
-        glibra::cli::addView(app, status);
-        glibra::cli::addCheck(app, status);
-        glibra::cli::addCompare(app, status);
-        glibra::cli::addNoise(app, status);
-        glibra::cli::addBench(app, status);
-        glibra::cli::addInfo(app, status);
-        glibra::cli::addLanguage(app, status);
-        app.parse(argc, argv);
-        return status;
-    } catch (const CLI::ParseError& wrong) {
-        return glibra::cli::reportUsage(app, wrong);
-    }
+    glibra::cli::addRender(line, status);
+    glibra::cli::addTest(line, status);
+    glibra::cli::addView(line, status);
+    glibra::cli::addCheck(line, status);
+    glibra::cli::addCompare(line, status);
+    glibra::cli::addNoise(line, status);
+    glibra::cli::addBench(line, status);
+    glibra::cli::addInfo(line, status);
+    glibra::cli::addLanguage(line, status);
+    return program.parse(argc, argv).value_or(status);
 }
 
 }  // namespace

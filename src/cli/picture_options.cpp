@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
 
@@ -33,52 +33,39 @@ bool mayBeRepeated(const suite::OptionRow& row) {
            std::holds_alternative<suite::FoldersValue>(row.value);
 }
 
-void add(CLI::App& command, const suite::OptionRow& row, suite::Shot& to) {
+void add(CommandLine& command, const suite::OptionRow& row, suite::Shot& to) {
     const std::string name = dashed(row.name);
-    const auto read = [name, &row, &to](const std::string& text) {
-        if (const std::string wrong = suite::readOptionText(row, text, to); !wrong.empty())
-            throw CLI::ValidationError(name, wrong);
-    };
-    if (std::holds_alternative<suite::FlagValue>(row.value)) {
-        command.add_flag_callback(
+    const auto read = [&row, &to](const std::string& text) { return suite::readOptionText(row, text, to); };
+    if (std::holds_alternative<suite::FlagValue>(row.value))
+        command.flag(
             name, [read] { read(""); }, helpOf(row));
-    } else if (mayBeRepeated(row)) {
-        command
-            .add_option_function<std::vector<std::string>>(
-                name,
-                [read](const std::vector<std::string>& all) {
-                    for (const std::string& each : all) read(each);
-                },
-                helpOf(row))
-            ->type_name(suite::placeholder(row))
-            ->allow_extra_args(false);
-    } else {
-        command.add_option_function<std::string>(name, read, helpOf(row))->type_name(suite::placeholder(row));
-    }
+    else if (mayBeRepeated(row))
+        command.repeated(name, read, helpOf(row)).placeholder(suite::placeholder(row));
+    else
+        command.option(name, read, helpOf(row)).placeholder(suite::placeholder(row));
 }
 
 /// Call it after all options have been added.
-void addNeeds(CLI::App& command, const suite::OptionRow& row) {
-    if (!row.needs.empty())
-        command.get_option(dashed(row.name))->needs(command.get_option(dashed(row.needs)));
+void addNeeds(CommandLine& command, const suite::OptionRow& row) {
+    if (!row.needs.empty()) command.find(dashed(row.name)).needs(command.find(dashed(row.needs)));
 }
 
 }  // namespace
 
-void addPictureOption(CLI::App& command, std::string_view name, suite::Shot& to) {
+void addPictureOption(CommandLine& command, std::string_view name, suite::Shot& to) {
     add(command, *suite::findOption(name), to);
 }
 
-void addPictureOptions(CLI::App& command, suite::Shot& to) {
+void addPictureOptions(CommandLine& command, suite::Shot& to) {
     for (const suite::OptionRow& row : suite::optionTable())
         if (!row.name.empty()) add(command, row, to);
     for (const suite::OptionRow& row : suite::optionTable())
         if (!row.name.empty()) addNeeds(command, row);
 }
 
-void excludePictureOptions(CLI::App& command, CLI::Option& suite) {
+void excludePictureOptions(CommandLine& command, Option& suite) {
     for (const suite::OptionRow& row : suite::optionTable())
-        if (!row.name.empty() && !row.withSuite) suite.excludes(command.get_option(dashed(row.name)));
+        if (!row.name.empty() && !row.withSuite) suite.excludes(command.find(dashed(row.name)));
 }
 
 }  // namespace glibra::cli

@@ -5,18 +5,16 @@
 
 #include "suite/suite.h"
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
 namespace glibra::cli {
 
+class CommandLine;
+class Option;
+
 /// Adds the option of one row; `name` is without "--". `to` must outlive the command.
-void addPictureOption(CLI::App& command, std::string_view name, suite::Shot& to);
+void addPictureOption(CommandLine& command, std::string_view name, suite::Shot& to);
 /// Adds all rows that have a name.
-void addPictureOptions(CLI::App& command, suite::Shot& to);
+void addPictureOptions(CommandLine& command, suite::Shot& to);
 /// Makes `suite`, the option --suite, exclude the options that a suite states itself.
-void excludePictureOptions(CLI::App& command, CLI::Option& suite);
+void excludePictureOptions(CommandLine& command, Option& suite);
 
 }  // namespace glibra::cli

@@ -1,4 +1,4 @@
-#include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -49,40 +49,39 @@ int run(RenderArguments& arguments) {
 
 }  // namespace
 
-void addRender(CLI::App& app, int& status) {
+void addRender(CommandLine& program, int& status) {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = addCommand(app, "render", "renders scenes to pictures, without a window or a display",
-                                   "glibra render a.glib b.glib --size 800x600 -o pictures/");
+    CommandLine command =
+        program.subcommand("render", "renders scenes to pictures, without a window or a display",
+                           "glibra render a.glib b.glib --size 800x600 -o pictures/");
     RenderArguments& to = *arguments;
-    CLI::Option* scenes = command->add_option("SCENE", to.scenes, "scene files (.glib)");
-    CLI::Option* suite =
-        command
-            ->add_option("--suite", to.suite.suites,
-                         "render the shots of a suite instead: a TOML file or a folder of scenes")
-            ->excludes(scenes);
-    command->add_option("-o,--output", to.output,
-                        "file of the picture, or a folder for several; the ending of the name decides the "
-                        "format; - means standard output");
-    addPictureOptions(*command, to.picture);
+    const Option scenes = command.list("SCENE", to.scenes, "scene files (.glib)");
+    Option suite = command
+                       .list("--suite", to.suite.suites,
+                             "render the shots of a suite instead: a TOML file or a folder of scenes")
+                       .excludes(scenes);
+    command.option("-o,--output", to.output,
+                   "file of the picture, or a folder for several; the ending of the name decides the "
+                   "format; - means standard output");
+    addPictureOptions(command, to.picture);
     command
-        ->add_option("--frames", to.frames,
-                     "render an animation of so many frames, to NAME_0000.png, NAME_0001.png, ...")
-        ->check(CLI::Range(1, 1'000'000));
-    command->add_option("--fps", to.framesPerSecond, "frames per second of an animation")
-        ->check(CLI::Range(1e-3, 1e6))
-        ->capture_default_str();
-    addDriverOption(*command, to.driver);
-    addJobsOption(*command, to.jobs);
-    addSelectionOptions(*command, to.suite);
-    for (const char* each : {"--only", "--shard", "--resume"}) command->get_option(each)->needs(suite);
-    command->add_flag("--explain", to.explain, "print what was made, what was skipped and why");
-    addUntrustedOption(*command, to.untrusted);
-    command->add_option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
-    excludePictureOptions(*command, *suite);
-    for (const char* each : {"--frames", "--fps", "--explain", "--stats"})
-        suite->excludes(command->get_option(each));
-    command->callback([arguments, command, &status] {
-        if (command->count("--timeout") > 0) arguments->suite.timeout = arguments->picture.timeout;
+        .option("--frames", to.frames,
+                "render an animation of so many frames, to NAME_0000.png, NAME_0001.png, ...")
+        .within(1, 1'000'000);
+    command.option("--fps", to.framesPerSecond, "frames per second of an animation")
+        .within(1e-3, 1e6)
+        .withDefault();
+    command.driver(to.driver);
+    command.jobs(to.jobs);
+    addSelectionOptions(command, to.suite);
+    for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite);
+    command.flag("--explain", to.explain, "print what was made, what was skipped and why");
+    addUntrustedOption(command, to.untrusted);
+    command.option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
+    excludePictureOptions(command, suite);
+    for (const char* each : {"--frames", "--fps", "--explain", "--stats"}) suite.excludes(command.find(each));
+    command.onRun([arguments, timeout = command.find("--timeout"), &status] {
+        if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;
         arguments->suite.memory = arguments->picture.memory;
         status = run(*arguments);
     });

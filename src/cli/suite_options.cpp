@@ -2,24 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "suite/file/selection.h"
 #include "suite/file/suite_file.h"
 
 namespace glibra::cli {
 
-void addSelectionOptions(CLI::App& command, SuiteArguments& to) {
-    command
-        .add_option("--only", to.only,
-                    "only shots with this name, as 'oval*', or with this tag, as tag:slow; may be repeated")
-        ->allow_extra_args(false);
-    command.add_option("--shard", to.shard,
-                       "only the I-th of N parts of the shots; the parts are the same on every machine");
-    command.add_flag("--resume", to.resume, "continue a run that was stopped or killed");
+void addSelectionOptions(CommandLine& command, SuiteArguments& to) {
+    command.repeated("--only", to.only,
+                     "only shots with this name, as 'oval*', or with this tag, as tag:slow; may be repeated");
+    command.option("--shard", to.shard,
+                   "only the I-th of N parts of the shots; the parts are the same on every machine");
+    command.flag("--resume", to.resume, "continue a run that was stopped or killed");
 }
 
 std::optional<Selection> readSelection(const SuiteArguments& arguments, int& status) {

@@ -13,11 +13,9 @@
 #include "suite/run/run.h"
 #include "suite/suite.h"
 
-namespace CLI {
-class App;
-}
-
 namespace glibra::cli {
+
+class CommandLine;
 
 struct SuiteArguments {
     std::vector<std::string> suites;  ///< TOML files, or folders of scenes
@@ -36,7 +34,7 @@ struct SuiteArguments {
 };
 
 /// Adds --only, --shard and --resume.
-void addSelectionOptions(CLI::App& command, SuiteArguments& to);
+void addSelectionOptions(CommandLine& command, SuiteArguments& to);
 
 struct Selection {
     std::vector<suite::Suite> suites;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -21,6 +20,7 @@
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
 #include "image/file.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
 #include "suite/options/option_words.h"
 #include "suite/report/html_report.h"
@@ -38,23 +38,25 @@ struct TestArguments {
     bool update = false;
     bool force = false;
     bool variant = false;
+    bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     std::string report;
     std::string junit;
     std::string goldens;
     std::vector<std::string> merge;
+    std::vector<std::string> roots;
     std::string command;
 };
 
 /// Writes the reports and prints the summary. Returns the exit status.
-int report(const suite::RunResult& run, const TestArguments& arguments) {
+int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
     const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     Diagnostics problems;
     if (!arguments.report.empty()) {
-        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report));
+        append(problems, suite::writeHtmlReport(run, arguments.results, arguments.report, roots));
         if (!hasError(problems)) printLine("report: " + (fs::path(arguments.report) / "index.html").string());
     }
     if (!arguments.junit.empty()) {
@@ -73,7 +75,14 @@ int merge(const TestArguments& arguments) {
     const Result<suite::RunResult> merged = suite::mergeResults(folders, arguments.results);
     print(merged.diagnostics);
     const int status = hasError(merged.diagnostics) ? kSceneIsWrong : kDone;
-    return merged ? std::max(status, report(*merged, arguments)) : status;
+    // The results may come from anywhere, so what they name outside of their folders is shown only where the
+    // user says so.
+    suite::ReportRoots roots;
+    for (const std::string& each : arguments.roots) {
+        roots.texts.add(each);
+        roots.pictures.add(each);
+    }
+    return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 
 /// The command line of this process, or empty if the system does not provide it.
@@ -128,6 +137,7 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.update = arguments.update;
     options.force = arguments.force;
     options.variant = arguments.variant;
+    options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
     options.sandbox = sandbox ? &*sandbox : nullptr;
@@ -138,6 +148,12 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
+    if (arguments.update && !arguments.allowOutside && arguments.goldens.empty()) {
+        Diagnostics problems;
+        for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
+        print(problems);
+        if (hasError(problems)) return kWrongUsage;
+    }
 
     std::optional<base::Sandbox> sandbox;
     if (arguments.suites.untrusted) {
@@ -195,7 +211,8 @@ int test(const TestArguments& arguments) {
         status = kSceneIsWrong;
     }
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
-    status = std::max(status, report(run, arguments));
+    status = std::max(
+        status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();
@@ -218,40 +235,47 @@ int runCommand(const TestArguments& arguments) {
     if (arguments.update && arguments.suites.untrusted)
         return refuse("--untrusted writes no goldens, so it excludes --update");
     if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
+    if (!arguments.roots.empty()) return refuse("--root needs --merge; a run knows its folders");
     return test(arguments);
 }
 
 }  // namespace
 
-void addTest(CLI::App& app, int& status) {
+void addTest(CommandLine& program, int& status) {
     auto arguments = std::make_shared<TestArguments>();
-    CLI::App* command =
-        addCommand(app, "test", "renders the shots of suites and compares them with golden pictures",
-                   "glibra test scenes/start.toml --report report");
+    CommandLine command =
+        program.subcommand("test", "renders the shots of suites and compares them with golden pictures",
+                           "glibra test scenes/start.toml --report report");
     TestArguments& to = *arguments;
-    command->add_option("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
-    command->add_flag("--update", to.update, "accept pictures that differ as the new goldens");
-    command->add_flag(
-        "--force", to.force,
-        "with --update: accept even pictures of one colour or with values that are not a number");
-    command->add_flag("--variant", to.variant,
-                      "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
-    addSelectionOptions(*command, to.suites);
-    command->add_option("--results", to.results, "folder for the results and the pictures of failures")
-        ->capture_default_str();
-    command->add_option("--report", to.report, "folder for a report that a browser shows");
-    command->add_option("--junit", to.junit, "file for a JUnit report (XML)");
-    command->add_option("--goldens", to.goldens,
-                        "folder with one folder of goldens per suite, instead of the suites' own");
-    command->add_option("--merge", to.merge, "merge the results in these folders, as the shards of one run");
-    addJobsOption(*command, to.suites.jobs);
-    addDriverOption(*command, to.suites.driver);
-    addPictureOption(*command, "timeout", to.picture);
-    addPictureOption(*command, "memory", to.picture);
-    addPictureOption(*command, "no-skip", to.picture);
-    addUntrustedOption(*command, to.suites.untrusted);
-    command->callback([arguments, command, &status] {
-        if (command->count("--timeout") > 0) arguments->suites.timeout = arguments->picture.timeout;
+    command.list("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
+    command.flag("--update", to.update, "accept pictures that differ as the new goldens");
+    command.flag("--force", to.force,
+                 "with --update: accept even pictures of one colour or with values that are not a number");
+    command.flag("--variant", to.variant,
+                 "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
+    addSelectionOptions(command, to.suites);
+    command.option("--results", to.results, "folder for the results and the pictures of failures")
+        .withDefault();
+    command.option("--report", to.report, "folder for a report that a browser shows");
+    command.option("--junit", to.junit, "file for a JUnit report (XML)");
+    command.option("--goldens", to.goldens,
+                   "folder with one folder of goldens per suite, instead of the suites' own");
+    command.flag(
+        "--allow-outside", to.allowOutside,
+        "let --update write goldens outside of the suite's folder, and follow goldens that are links "
+        "to such places");
+    command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run");
+    command.repeated("--root", to.roots,
+                     "with --merge: a folder of scenes, shaders or goldens that the report may show; may be "
+                     "repeated");
+    command.jobs(to.suites.jobs);
+    command.driver(to.suites.driver);
+    addPictureOption(command, "timeout", to.picture);
+    addPictureOption(command, "memory", to.picture);
+    addPictureOption(command, "no-skip", to.picture);
+    addUntrustedOption(command, to.suites.untrusted);
+    command.onRun([arguments, timeout = command.find("--timeout"), &status] {
+        if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
         arguments->suites.memory = arguments->picture.memory;
         arguments->command = commandLine();
         arguments->suites.withNamed = !arguments->update;

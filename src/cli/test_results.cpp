@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <set>
 #include <thread>
+#include <vector>
 
+#include "base/contained.h"
 #include "cli/commands.h"
+#include "scene/file_lookup.h"
 #include "suite/run/verdict.h"
 
 namespace glibra::cli {
@@ -12,14 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removes the pictures that an earlier run wrote into its own folder.
+/// True for names that only a run gives to its pictures: "SHOT.got.png".
+bool isOfRun(const fs::path& file) {
+    const std::string what = file.stem().extension().string(), ending = file.extension().string();
+    return (ending == ".png" || ending == ".exr") &&
+           (what == ".got" || what == ".expected" || what == ".difference" || what == ".again" ||
+            what == ".partner");
+}
+
+/// Removes the pictures that an earlier run wrote into its own folder. Its results may come from somebody
+/// else, so nothing else that they name is removed.
 void removePictures(const suite::RunResult& earlier, const fs::path& folder) {
     for (const suite::ShotResult& shot : earlier.shots)
         for (const fs::path* each : {&shot.got, &shot.expected, &shot.difference}) {
             const fs::path relative = each->lexically_normal();
-            if (relative.empty() || relative.is_absolute() || *relative.begin() != shot.suite) continue;
-            std::error_code ignored;
-            fs::remove(folder / relative, ignored);
+            if (relative.empty() || *relative.begin() != shot.suite || !isOfRun(relative)) continue;
+            base::removeBeneath(folder, relative);  // a picture that stays does no harm
         }
 }
 
@@ -93,6 +106,29 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
     const Diagnostics problems = suite::writeResults(run, folder_);
     print(problems);
     failed_ = hasError(problems);
+}
+
+suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
+                              std::span<const suite::ShotReference> shots, const fs::path& goldens) {
+    suite::ReportRoots roots;
+    std::error_code ignored;
+    for (const suite::Suite& suite : suites) {
+        const fs::path folder = fs::is_directory(suite.file, ignored) ? suite.file : suite.file.parent_path();
+        roots.texts.add(folder);
+        roots.pictures.add(folder);
+        roots.pictures.add(goldens.empty() ? suite.goldens : goldens / suite.name);
+    }
+    std::set<std::pair<fs::path, std::vector<fs::path>>> seen;
+    for (const suite::ShotReference& each : shots) {
+        const suite::Shot& shot = suites[each.suite].shots[each.shot];
+        if (!seen.emplace(shot.script.parent_path(), shot.options.libraryRoots).second) continue;
+        const scene::SearchFolders folders =
+            scene::searchFolders(shot.script, {.libraryRoots = shot.options.libraryRoots});
+        roots.texts.add(folders.beside.back());
+        for (std::size_t i = 0; i < folders.library.size(); ++i)
+            roots.texts.addBelow(folders.roots[i], folders.library[i]);
+    }
+    return roots;
 }
 
 int exitStatus(const suite::RunResult& run) {

@@ -4,9 +4,11 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "suite/report/report_files.h"
 #include "suite/results/results_file.h"
 #include "suite/run/run.h"
 
@@ -42,6 +44,12 @@ class RunRecord {
     std::map<Key, suite::ShotResult> results_;
     bool failed_ = false;
 };
+
+/// The folders whose files a report of these shots may show: the goldens, the suites, their scenes, and what
+/// the scenes may read from the library. `goldens` is the folder that replaces those of the suites, or empty.
+suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
+                              std::span<const suite::ShotReference> shots,
+                              const std::filesystem::path& goldens);
 
 /// The exit status for the verdicts: 0, 1 for a comparison that failed, 3 for a scene that is wrong, crashed
 /// or hung.

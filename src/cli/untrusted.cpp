@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
 #include <system_error>
@@ -62,11 +61,10 @@ base::Sandbox sandboxWith(const std::set<fs::path>& readable, Driver driver) {
 
 }  // namespace
 
-void addUntrustedOption(CLI::App& command, bool& to) {
-    command.add_flag(
-        "--untrusted", to,
-        "confine the processes that read the scenes: no files but the scenes' and the libraries', "
-        "no network, no other programs (Linux)");
+void addUntrustedOption(CommandLine& command, bool& to) {
+    command.flag("--untrusted", to,
+                 "confine the processes that read the scenes: no files but the scenes' and the libraries', "
+                 "no network, no other programs (Linux)");
 }
 
 bool prepareUntrusted() {

@@ -11,16 +11,13 @@
 #include <vector>
 
 #include "base/sandbox.h"
+#include "cli/command_line.h"
 #include "cli/suite_options.h"
-
-namespace CLI {
-class App;
-}
 
 namespace glibra::cli {
 
 /// Adds --untrusted.
-void addUntrustedOption(CLI::App& command, bool& to);
+void addUntrustedOption(CommandLine& command, bool& to);
 
 /// Prepares this process for confined workers: their driver has no cache on disk. Returns false if the system
 /// has no sandbox; the reason has been printed, and the exit status is kNoDriver.

@@ -1,5 +1,4 @@
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/sister_program.h"
 
@@ -10,13 +9,10 @@ constexpr SisterProgram kWindow{"glibra-view", "`glibra render SCENE` makes a pi
 
 }  // namespace
 
-void addView(CLI::App& app, int& status) {
-    CLI::App* command =
-        app.add_subcommand("view", "shows a scene in a window, with a slider for every range");
-    // The window program reads its own arguments, --help among them.
-    command->prefix_command();
-    command->set_help_flag();
-    command->callback([command, &status] { status = becomeProgram(kWindow, command->remaining()); });
+void addView(CommandLine& program, int& status) {
+    program.subcommand(
+        "view", "shows a scene in a window, with a slider for every range",
+        [&status](const std::vector<std::string>& arguments) { status = becomeProgram(kWindow, arguments); });
 }
 
 }  // namespace glibra::cli

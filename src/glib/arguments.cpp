@@ -224,7 +224,7 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
     if (argument.type == ArgumentType::integer) {
         value = std::trunc(number.value) + 0.0;  // + 0.0 turns -0 into 0
         if (value != number.value)
-            log.report("glib-W27", fmt::format("{} cut to {}", number.text, numberText(value)),
+            log.report("glib-W27", fmt::format("{} is cut to {}", number.text, numberText(value)),
                        token.position);
     }
     return applyRule({argument, index, command, value, number.text, token.position}, log);

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
-#include "glib/suggest.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -389,7 +389,7 @@ std::string_view nearestCommand(std::string_view word) {
     for (const CommandRow& row : commandTable())
         for (const std::string_view name : row.names)
             if (!name.empty()) names.push_back(name);
-    const std::string nearest = nearestName(word, names);
+    const std::string nearest = base::nearestName(word, names);
     for (const std::string_view name : names)
         if (name == nearest) return name;
     return {};

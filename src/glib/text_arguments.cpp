@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "base/suggest.h"
 #include "glib/arguments.h"
 #include "glib/limits.h"
 #include "glib/number.h"
-#include "glib/suggest.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -159,7 +159,7 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
     const auto found = std::find_if(row.words.begin(), row.words.end(),
                                     [&](std::string_view each) { return sameWord(each, word); });
     if (found == row.words.end()) {
-        const std::string nearest = nearestName(word, row.words);
+        const std::string nearest = base::nearestName(word, row.words);
         log.report("glib-E08",
                    fmt::format("unknown topology {}{}", inQuotes(tokens.front().text),
                                nearest.empty() ? std::string() : "; did you mean " + inQuotes(nearest) + "?"),

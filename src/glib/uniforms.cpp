@@ -102,7 +102,7 @@ class ProgramReader {
     }
 
     void reportNoValue(const Token& tag) {
-        log_.report("glib-W17", fmt::format("tag {} has no value, skipped", inQuotes(tag.text)),
+        log_.report("glib-W17", fmt::format("tag {} has no value; it is skipped", inQuotes(tag.text)),
                     tag.position);
     }
 
@@ -165,22 +165,22 @@ class ProgramReader {
         const std::size_t count = spec.values.size();
         const auto report = [&](std::string_view brackets, const std::string& reading) {
             log_.report("glib-W15",
-                        fmt::format("{}: {} in {}, {}", spec.tag, counted(count, "value"), brackets, reading),
+                        fmt::format("{}: {} in {}; {}", spec.tag, counted(count, "value"), brackets, reading),
                         spec.valuePosition);
         };
         if (spec.form == UniformForm::range) {
             if (count == 1)
                 report("< >",
-                       fmt::format("read as min {}, cur {}, max {}", spec.values[0] < 0 ? written[0] : "0",
+                       fmt::format("read as minimum {}, current {}, maximum {}", spec.values[0] < 0 ? written[0] : "0",
                                    written[0], spec.values[0] > 1 ? written[0] : "1"));
             if (count == 2)
-                report("< >", fmt::format("read as min {}, cur {}, max {}", written[0], written[1],
+                report("< >", fmt::format("read as minimum {}, current {}, maximum {}", written[0], written[1],
                                           written[spec.values[1] > spec.values[0] ? 1 : 0]));
-            if (count > 3) report("< >", "surplus ignored");
+            if (count > 3) report("< >", "the surplus is ignored");
         }
         if (spec.form == UniformForm::color) {
             if (count == 1 || count == 2) report("{ }", "missing components are 0, alpha 1");
-            if (count > 4) report("{ }", "surplus ignored");
+            if (count > 4) report("{ }", "the surplus is ignored");
         }
     }
 

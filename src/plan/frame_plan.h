@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plan/program_interface.h"
+#include "plan/skipped.h"
 #include "plan/uniforms.h"
 #include "scene/scene.h"
 
@@ -73,14 +74,6 @@ struct PlannedDraw {
 struct PlannedPass {
     const scene::Pass* pass = nullptr;
     std::vector<std::variant<PlannedDraw, const scene::Clear*>> steps;
-};
-
-/// Something that the plan leaves out, for --explain and --stats.
-struct Skipped {
-    std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw",
-                       ///< "statement", "file"
-    std::string why;   ///< which one, and why: "unit 5 / 3D: no active sampler reads it"
-    Place place;
 };
 
 struct FramePlan {

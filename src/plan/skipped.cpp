@@ -9,7 +9,10 @@
 
 #include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
+#include "plan/frame_plan.h"
+#include "plan/needs.h"
 #include "plan/texture_uses.h"
+#include "scene/scene.h"
 
 namespace glibra::plan {
 namespace {

@@ -1,12 +1,27 @@
 #pragma once
-// Describes in words what a plan leaves out, for --explain.
+// What a plan leaves out, in words, for --explain and --stats.
 
+#include <glibra/diagnostic.h>
+
+#include <string>
 #include <vector>
 
-#include "plan/frame_plan.h"
-#include "plan/needs.h"
+namespace glibra::scene {
+struct Scene;
+struct Shape;
+}  // namespace glibra::scene
 
 namespace glibra::plan {
+
+struct Needs;
+struct FramePlan;
+
+struct Skipped {
+    std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw",
+                       ///< "statement", "file"
+    std::string why;   ///< which one, and why: "unit 5 / 3D: no active sampler reads it"
+    Place place;
+};
 
 /// Lists everything of the scene that is not in the plan: passes, draws, statements, programs, meshes,
 /// attributes, textures, files, in this order, and each kind in the order of the scene.

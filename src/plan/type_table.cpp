@@ -79,7 +79,8 @@ class ValueReader {
 
     Reading read() && {
         if (given_.values.empty()) {
-            warn("glib-W17", fmt::format("tag '{}' has no value, skipped", given_.tag), given_.tagPlace);
+            warn("glib-W17", fmt::format("tag '{}' has no value; it is skipped", given_.tag),
+                 given_.tagPlace);
             reading_.ignored = true;
         } else if (array_) {
             readArray();
@@ -98,7 +99,7 @@ class ValueReader {
     }
     void warnCount(const std::string& text) {
         warn("glib-W15",
-             fmt::format("{}: {} in {}, {}", given_.tag, countText(given_.values.size()),
+             fmt::format("{}: {} in {}; {}", given_.tag, countText(given_.values.size()),
                          brackets(given_.form), text),
              given_.valuePlace);
     }
@@ -106,7 +107,7 @@ class ValueReader {
     void warnForm(const std::string& outcome) {
         if (reportedForm_) return;
         reportedForm_ = true;
-        warn("glib-W20", fmt::format("{} is {}, {} {}", given_.tag, typeName_, quote(given_), outcome),
+        warn("glib-W20", fmt::format("{} is {}, so {} is {}", given_.tag, typeName_, quote(given_), outcome),
              given_.valuePlace);
     }
     void ignore() {
@@ -122,7 +123,7 @@ class ValueReader {
         const double cut = std::trunc(value) + 0.0;  // + 0: -0 becomes 0
         if (cut != value && !reportedCut_) {
             reportedCut_ = true;
-            warn("glib-W27", fmt::format("{} cut to {}", numberText(value), numberText(cut)),
+            warn("glib-W27", fmt::format("{} is cut to {}", numberText(value), numberText(cut)),
                  given_.valuePlace);
         }
         if (type_.isOpaque()) return cut;
@@ -134,7 +135,8 @@ class ValueReader {
         if (kept != cut && !reportedForm_) {
             reportedForm_ = true;
             warn("glib-W20",
-                 fmt::format("{} is {}, {} read as {:.0f}", given_.tag, type_.word, numberText(value), kept),
+                 fmt::format("{} is {}, so {} is read as {:.0f}", given_.tag, type_.word, numberText(value),
+                             kept),
                  given_.valuePlace);
         }
         return kept;
@@ -151,9 +153,9 @@ class ValueReader {
     void setList(std::size_t wanted, bool countMatters) {
         const std::size_t given = given_.values.size();
         if (countMatters && given < wanted)
-            warnCount(fmt::format("{} takes {}, the rest stay 0", typeName_, wanted));
+            warnCount(fmt::format("{} takes {}, so the rest is 0", typeName_, wanted));
         if (countMatters && given > wanted)
-            warnCount(fmt::format("{} takes {}, surplus ignored", typeName_, wanted));
+            warnCount(fmt::format("{} takes {}, so the surplus is ignored", typeName_, wanted));
         reading_.values.assign(wanted, 0);
         for (std::size_t i = 0; i < std::min(given, wanted); ++i)
             reading_.values[i] = convert(given_.values[i]);
@@ -165,7 +167,7 @@ class ValueReader {
         Range range;
         if (values.size() >= 3) {
             range = {values[0], values[1], values[2]};
-            if (values.size() > 3) warnCount("surplus ignored");
+            if (values.size() > 3) warnCount("the surplus is ignored");
             return range;
         }
         if (values.size() == 1)
@@ -175,7 +177,7 @@ class ValueReader {
         if (type_.base == BaseType::boolean)
             warnCount(fmt::format("read as {}", range.current != 0 ? "true" : "false"));
         else
-            warnCount(fmt::format("read as min {}, cur {}, max {}", numberText(range.minimum),
+            warnCount(fmt::format("read as minimum {}, current {}, maximum {}", numberText(range.minimum),
                                   numberText(range.current), numberText(range.maximum)));
         return range;
     }
@@ -279,7 +281,7 @@ class ValueReader {
         }
         const std::size_t count = given_.values.size();
         if (count < 3) warnCount("missing components are 0");
-        if (count > 4) warnCount("surplus ignored");
+        if (count > 4) warnCount("the surplus is ignored");
         setList(components(), false);
         if (components() == 4 && count < 4) reading_.values[3] = 1;
         reading_.control = Control{{}, UniformForm::color, 0, 0, 1};

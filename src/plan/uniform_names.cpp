@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstddef>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 
 namespace glibra::plan {
 namespace {
@@ -76,7 +76,7 @@ bool isInternalName(std::string_view name) {
 std::string suggestionFor(std::string_view tag, std::span<const std::string> names) {
     constexpr std::size_t kPrefix = 1;  // the u at the beginning of most uniform names
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    return glib::suggestion(tag, candidates, kPrefix);
+    return base::suggestion(tag, candidates, kPrefix);
 }
 
 std::string_view rootName(std::string_view name) {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "budget/budget.h"
-#include "plan/frame_plan.h"
+#include "budget/decision.h"
+#include "plan/skipped.h"
 
 namespace glibra::render {
 

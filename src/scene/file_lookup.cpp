@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestName = 4096;
 /// The most folder entries that one case-insensitive search visits.
 constexpr int kMostVisits = 10'000;
+/// Work (FolderListings::spend) for reading one entry of a folder, and for asking the system about a path.
+constexpr std::size_t kEntryWork = 1'000;
+constexpr std::size_t kPathWork = 5'000;
 
 /// A name from a scene, converted to the path syntax of this system.
 struct CleanName {
@@ -46,7 +49,12 @@ CleanName clean(std::string_view written) {
             part += name.path[i];
             continue;
         }
-        if (!part.empty() && part != ".") name.parts.push_back(part);
+        // A folder and the way back out of it are nothing, as for the program that these scenes were made
+        // with.
+        if (part == ".." && !name.parts.empty() && name.parts.back() != "..")
+            name.parts.pop_back();
+        else if (!part.empty() && part != ".")
+            name.parts.push_back(part);
         part.clear();
     }
     name.last = name.parts.empty() ? std::string() : name.parts.back();
@@ -60,9 +68,10 @@ CleanName clean(std::string_view written) {
     return name;
 }
 
-bool equalWithoutCase(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
 }
 
 /// Finds the ordinary files below a folder whose paths equal `parts` except for case, in byte order.
@@ -83,8 +92,8 @@ class CaselessSearch {
             if (!isLast) descend(folder / part, parts, next + 1);
             return;
         }
-        for (const std::string& name : listings_.names(folder)) {
-            if (!equalWithoutCase(name, part) || ++visits_ > kMostVisits) continue;
+        for (const std::string& name : listings_.namesWithoutCase(folder, part)) {
+            if (++visits_ > kMostVisits || !listings_.spend(kPathWork)) return;
             const fs::path path = folder / name;
             std::error_code failure;
             if (!isLast && fs::is_directory(path, failure)) descend(path, parts, next + 1);
@@ -113,7 +122,8 @@ class FolderSearch {
             reference_.path = std::move(path);
             return true;
         }
-        return std::any_of(folders.begin(), folders.end(),
+        return !listings_.isSpent() &&
+               std::any_of(folders.begin(), folders.end(),
                            [&](const fs::path& folder) { return findCaseless(folder, parts); });
     }
 
@@ -160,8 +170,10 @@ std::optional<fs::path> libraryAbove(const fs::path& folder) {
 
 void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& sceneFolder) {
     const auto add = [&](const fs::path& folder) {
-        if (std::find(folders.library.begin(), folders.library.end(), folder) == folders.library.end())
-            folders.library.push_back(folder);
+        if (std::find(folders.library.begin(), folders.library.end(), folder) != folders.library.end())
+            return;
+        folders.library.push_back(folder);
+        folders.roots.push_back(root);
     };
     std::error_code failure;
     const fs::path inside = fs::absolute(root, failure).lexically_normal() / "glib";
@@ -198,17 +210,54 @@ bool isOrdinaryFile(const fs::path& path) {
     return fs::is_regular_file(path, failure);
 }
 
-const std::vector<std::string>& FolderListings::names(const fs::path& folder) {
-    const auto [entry, isNew] = names_.try_emplace(folder.string());
-    std::vector<std::string>& names = entry->second;
-    if (!isNew) return names;
+bool FolderListings::spend(std::size_t work) {
+    budget_ -= std::min(work, budget_);
+    return budget_ > 0;
+}
+
+FolderListings::Listing& FolderListings::listing(const fs::path& folder) {
+    const auto known = listings_.find(folder.string());
+    if (known != listings_.end()) return known->second;
+    if (!spend(kPathWork)) return nothing_;
+    Listing& listing = listings_[folder.string()];
     std::error_code failure;
     fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
-    for (; !failure && each != fs::directory_iterator() && names.size() < kLargestFolder;
-         each.increment(failure))
-        names.push_back(each->path().filename().string());
-    std::sort(names.begin(), names.end());
+    for (; !failure && each != fs::directory_iterator() && listing.names.size() < kLargestFolder;
+         each.increment(failure)) {
+        if (!spend(kEntryWork)) break;
+        listing.names.push_back(each->path().filename().string());
+    }
+    std::sort(listing.names.begin(), listing.names.end());
+    return listing;
+}
+
+const std::vector<std::string>& FolderListings::names(const fs::path& folder) {
+    return listing(folder).names;
+}
+
+std::vector<std::string> FolderListings::namesWithoutCase(const fs::path& folder, std::string_view name) {
+    Listing& found = listing(folder);
+    if (found.byLowerCase.size() != found.names.size()) {
+        for (std::size_t i = 0; i < found.names.size(); ++i)
+            found.byLowerCase.emplace_back(lowerCase(found.names[i]), i);
+        std::sort(found.byLowerCase.begin(), found.byLowerCase.end());
+    }
+    const std::string lower = lowerCase(name);
+    std::vector<std::string> names;
+    for (auto each = std::lower_bound(found.byLowerCase.begin(), found.byLowerCase.end(),
+                                      std::pair(lower, std::size_t{0}));
+         each != found.byLowerCase.end() && each->first == lower; ++each)
+        names.push_back(found.names[each->second]);
     return names;
+}
+
+base::Roots shownRoots(const SearchFolders& folders) {
+    base::Roots roots;
+    if (!folders.beside.empty()) roots.add(folders.beside.back());
+    // A folder of scenes may hold a link `shaders` to any place.
+    for (std::size_t i = 0; i < folders.library.size(); ++i)
+        roots.addBelow(folders.roots[i], folders.library[i]);
+    return roots;
 }
 
 SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& options) {
@@ -251,15 +300,19 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
         for (const fs::path& folder : folders.library)
             if (search.find({folder}, name.parts)) return reference;
     reference.remarks.push_back(diagnose("file-E01", notFound(name, written, folders, listings), place));
+    if (listings.reportsSpent())
+        reference.remarks.push_back(diagnose(
+            "file-W13",
+            "the scene names too many missing files; further names are looked up only as they are written",
+            place));
     return reference;
 }
 
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
-                          const InterpretOptions& options) {
+                          const InterpretOptions& options, FolderListings& listings) {
     SearchFolders folders = searchFolders(scenePath, options);
     const fs::path including = fs::path(includingPath).parent_path();
     if (including != folders.beside.front()) folders.beside.insert(folders.beside.begin(), including);
-    FolderListings listings;
     return findFile(name, Place{std::string(includingPath), 1, 1}, folders, listings);
 }
 

@@ -7,24 +7,46 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/contained.h"
 #include "scene/interpret.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
 
-/// A cache of folder listings. Use one for all look-ups of a scene.
+/// A cache of folder listings, with a budget of work. Use one for all look-ups of a scene: a scene of
+/// somebody else may name so many files that comparing their names with those of large folders would take
+/// minutes.
 class FolderListings {
   public:
     /// The names in the folder ("" is the current one) in byte order, kLargestFolder at most; none if it
-    /// cannot be read.
+    /// cannot be read or the budget is spent.
     const std::vector<std::string>& names(const std::filesystem::path& folder);
+    /// Those names that equal `name` except for case, in byte order.
+    std::vector<std::string> namesWithoutCase(const std::filesystem::path& folder, std::string_view name);
+
+    /// Takes units of work from the budget, about a nanosecond each. False once it is spent.
+    bool spend(std::size_t work);
+    [[nodiscard]] bool isSpent() const { return budget_ == 0; }
+    /// True at the first call after the budget was spent, for one message about it.
+    bool reportsSpent() { return isSpent() && !std::exchange(reported_, true); }
 
     static constexpr std::size_t kLargestFolder = 65'536;
+    static constexpr std::size_t kBudget = 500'000'000;
 
   private:
-    std::map<std::string, std::vector<std::string>> names_;
+    struct Listing {
+        std::vector<std::string> names;
+        std::vector<std::pair<std::string, std::size_t>> byLowerCase;  ///< sorted; the index is in `names`
+    };
+    Listing& listing(const std::filesystem::path& folder);
+
+    std::map<std::string, Listing> listings_;
+    Listing nothing_;
+    std::size_t budget_ = kBudget;
+    bool reported_ = false;
 };
 
 /// The folders that names are relative to, in the order of the search.
@@ -33,6 +55,7 @@ struct SearchFolders {
         beside;  ///< the folder of the including file (if any), then the scene's
     std::vector<std::filesystem::path>
         library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
+    std::vector<std::filesystem::path> roots;  ///< for each of `library` the library root that it belongs to
 };
 
 /// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then
@@ -41,15 +64,22 @@ struct SearchFolders {
 /// `scenePath` starts at the current folder.
 SearchFolders searchFolders(const std::filesystem::path& scenePath, const InterpretOptions& options = {});
 
-/// Looks up a file. The result contains file-E01 with the nearest existing names if the file is missing,
-/// file-W01 if the case differs, file-W02 if only the last part of the name was found beside the scene, and
-/// file-W12 if several names differ only in case.
+/// The folders whose files may be shown to others: the scene's own, and those of the library. A scene may
+/// read other files, as "../a.frag" or "/usr/share/a.frag", but their text is not quoted in messages, reports
+/// and translated shaders, because a scene of somebody else can name any file of this machine.
+base::Roots shownRoots(const SearchFolders& folders);
+
+/// Looks up a file. "a/../b" is looked up as "b". The result contains file-E01 with the nearest existing
+/// names if the file is missing, file-W01 if the case differs, file-W02 if only the last part of the name was
+/// found beside the scene, file-W12 if several names differ only in case, and file-W13, once per scene, if
+/// the budget of `listings` is spent: from then on names are found only as they are written, and messages
+/// name no others.
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 
 /// Looks up a file for #include: like findFile, but first beside the including file.
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
-                          const InterpretOptions& options = {});
+                          const InterpretOptions& options, FolderListings& listings);
 
 /// True if the path leads to an ordinary file. Links are followed.
 bool isOrdinaryFile(const std::filesystem::path& path);

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 
 namespace glibra::scene {
 
@@ -22,11 +22,14 @@ std::vector<std::string> nearestFiles(std::string_view name, std::span<const std
     const std::size_t most = std::max<std::size_t>(2, name.size() / 3);
     for (const std::filesystem::path& folder : folders)
         for (const std::string& each : listings.names(folder)) {
+            if (!listings.spend(2)) return {};
             const std::size_t difference =
                 std::max(name.size(), each.size()) - std::min(name.size(), each.size());
             if (difference > most) continue;
-            const std::size_t distance = glib::editDistance(name, each);
-            if (distance <= most && distance < each.size()) candidates.push_back({distance, folder / each});
+            if (!listings.spend(20 + 3 * name.size() * each.size())) return {};
+            const std::size_t distance = base::editDistance(name, each);
+            if (distance <= most && distance < each.size() && listings.spend(500))
+                candidates.push_back({distance, folder / each});
         }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });

@@ -16,6 +16,7 @@
 #include "glib/command_table.h"
 #include "glib/number.h"
 #include "image/file.h"
+#include "scene/file_lookup.h"
 
 namespace glibra::scene {
 namespace {
@@ -52,13 +53,26 @@ Result<Mesh> parseModel(CommandId command, std::vector<std::byte> bytes, const s
     return {objMesh(command, *model, withTangents), std::move(model.diagnostics)};
 }
 
-Result<Mesh> readModel(const Shape& shape, const FileReference& file, bool withTangents) {
+/// Replaces the texts of messages about a model outside of the scene's folder and the library, because they
+/// quote it.
+void hideTexts(Diagnostics& diagnostics, const std::string& name) {
+    for (Diagnostic& each : diagnostics)
+        each.text = fmt::format(
+            "'{}' has a mistake; its text is not shown, because the file lies outside of the "
+            "scene's folder and its library",
+            name);
+}
+
+Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std::string& scenePath,
+                       bool withTangents) {
     Diagnostics diagnostics = file.remarks;
     if (file.path.empty()) return diagnostics;
     auto bytes = image::readFile(file.path, {file.name, file.place}, geo::kLargestModelFile);
     append(diagnostics, bytes.diagnostics);
     if (!bytes) return diagnostics;
     Result<Mesh> mesh = parseModel(shape.command, std::move(*bytes), file.path.string(), withTangents);
+    if (!mesh.diagnostics.empty() && !shownRoots(searchFolders(scenePath)).contains(file.path))
+        hideTexts(mesh.diagnostics, file.name);
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {
@@ -134,7 +148,7 @@ Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
     try {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
-        if (wanted.file) return readModel(wanted, scene.files[wanted.file], withTangents);
+        if (wanted.file) return readModel(wanted, scene.files[wanted.file], scene.path, withTangents);
         return diagnose("glib-E09", fmt::format("{} needs a file name", glib::nameOf(wanted.command)), place);
     } catch (const std::exception& problem) {
         return diagnose("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);

@@ -10,24 +10,13 @@
 #include <optional>
 #include <vector>
 
+#include "base/matrices.h"
 #include "scene/matrices.h"
 
 namespace glibra::scene {
 namespace {
 
 constexpr double kRounding = 1e-9;
-
-glm::dmat4 perspectiveMatrix(const Perspective& view, double aspect) {
-    const double half = view.fieldOfView / 2;
-    const double scale = cosineOfDegrees(half) / sineOfDegrees(half);
-    glm::dmat4 matrix(0.0);
-    matrix[0][0] = scale / aspect;
-    matrix[1][1] = scale;
-    matrix[2][2] = (view.near + view.far) / (view.near - view.far);
-    matrix[2][3] = -1;
-    matrix[3][2] = 2 * view.near * view.far / (view.near - view.far);
-    return matrix;
-}
 
 /// The limits of one axis. Equal limits stand for -1 and 1.
 struct Range {
@@ -53,14 +42,7 @@ glm::dmat4 orthographicMatrix(const Orthographic& view, double aspect) {
         y = y.grown(boxAspect / aspect);
     else if (boxAspect < aspect)
         x = x.grown(aspect / boxAspect);
-    const double depth = view.far - view.near;
-    glm::dmat4 matrix(0.0);
-    matrix[0][0] = 2 / x.size();
-    matrix[1][1] = 2 / y.size();
-    matrix[2][2] = -2 / depth;
-    matrix[3] = glm::dvec4(-(x.low + x.high) / x.size(), -(y.low + y.high) / y.size(),
-                           -(view.near + view.far) / depth, 1);
-    return matrix;
+    return base::boxProjection(x.low, x.high, y.low, y.high, view.near, view.far);
 }
 
 struct Box {
@@ -157,7 +139,8 @@ std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const Mes
 
 glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
     if (const auto* perspective = std::get_if<Perspective>(&projection))
-        return perspectiveMatrix(*perspective, aspect);
+        return base::perspectiveProjection(perspective->fieldOfView, aspect, perspective->near,
+                                           perspective->far);
     return orthographicMatrix(std::get<Orthographic>(projection), aspect);
 }
 

@@ -10,6 +10,8 @@
 namespace glibra::test {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kVertex =
     "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n";
 constexpr const char* kFragment = "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
@@ -127,6 +129,70 @@ TEST_F(BadInput, LinkError) {
     folder.write("a.frag", "#version 330 core\nin vec4 vN;\nout vec4 f;\nvoid main() { f = vN; }\n");
     expectRefused("Vertex a.vert\nFragment a.frag\nProgram P\nSphere\n",
                   {"vN", "a.vert", "a.frag", "[glsl-E02]"});
+}
+
+TEST_F(BadInput, ASceneThatIsALinkToAnotherKindOfFileIsNotRead) {
+    folder.write("secret", "TOP_SECRET 1\n");
+    folder.write("real.glib", "Sphere 1\n");
+    fs::create_symlink("secret", folder / "a.glib");
+    fs::create_symlink("real.glib", folder / "b.glib");
+    const Finished refused = glibra(folder.path(), "check a.glib");
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_NE(refused.err.find("glib-E14"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("TOP_SECRET"), std::string::npos) << refused.err;
+    EXPECT_EQ(glibra(folder.path(), "check b.glib").status, 0);
+}
+
+TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
+    folder.write("outside/secret.txt", "TOP_SECRET_token = hunter2;\n");
+    folder.write("outside/good.frag",
+                 "#version 330 core\nout vec4 f;\n// TOP_SECRET\nvoid main() { f = vec4(1.); }\n");
+    folder.write("outside/secret.obj",
+                 "v TOP_SECRET 1 2\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nf TOP_SECRET 1 2\n");
+    folder.write("scenes/a.vert", "#version 330 core\nvoid main() { gl_Position = aVertex; }\n");
+    folder.write("scenes/a.frag",
+                 "#version 330 core\n#include \"../outside/secret.txt\"\nout vec4 f;\nvoid main() { f = "
+                 "vec4(1.); }\n");
+    const std::string secret = (folder / "outside/secret.txt").string();
+    const auto scene = [&](const std::string& fragment, const std::string& shape) {
+        folder.write("scenes/a.glib",
+                     "Vertex a.vert\nFragment \"" + fragment + "\"\nProgram P\n" + shape + "\n");
+    };
+    for (const std::string& fragment : {secret, std::string("../outside/secret.txt"), std::string("a.frag"),
+                                        std::string("../outside/good.frag")})
+        for (const char* command :
+             {"check scenes/a.glib --translated out", "check scenes/a.glib --json",
+              "render scenes/a.glib -o a.png", "render scenes/a.glib -o a.png --explain"}) {
+            scene(fragment, "QuadXY 0 1 1 1");
+            const Finished finished = glibra(folder.path(), command);
+            EXPECT_EQ(finished.status, fragment.ends_with("good.frag") ? 0 : 3)
+                << fragment << command << finished.err;
+            for (const std::string& text : {finished.out, finished.err}) {
+                EXPECT_EQ(text.find("TOP_SECRET"), std::string::npos) << fragment << command << text;
+                EXPECT_EQ(text.find("hunter2"), std::string::npos) << fragment << command << text;
+            }
+        }
+    scene("../outside/good.frag", "Obj ../outside/secret.obj");
+    const Finished finished = glibra(folder.path(), "render scenes/a.glib -o a.png");
+    EXPECT_EQ((finished.out + finished.err).find("TOP_SECRET"), std::string::npos) << finished.err;
+    ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out").status, 0);
+    std::string translated;
+    for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());
+    EXPECT_NE(translated.find("#error not shown"), std::string::npos);
+    EXPECT_EQ(translated.find("TOP_SECRET"), std::string::npos);
+    fs::create_directory_symlink(folder / "outside", folder / "scenes/shaders");
+    ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out").status, 0);
+    translated.clear();
+    for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());
+    EXPECT_NE(translated.find("#error"), std::string::npos) << "a link beside the scene makes no library";
+    fs::remove(folder / "scenes/shaders");
+    fs::create_directories(folder / "lib/shaders");
+    fs::copy(folder / "outside/good.frag", folder / "lib/shaders/good.frag");
+    scene("../lib/shaders/good.frag", "QuadXY 0 1 1 1");
+    ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out", "GLIBRA_PATH=lib").status, 0);
+    translated.clear();
+    for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());
+    EXPECT_EQ(translated.find("#error"), std::string::npos) << "a library root may be shown";
 }
 
 TEST_F(BadInput, IncludeRecursion) {

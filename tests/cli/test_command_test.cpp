@@ -198,6 +198,83 @@ TEST_F(TestCommand, PicturesOfSuitesAreThoseOfScenes) {
     EXPECT_EQ(glibra(folder.path(), "render").status, 2);
 }
 
+TEST_F(TestCommand, AMergeShowsNoFileThatSomebodyElseNames) {
+    folder.write("outside/secret.txt", "TOP-SECRET\n");
+    folder.write(
+        "parts/1/results.jsonl",
+        R"({"run":{"planned":[{"suite":"s","shots":["a"]}]}})"
+        "\n"
+        R"({"suite":"s","shot":"a","verdict":"failed","script":")" +
+            (folder / "outside/secret.txt").string() +
+            R"(","got":"link.png","expected":".git/hooks/post-checkout",)"
+            R"("diagnostics":[{"severity":"error","id":"glib-E01","text":"x","place":{"file":"/etc/passwd","line":1,"column":1}}]})"
+            "\n"
+            R"({"end":{"shots":1}})"
+            "\n");
+    folder.write("parts/1/.git/hooks/post-checkout", "#!/bin/sh\n");
+    fs::create_symlink(folder / "outside/secret.txt", folder / "parts/1/link.png");
+    const Finished merged = run("--merge parts/1 --results all --report report");
+    EXPECT_EQ(merged.status, 1) << merged.err;
+    EXPECT_TRUE(contains(merged.err, "links are not followed")) << merged.err;
+    EXPECT_TRUE(contains(merged.err, "is no picture")) << merged.err;
+    for (const char* each : {"all", "report"})
+        for (const auto& file : fs::recursive_directory_iterator(folder / each)) {
+            if (!file.is_regular_file()) continue;
+            EXPECT_FALSE(contains(readFile(file.path()), "TOP-SECRET")) << file.path();
+            EXPECT_FALSE(contains(readFile(file.path()), "root:x:0")) << file.path();
+            EXPECT_NE(file.path().filename(), "post-checkout");
+        }
+    ASSERT_EQ(run("--merge parts/1 --results all --report report --root outside").status, 1);
+    EXPECT_TRUE(contains(readFile(folder / "report/index.html"), "TOP-SECRET")) << "the user asked for it";
+    EXPECT_EQ(run("s.toml --root outside").status, 2);
+}
+
+TEST_F(TestCommand, AResultWithATimeThatNoRunTakesIsAnError) {
+    folder.write("parts/1/results.jsonl", "{\"run\":{\"seconds\":1e308}}\n");
+    const Finished merged = run("--merge parts/1 --results all");
+    EXPECT_EQ(merged.status, 3);
+    EXPECT_TRUE(contains(merged.err, "'seconds': expected a number between 0 and 1000000000")) << merged.err;
+    EXPECT_TRUE(contains(merged.err, "result-E01")) << merged.err;
+}
+
+TEST_F(TestCommand, UpdateOutsideOfTheFolderOfTheSuiteNeedsAFlag) {
+    folder.write("tests/s.toml", "goldens = \"../gold\"\n[[shot]]\nscript = \"../a.glib\"\n");
+    const Finished refused = run("tests/s.toml --update");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(contains(refused.err, "suite-E20") && contains(refused.err, "--allow-outside"))
+        << refused.err;
+    EXPECT_FALSE(exists("gold"));
+    EXPECT_EQ(run("tests/s.toml --update --goldens given").status, 0);
+    EXPECT_TRUE(exists("given/s/a.png"));
+    EXPECT_EQ(run("tests/s.toml --update --allow-outside").status, 0);
+    EXPECT_EQ(run("tests/s.toml").status, 0) << "reading needs no flag";
+}
+
+TEST_F(TestCommand, UpdateDoesNotWriteThroughALink) {
+    accept();
+    folder.write("mine.png", "mine");
+    fs::remove(folder / "golden/a@uKd=0.4.png");
+    fs::create_symlink(folder / "mine.png", folder / "golden/a@uKd=0.4.png");
+    light("1.1");
+    const Finished update = run("s.toml --update --force --allow-outside");
+    EXPECT_TRUE(contains(update.out, "a@uKd=0.4.png': it is a symbolic link")) << update.out;
+    EXPECT_NE(update.status, 0);
+    EXPECT_EQ(readFile(folder / "mine.png"), "mine");
+    EXPECT_TRUE(contains(run("s.toml").out, "--allow-outside follows it"));
+}
+
+TEST_F(TestCommand, APatternForTheWholeDiskIsAnErrorWithTheLimit) {
+    fs::path deep = folder.path();
+    for (int i = 0; i < 70; ++i) deep /= "d";
+    fs::create_directories(deep);
+    folder.write("t.toml", "[[shot]]\nscript = \"" + folder.path().string() + "/**/*.glib\"\n");
+    const Finished finished = run("t.toml");
+    EXPECT_EQ(finished.status, 3);
+    EXPECT_TRUE(contains(finished.err, "200,000 files and 64 folders") && contains(finished.err, "suite-E11"))
+        << finished.err;
+    EXPECT_FALSE(contains(finished.err, "suite-E09")) << "one message is enough";
+}
+
 TEST_F(TestCommand, AFolderOfScenesIsASuite) {
     fs::create_directories(folder / "scenes");
     for (const char* each : {"a.glib", "a.vert", "a.frag"})

@@ -220,6 +220,39 @@ TEST_F(Survival, TwoRunsInOneFolderBothGiveRightResults) {
     EXPECT_EQ(leftovers(), "");
 }
 
+TEST_F(Survival, AMergeIntoTheFolderOfARunIsRefused) {
+    ASSERT_EQ(run("s.toml --update --results part").status, 0);
+    const int status = shell(
+        "flock glibra-results sleep 60 & lock=$!\nwhile flock -n glibra-results true; do sleep 0.05; done\n"
+        "$GLIBRA test --merge part --results glibra-results >merged 2>&1\ncode=$?\nkill $lock\nexit $code\n");
+    EXPECT_EQ(status, 3) << log();
+    EXPECT_TRUE(contains(readFile(folder / "merged"), "result-E02")) << readFile(folder / "merged");
+}
+
+TEST_F(Survival, APowerLossThatLeavesZerosCostsOneResult) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    std::string results = readFile(folder / "glibra-results/results.jsonl");
+    results.resize(results.rfind("{\"end\""));  // the run had not ended
+    results.resize(results.size() - 40);
+    folder.write("glibra-results/results.jsonl", results + std::string(4096, '\0'));
+    const Finished rest = run("s.toml --resume");
+    EXPECT_EQ(rest.status, 0) << rest.err;
+    EXPECT_TRUE(contains(rest.err, "result-N01")) << rest.err;
+    EXPECT_TRUE(contains(rest.out, count(kShots, "passed"))) << rest.out;
+}
+
+TEST_F(Survival, AFolderOfResultsWithLinksGetsNothingWrittenThroughThem) {
+    ASSERT_EQ(run("s.toml --update").status, 0);
+    folder.write("mine/a@uRounds=200.got.png", "mine");
+    fs::create_directories(folder / "r");
+    fs::create_directory_symlink(folder / "mine", folder / "r/s");
+    folder.write("a.glib",
+                 "Vertex a.vert\nFragment a.frag\nProgram P uRounds <1 200 5000>\nQuadXY 0 .5 1 1\n");
+    EXPECT_NE(run("s.toml --results r --only '*=200'").status, 0);
+    EXPECT_EQ(readFile(folder / "mine/a@uRounds=200.got.png"), "mine");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "mine"), {}), 1);
+}
+
 TEST_F(Survival, TwoUpdatesAtOnceLeaveWholeGoldensAndAllHashes) {
     const int status = shell(
         "$GLIBRA test s.toml --update --results r1 & a=$!\n$GLIBRA test s.toml --update --results r2 & b=$!\n"

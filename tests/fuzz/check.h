@@ -12,10 +12,14 @@
 
 namespace glibra::fuzz {
 
+/// The status with which a broken condition ends the process; 0: as an error of a sanitizer does.
+inline int statusOfBroken = 0;
+
 /// Ends the process, so that the fuzzer keeps the input, if `holds` is false.
 inline void check(bool holds, std::string_view what) {
     if (holds) return;
     std::fprintf(stderr, "not true: %.*s\n", static_cast<int>(what.size()), what.data());
+    if (statusOfBroken != 0) std::_Exit(statusOfBroken);
     std::abort();
 }
 

@@ -1,13 +1,19 @@
 // Runs a fuzz target without libFuzzer: first on every file of the corpus, then on a number of changed files,
-// the same on every machine. Coverage does not guide it. With clang, -DGLIBRA_FUZZ=ON links libFuzzer
-// instead.
+// the same on every machine. Coverage does not guide it. tools/fuzz runs the targets with libFuzzer instead.
 //
-//     fuzz_TARGET [-runs=N] [-seed=N] [-keep=FILE] FILE|FOLDER...
+//     fuzz_TARGET [-runs=N] [-seed=N] [-keep=FILE] [-apart] FILE|FOLDER...
 //
-// -keep writes every input to FILE before it is tried, so that it exists after a crash.
+// -keep writes every input to FILE before it is tried, so that it exists after a crash. -apart tries every
+// input in a process of its own with limits; one that crashes in there, or takes too long, is counted and is
+// no failure.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,35 +21,23 @@
 #include <vector>
 
 #include "check.h"
+#include "random.h"
+
+// The mutators of a target, if it has them, with the interface of libFuzzer.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                                                     std::size_t largest, unsigned seed);
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomCrossOver(
+    const std::uint8_t* first, std::size_t firstSize, const std::uint8_t* second, std::size_t secondSize,
+    std::uint8_t* out, std::size_t largest, unsigned seed);
 
 namespace {
 
 namespace fs = std::filesystem;
+using glibra::fuzz::Random;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kLargestInput = 1U << 16;  ///< bytes
 
-/// splitmix64 (Steele, Lea, Flood 2014) of a counter: the same sequence everywhere.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31);
-    }
-    /// 0 .. count - 1; 0 if count is 0.
-    std::size_t below(std::size_t count) { return count ? static_cast<std::size_t>(next() % count) : 0; }
-
-  private:
-    std::uint64_t state_;
-};
-
-/// Numbers at the limits of common types and sizes.
-constexpr std::string_view kNumbers[] = {
-    "0",   "-1",    "1e38", "-1e-45", "1e999", "nan",        "inf",
-    "255", "65536", ".",    "1e-400", "0x7f",  "2147483648", "99999999999999999999"};
 constexpr std::uint8_t kBytes[] = {0,   1,   0x7F, 0x80, 0xFE, 0xFF, '\n', '\r',
                                    ' ', '"', '#',  '<',  '[',  '{',  '(',  '\\'};
 
@@ -85,12 +79,11 @@ void change(Bytes& bytes, const Bytes& other, Random& random) {
             if (rest) bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1U << random.below(8)));
             break;
         case 1:
-            if (rest) bytes[at] = kBytes[random.below(std::size(kBytes))];
+            if (rest) bytes[at] = random.oneOf(kBytes);
             break;
         case 2: {
-            const std::string_view number = kNumbers[random.below(std::size(kNumbers))];
-            const auto* digits = reinterpret_cast<const std::uint8_t*>(number.data());
-            insert(bytes, at, digits, number.size());
+            const std::string_view number = random.oneOf(glibra::fuzz::kExtremeNumbers);
+            insert(bytes, at, reinterpret_cast<const std::uint8_t*>(number.data()), number.size());
             break;
         }
         case 3:
@@ -108,20 +101,73 @@ void change(Bytes& bytes, const Bytes& other, Random& random) {
             break;
         }
         case 6: {
-            const std::uint8_t byte = kBytes[random.below(std::size(kBytes))];
+            const std::uint8_t byte = random.oneOf(kBytes);
             insert(bytes, at, &byte, 1);
             break;
         }
         default:
-            if (random.below(4) == 0) bytes.resize(at);
+            if (random.oneIn(4)) bytes.resize(at);
             break;
     }
     if (bytes.size() > kLargestInput) bytes.resize(kLargestInput);
 }
 
+/// What the mutators of a target call for changes of bytes; driven by the run in progress.
+struct {
+    Random random{0};
+    Bytes other;
+} current;
+
+/// One to six changes by the target's own mutator, or of bytes.
+Bytes changed(Bytes bytes, const Bytes& other, std::uint64_t seed) {
+    Random random(seed);
+    current.random = Random(random.next());
+    current.other = other;
+    const auto draw = [&] { return static_cast<unsigned>(random.next()); };
+    if (LLVMFuzzerCustomCrossOver && random.oneIn(8)) {
+        Bytes both(kLargestInput);
+        both.resize(LLVMFuzzerCustomCrossOver(bytes.data(), bytes.size(), other.data(), other.size(),
+                                              both.data(), both.size(), draw()));
+        bytes = std::move(both);
+    }
+    for (std::size_t changes = 1 + random.below(6); changes > 0; --changes) {
+        if (!LLVMFuzzerCustomMutator) {
+            change(bytes, other, random);
+            continue;
+        }
+        const std::size_t size = bytes.size();
+        bytes.resize(kLargestInput);
+        bytes.resize(LLVMFuzzerCustomMutator(bytes.data(), size, bytes.size(), draw()));
+    }
+    return bytes;
+}
+
+/// Tries one input in a process of its own; false if that was ended by a signal or a sanitizer.
+bool endsWell(const Bytes& bytes) {
+    constexpr int kBroken = 3;
+    constexpr rlim_t kSeconds = 5;
+    const pid_t child = fork();
+    glibra::fuzz::check(child >= 0, "a process can be started");
+    if (child == 0) {
+        const rlimit seconds{kSeconds, kSeconds};
+        setrlimit(RLIMIT_CPU, &seconds);
+        alarm(static_cast<unsigned>(4 * kSeconds));
+        const rlimit noCore{0, 0};
+        setrlimit(RLIMIT_CORE, &noCore);
+        glibra::fuzz::statusOfBroken = kBroken;
+        LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+        std::_Exit(0);
+    }
+    int status = 0;
+    glibra::fuzz::check(waitpid(child, &status, 0) == child, "a process can be waited for");
+    glibra::fuzz::check(!WIFEXITED(status) || WEXITSTATUS(status) != kBroken, "the conditions hold");
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 struct Arguments {
     std::uint64_t runs = 0;
     std::uint64_t seed = 0;
+    bool apart = false;
     fs::path keep;
     std::vector<fs::path> corpus;
 };
@@ -138,6 +184,8 @@ Arguments argumentsOf(int count, char** words) {
         if (number("-runs=", arguments.runs) || number("-seed=", arguments.seed)) continue;
         if (word.starts_with("-keep="))
             arguments.keep = word.substr(6);
+        else if (word == "-apart")
+            arguments.apart = true;
         else
             arguments.corpus.emplace_back(word);
     }
@@ -146,29 +194,43 @@ Arguments argumentsOf(int count, char** words) {
 
 }  // namespace
 
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest) {
+    Bytes bytes(data, data + size);
+    change(bytes, current.other, current.random);
+    size = std::min(bytes.size(), largest);
+    std::memcpy(data, bytes.data(), size);
+    return size;
+}
+
 int main(int count, char** words) {
     const Arguments arguments = argumentsOf(count, words);
     const std::vector<Bytes> corpus = corpusOf(arguments.corpus);
     if (corpus.empty()) {
-        std::fprintf(stderr, "usage: %s [-runs=N] [-seed=N] [-keep=FILE] FILE|FOLDER...\n", words[0]);
+        std::fprintf(stderr, "usage: %s [-runs=N] [-seed=N] [-keep=FILE] [-apart] FILE|FOLDER...\n",
+                     words[0]);
         return 2;
     }
+    std::size_t ended = 0;
     const auto attempt = [&](const Bytes& bytes) {
         if (!arguments.keep.empty())
             std::ofstream(arguments.keep, std::ios::binary)
                 .write(reinterpret_cast<const char*>(bytes.data()),
                        static_cast<std::streamsize>(bytes.size()));
-        LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+        if (!arguments.apart)
+            LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+        else if (!endsWell(bytes))
+            ++ended;
     };
     for (const Bytes& bytes : corpus) attempt(bytes);
     for (std::uint64_t run = 0; run < arguments.runs; ++run) {
         Random random(arguments.seed * 0x100000001B3U + run);
-        Bytes bytes = corpus[random.below(corpus.size())];
+        const Bytes& bytes = corpus[random.below(corpus.size())];
         const Bytes& other = corpus[random.below(corpus.size())];
-        for (std::size_t changes = 1 + random.below(6); changes > 0; --changes) change(bytes, other, random);
-        attempt(bytes);
+        attempt(changed(bytes, other, random.next()));
     }
     std::printf("%zu files and %llu changed ones\n", corpus.size(),
                 static_cast<unsigned long long>(arguments.runs));
+    if (ended > 0) std::printf("%zu of them ended their process\n", ended);
     return 0;
 }

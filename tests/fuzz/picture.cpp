@@ -1,10 +1,12 @@
-// Any bytes as a PNG, a BMP or a raw texture. OpenImageIO reads the other formats and is fuzzed by its own
-// project.
+// Any bytes as a PNG, a BMP or a raw texture. What is accepted gives the same pixels after it is written as
+// PNG. The target "module" has the other formats.
 
 #include <array>
 #include <span>
 
 #include "check.h"
+#include "image/png/png_reader.h"
+#include "image/png/png_writer.h"
 #include "image/raw_texture.h"
 #include "image/read.h"
 
@@ -22,7 +24,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         check(picture->width >= 1 && picture->height >= 1, "a picture has pixels");
         check(picture->data.size() == picture->rowBytes() * static_cast<std::size_t>(picture->height),
               "a picture has all its pixels");
-        check(picture->data.size() <= options.limits.texelBytes * 4, "a picture keeps to the limits");
+        check(picture->data.size() <= options.limits.texelBytes, "a picture keeps to the limits");
+        const auto written =
+            image::encodePng(*picture, {.level = static_cast<int>(size % 5), .text = {}, .threads = 1});
+        const Result<image::Image> again = image::decodePng(written, {"again.png", {}}, options.limits);
+        check(again && again->width == picture->width && again->height == picture->height &&
+                  again->type == picture->type && again->data == picture->data,
+              "a picture that is written as PNG keeps its pixels");
     }
     for (const int dimensions : std::array{0, 1, 2, 3}) {
         const Result<image::TexelBlock> texels =

@@ -1,4 +1,4 @@
-// The command table compared with language, 3, whose words are written out here a second time.
+// The command table: every word of existing scenes, and rows that agree with each other.
 
 #include "glib/command_table.h"
 
@@ -8,12 +8,13 @@
 #include <sstream>
 #include <string>
 
+#include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/suggest.h"
 
 namespace glibra::glib::test {
 namespace {
 
+/// The words that scenes have used since glman. None may vanish. New commands need not be added.
 constexpr const char* kWords =
     "WindowSize Perspective Persp Ortho LookAt Color Colour Background Clear Translate Rotate Scale "
     "PushMatrix TransformBegin "
@@ -29,19 +30,18 @@ constexpr const char* kWords =
     "GeometryOutputType "
     "GeometryVerticesOut GSTAP gstap.h Noise2D Noise3D Timer MessageBox Verbose";
 
-TEST(CommandTable, HoldsExactlyTheWordsOfTheLanguage) {
-    std::set<std::string> expected;
+TEST(CommandTable, KnowsTheWordsOfExistingScenes) {
     std::istringstream words(kWords);
-    for (std::string word; words >> word;) expected.insert(word);
+    for (std::string word; words >> word;) EXPECT_NE(findCommand(word), nullptr) << word;
+}
+
+TEST(CommandTable, HasEveryWordOnce) {
     std::set<std::string> found;
     for (const CommandRow& row : commandTable())
         for (const std::string_view name : row.names)
             if (!name.empty()) {
                 EXPECT_TRUE(found.insert(std::string(name)).second) << name;
             }
-    // Newer shapes are only in geometry's list.
-    for (const geometry::PrimitiveSpec* each : geometry::primitives()) expected.emplace(each->names[0]);
-    EXPECT_EQ(found, expected);
 }
 
 TEST(CommandTable, HasOneRowPerId) {
@@ -102,31 +102,31 @@ TEST(CommandTable, FindsAliasesInAnyCase) {
 }
 
 TEST(EditDistance, CountsEdits) {
-    EXPECT_EQ(editDistance("", ""), 0U);
-    EXPECT_EQ(editDistance("", "abc"), 3U);
-    EXPECT_EQ(editDistance("abc", ""), 3U);
-    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
-    EXPECT_EQ(editDistance("Spehre", "sphere"), 1U);  // neighbours exchanged
-    EXPECT_EQ(editDistance("flaw", "lawn"), 2U);
-    EXPECT_EQ(editDistance("ca", "abc"), 3U);  // no byte is edited twice
+    EXPECT_EQ(base::editDistance("", ""), 0U);
+    EXPECT_EQ(base::editDistance("", "abc"), 3U);
+    EXPECT_EQ(base::editDistance("abc", ""), 3U);
+    EXPECT_EQ(base::editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(base::editDistance("Spehre", "sphere"), 1U);  // neighbours exchanged
+    EXPECT_EQ(base::editDistance("flaw", "lawn"), 2U);
+    EXPECT_EQ(base::editDistance("ca", "abc"), 3U);  // no byte is edited twice
 }
 
 TEST(EditDistance, IsSymmetric) {
     for (const char* a : {"Sphere", "Cone", "glVertex", ""})
         for (const char* b : {"Spere", "Cylinder", "xgl", "Cnoe"})
-            EXPECT_EQ(editDistance(a, b), editDistance(b, a));
+            EXPECT_EQ(base::editDistance(a, b), base::editDistance(b, a));
 }
 
 TEST(NearestName, IsTheNearestOrNothing) {
     constexpr std::string_view kNames[] = {"uShrink", "uKa", "uKd", "Sphere", "uA"};
-    EXPECT_EQ(nearestName("ushrink", kNames), "uShrink");
-    EXPECT_EQ(nearestName("uShrnik", kNames), "uShrink");
-    EXPECT_EQ(nearestName("Spere", kNames), "Sphere");
-    EXPECT_EQ(nearestName("uKs", kNames), "uKa");
-    EXPECT_EQ(nearestName("uB", kNames), "");
-    EXPECT_EQ(nearestName("Tetrahedron", kNames), "");
-    EXPECT_EQ(nearestName("", kNames), "");
-    EXPECT_EQ(nearestName(std::string(100, 'u'), kNames), "");
+    EXPECT_EQ(base::nearestName("ushrink", kNames), "uShrink");
+    EXPECT_EQ(base::nearestName("uShrnik", kNames), "uShrink");
+    EXPECT_EQ(base::nearestName("Spere", kNames), "Sphere");
+    EXPECT_EQ(base::nearestName("uKs", kNames), "uKa");
+    EXPECT_EQ(base::nearestName("uB", kNames), "");
+    EXPECT_EQ(base::nearestName("Tetrahedron", kNames), "");
+    EXPECT_EQ(base::nearestName("", kNames), "");
+    EXPECT_EQ(base::nearestName(std::string(100, 'u'), kNames), "");
 }
 
 TEST(NearestCommand, IsSpelledAsInTheTable) {

@@ -49,7 +49,7 @@ sed -i 's/vLight \* uColor/.9 * vLight * uColor/' "$place/scenes/plain.frag"
 golden_tests && fail "golden tests do not see a changed shader"
 ctest --test-dir "$place/consumer" -L quick >>"$place/log" 2>&1 && fail "the label or ONLY is lost"
 
-# What is written wrong is told when the project is configured.
+# Wrong arguments are reported when the project is configured.
 for wrong in "SUITE nowhere.toml" "" "SUITE ${place}/scenes/pictures.toml COLOR red"; do
     printf 'cmake_minimum_required(VERSION 3.25)\nproject(wrong NONE)\nfind_package(glibra REQUIRED)\nenable_testing()\n%s\n' \
         "glibra_add_golden_test(pictures $wrong)" >"$place/scenes/CMakeLists.txt"

@@ -2,11 +2,12 @@
 """Does a golden picture catch a mistake? Makes mutants of the example scenes, each with one small change, and compares
 them with the goldens of the originals at the default tolerance (an equal hash does not count).
 
-usage: tests/mutation/mutate.py GLIBRA [--floor SHARE] [--least COUNT] [--keep FOLDER] [--write]
+usage: tests/mutation/mutate.py GLIBRA [--floor SHARE] [--least COUNT] [--keep FOLDER] [--write | --only TOPIC/NAME]
 
 Mutants whose pictures equal the originals bit for bit are left out. Prints how many are caught, and one line with
 figures for each that is not; --write puts that into README.md beside this file. The exit status is 1 if
-fewer than SHARE of the visible mutants are caught, or if there are fewer than COUNT mutants.
+fewer than SHARE of the visible mutants are caught, or if there are fewer than COUNT mutants. --only limits all this to one
+scene, as start/teapot.
 """
 import argparse
 import collections
@@ -192,10 +193,14 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("glibra")
     parser.add_argument("--floor", type=float, default=0)
-    parser.add_argument("--least", type=int, default=200)
+    parser.add_argument("--least", type=int)
     parser.add_argument("--keep")
-    parser.add_argument("--write", action="store_true")
+    extent = parser.add_mutually_exclusive_group()
+    extent.add_argument("--write", action="store_true")
+    extent.add_argument("--only", metavar="TOPIC/NAME")
     options = parser.parse_args()
+    if options.least is None:
+        options.least = 1 if options.only else 200
     glibra = os.path.abspath(options.glibra)
     folder = options.keep or tempfile.mkdtemp(prefix="glibra-mutation-")
     os.makedirs(folder, exist_ok=True)
@@ -210,6 +215,10 @@ def test(glibra, folder, options):
     scenes = []
     for path, _, names in sorted(os.walk(os.path.join(ROOT, "glib"))):
         scenes += [Scene(os.path.join(path, each)) for each in sorted(names) if each.endswith(".glib")]
+    if options.only:
+        scenes = [each for each in scenes if f"{each.topic}/{each.name}" == options.only]
+        if not scenes:
+            sys.exit(f"there is no scene '{options.only}' in glib")
     mutants = []
     for scene in scenes:
         for make in (uniform_mutants, light_mutants, lambda s: texture_mutants(s, folder), triangle_mutants,

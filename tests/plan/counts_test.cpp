@@ -53,18 +53,18 @@ TEST(RangeCount, OfOneReachesToZeroAndOne) {
     expectControl(slider({-2}), -2, -2, 1);
     expectControl(slider({3}), 0, 3, 3);
     EXPECT_EQ(textOf(slider({.5}).diagnostics, "glib-W15"),
-              "uA: 1 value in < >, read as min 0, cur .5, max 1");
+              "uA: 1 value in < >; read as minimum 0, current .5, maximum 1");
 }
 TEST(RangeCount, OfOneOnABoolTellsWhetherItIsNotZero) {
     const Reading reading = read("bool", UniformForm::range, {2});
     EXPECT_EQ(reading.values, Values{1});
-    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >, read as true");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 1 value in < >; read as true");
     EXPECT_EQ(ids(reading.diagnostics), "glib-W15");
 }
 TEST(RangeCount, OfTwoIsMinimumAndCurrent) {
     expectControl(slider({.1, 1.5}), .1, 1.5, 1.5);
     EXPECT_EQ(textOf(slider({.1, 1.5}).diagnostics, "glib-W15"),
-              "uA: 2 values in < >, read as min .1, cur 1.5, max 1.5");
+              "uA: 2 values in < >; read as minimum .1, current 1.5, maximum 1.5");
 }
 TEST(RangeCount, OfTwoFallingEndsAtTheLarger) {
     const Reading reading = slider({2, 1});  // min 2, cur 1, max 2
@@ -84,7 +84,7 @@ TEST(ListCount, BeyondTheTypeIsSurplus) {
 TEST(ListCount, BelowTheTypeLeavesTheRestZero) {
     const Reading reading = read("vec3", UniformForm::list, {1, 2});
     EXPECT_EQ(reading.values, (Values{1, 2, 0}));
-    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 2 values in [ ], vec3 takes 3, the rest stay 0");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W15"), "uA: 2 values in [ ]; vec3 takes 3, so the rest is 0");
     EXPECT_EQ(read("float[4]", UniformForm::list, {1}).values, (Values{1, 0, 0, 0}));
     EXPECT_EQ(read("mat2", UniformForm::list, {1, 2, 3}).values, (Values{1, 2, 3, 0}));
 }
@@ -92,7 +92,7 @@ TEST(EmptyBrackets, SkipTheTag) {
     for (const UniformForm form : {UniformForm::list, UniformForm::range, UniformForm::color}) {
         const Reading reading = read("vec3", form, {});
         EXPECT_TRUE(reading.ignored);
-        EXPECT_EQ(textOf(reading.diagnostics, "glib-W17"), "tag 'uA' has no value, skipped");
+        EXPECT_EQ(textOf(reading.diagnostics, "glib-W17"), "tag 'uA' has no value; it is skipped");
         EXPECT_EQ(reading.diagnostics.front().place.column, 3);
     }
 }

@@ -70,7 +70,7 @@ TEST(FloatUniform, TakesTheFirstOfAColour) {
 TEST(IntUniform, CutsANumberTowardZero) {
     expectReading(number("int", 10.5), {10}, "glib-W27");
     expectReading(number("int", -2.75), {-2}, "glib-W27");
-    EXPECT_EQ(textOf(number("int", 10.5).diagnostics, "glib-W27"), "10.5 cut to 10");
+    EXPECT_EQ(textOf(number("int", 10.5).diagnostics, "glib-W27"), "10.5 is cut to 10");
     expectReading(number("int", 4), {4}, "");
 }
 TEST(IntUniform, TakesTheFirstOfAListCut) {
@@ -109,7 +109,7 @@ TEST(BoolUniform, TakesTheFirstOfAList) {
 TEST(BoolUniform, TakesTheCurrentOfARangeAndHasACheckBox) {
     const Reading reading = range("bool", {0, 0, 1});
     expectReading(reading, {0}, "glib-W20");
-    EXPECT_EQ(textOf(reading.diagnostics, "glib-W20"), "uA is bool, range < 0 0 1 > read as false");
+    EXPECT_EQ(textOf(reading.diagnostics, "glib-W20"), "uA is bool, so range < 0 0 1 > is read as false");
     ASSERT_TRUE(reading.control);
     EXPECT_EQ(reading.control->form, UniformForm::truth);
 }

@@ -2,8 +2,11 @@
 
 #include "scene/file_lookup.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+
+#include <chrono>
 
 #include "scene/near_files.h"
 #include "support.h"
@@ -229,12 +232,75 @@ TEST_F(FileLookup, IncludesAreLookedForBesideTheIncludingFileFirst) {
     const fs::path scene = folder.path() / "scene.glib";
     const fs::path including = folder.write("shaders/a.vert");
     const fs::path besideScene = folder.write("light.glsl");
-    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string()).path, besideScene);
+    FolderListings listings;
+    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string(), {}, listings).path, besideScene);
     const fs::path beside = folder.write("shaders/light.glsl");
-    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string()).path, beside);
-    const FileReference absent = findInclude("no.glsl", including.string(), scene.string());
+    EXPECT_EQ(findInclude("light.glsl", including.string(), scene.string(), {}, listings).path, beside);
+    const FileReference absent = findInclude("no.glsl", including.string(), scene.string(), {}, listings);
     EXPECT_EQ(idsOf(absent.remarks), "file-E01");
     EXPECT_EQ(absent.place.file, including.string());
+}
+
+TEST_F(FileLookup, AFolderAndTheWayBackAreNothing) {
+    const fs::path path = folder.write("sub/cow.obj");
+    for (const char* name : {"no/../sub/cow.obj", "sub/no/./..//cow.obj", "sub\\a\\b\\..\\..\\cow.obj"}) {
+        EXPECT_EQ(find(name).path, path) << name;
+        EXPECT_TRUE(find(name).remarks.empty()) << name;
+    }
+    EXPECT_EQ(scene::find("../../sub/cow.obj", folder.path() / "a/b/scene.glib").path.lexically_normal(),
+              path);
+}
+
+TEST_F(FileLookup, ANameOfManyFoldersAndWaysBackTakesNoTime) {
+    folder.write("Aa/x");
+    folder.write("aA/x");
+    folder.write("AA/x");
+    std::string name;
+    for (int i = 0; i < 600; ++i) name += "aa/../";
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 90; ++i)
+        EXPECT_EQ(idsOf(find(name + "none" + std::to_string(i)).remarks), "file-E01");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+}
+
+TEST_F(FileLookup, OneBudgetForAllNamesOfASceneWithOneMessage) {
+    for (int i = 0; i < 3000; ++i) folder.write(fmt::format("picture-number-{:05}.bmp", i));
+    const fs::path there = folder.write("There.bmp");
+    const SearchFolders folders = searchFolders(folder.path() / "scene.glib");
+    FolderListings listings;
+    const auto find = [&](const std::string& name) {
+        return findFile(name, {"a.glib", 3, 5}, folders, listings);
+    };
+    EXPECT_NE(find("picture-numbr-00007.bmp").remarks.at(0).text.find("nearest"), std::string::npos);
+    EXPECT_EQ(idsOf(find("there.bmp").remarks), "file-W01");
+    const auto start = std::chrono::steady_clock::now();
+    int reported = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const FileReference missing = find(fmt::format("picture-numbr-{:05}.bmp", i));
+        EXPECT_EQ(missing.remarks.at(0).id, "file-E01");
+        EXPECT_EQ(idsOf(missing.remarks).find("file-W13") != std::string::npos, missing.remarks.size() > 1)
+            << i;
+        reported += static_cast<int>(missing.remarks.size()) - 1;
+    }
+    EXPECT_EQ(reported, 1);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_EQ(textOf(find("picture-numbr-00007.bmp")), "file-E01 cannot find 'picture-numbr-00007.bmp'");
+    EXPECT_EQ(find("There.bmp").path, there) << "names as they are written are still found";
+}
+
+TEST_F(FileLookup, OnlyTheFolderOfTheSceneAndTheLibraryMayBeShown) {
+    const fs::path own = folder.write("project/glib/sub/a.frag"),
+                   shared = folder.write("project/shaders/b.frag"),
+                   secret = folder.write("project/secret.txt"),
+                   hidden = folder.write("project/glib/.git/config");
+    fs::create_symlink(secret, folder.path() / "project/glib/link.frag");
+    const base::Roots roots = shownRoots(searchFolders(folder.path() / "project/glib/a.glib"));
+    EXPECT_TRUE(roots.contains(own));
+    EXPECT_TRUE(roots.contains(shared));
+    EXPECT_FALSE(roots.contains(secret));
+    EXPECT_FALSE(roots.contains(hidden));
+    EXPECT_FALSE(roots.contains(folder.path() / "project/glib/link.frag"));
+    EXPECT_FALSE(roots.contains(folder.path() / "project/glib/../secret.txt"));
 }
 
 TEST(FolderListing, NamesAreInByteOrderAndReadOnce) {

@@ -84,6 +84,16 @@ TEST(Glob, DoesNotFollowLinksToFoldersRoundAndRound) {
     EXPECT_EQ(found(folder, "**/*.glib"), "a/x.glib ");
 }
 
+TEST(Glob, ASearchOfAWholeDiskStopsAtItsLimits) {
+    const SceneFolder folder{"x.glib"};
+    std::filesystem::path deep = folder.path();
+    for (int i = 0; i <= kDeepestSearch; ++i) deep /= "d";
+    std::filesystem::create_directories(deep);
+    EXPECT_FALSE(filesThatFit(folder.path(), "**/*.glib"));
+    std::filesystem::remove(deep);
+    EXPECT_EQ(found(folder, "**/*.glib"), "x.glib ");
+}
+
 TEST(Glob, KnowsTheFixedPartOfAPattern) {
     EXPECT_EQ(fixedFolder("../glib/*/a*.glib"), "../glib");
     EXPECT_EQ(fixedFolder("*.glib"), "");

@@ -40,6 +40,64 @@ TEST_F(Goldens, TheNearestVariantIsTaken) {
     EXPECT_EQ(store().find(shot, "llvmpipe")->file, folder / "goldens/a.llvmpipe.png");
 }
 
+TEST_F(Goldens, AGoldenThatIsALinkIsNotWrittenThrough) {
+    put("a", gradient());
+    writeText(folder / "mine.png", "mine");
+    std::filesystem::create_symlink(folder / "mine.png", folder / "goldens/b.png");
+    const Result<Golden> refused = store().replace(shotNamed("b"), "", gradient(1));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.diagnostics.front().id, "file-E10");
+    EXPECT_NE(refused.diagnostics.front().text.find("goldens/b.png': it is a symbolic link"),
+              std::string::npos)
+        << refused.diagnostics.front().text;
+    EXPECT_EQ(textOf(folder / "mine.png"), "mine");
+    std::filesystem::create_directories(folder / "elsewhere");
+    std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "goldens/deep");
+    EXPECT_FALSE(store().replace(shotNamed("deep/c"), "", gradient()));
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
+    EXPECT_TRUE(GoldenStore::open(suite, {}, true)->replace(shotNamed("deep/c"), "", gradient()));
+    const AcceptedHash line{"a", "", {}, {}, "llvmpipe"};
+    std::filesystem::create_symlink(folder / "mine.png", folder / "goldens/s.hashes");
+    EXPECT_TRUE(hasError(acceptHashes(folder / "goldens/s.hashes", std::span(&line, 1))));
+    EXPECT_EQ(textOf(folder / "mine.png"), "mine");
+}
+
+TEST_F(Goldens, ALinkIsFollowedOnlyWithinTheGoldenFolderAndThatOfTheSuite) {
+    put("a", gradient());
+    suite.file = folder / "suite/s.toml";
+    std::filesystem::create_directories(folder / "suite");
+    std::filesystem::copy(folder / "goldens/a.png", folder / "suite/own.png");
+    std::filesystem::copy(folder / "goldens/a.png", folder / "secret.png");
+    std::filesystem::create_symlink("a.png", folder / "goldens/b.png");
+    std::filesystem::create_symlink(folder / "suite/own.png", folder / "goldens/c.png");
+    std::filesystem::create_symlink(folder / "secret.png", folder / "goldens/d.png");
+    EXPECT_TRUE(store().find(shotNamed("b"), ""));
+    EXPECT_TRUE(store().find(shotNamed("c"), ""));
+    const Result<Golden> outside = store().find(shotNamed("d"), "");
+    ASSERT_FALSE(outside);
+    ASSERT_EQ(outside.diagnostics.size(), 1U);
+    EXPECT_EQ(outside.diagnostics[0].id, "file-E02");
+    EXPECT_TRUE(GoldenStore::open(suite, {}, true)->find(shotNamed("d"), ""));
+}
+
+TEST_F(Goldens, UpdateStaysBelowTheFolderOfTheSuite) {
+    suite.file = folder / "tests/s.toml";
+    std::filesystem::create_directories(folder / "tests");
+    for (const auto& [goldens, good] : {std::pair<const char*, bool>{"tests/golden", true},
+                                        {"tests/a/../golden", true},
+                                        {"goldens", false},
+                                        {"tests/../goldens", false},
+                                        {"tests2", false}}) {
+        suite.goldens = folder / goldens;
+        EXPECT_EQ(checkGoldenFolder(suite).empty(), good) << goldens;
+    }
+    std::filesystem::create_directory_symlink(folder / "goldens", folder / "tests/link");
+    std::filesystem::create_directories(folder / "goldens");
+    suite.goldens = folder / "tests/link";
+    ASSERT_EQ(checkGoldenFolder(suite).size(), 1U);
+    EXPECT_EQ(checkGoldenFolder(suite)[0].id, "suite-E20");
+}
+
 TEST_F(Goldens, WhatWasWrittenComesBack) {
     put("deep/er/a", gradient());
     const Result<Golden> golden = store().find(shotNamed("deep/er/a"), "llvmpipe");

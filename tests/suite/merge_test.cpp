@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "folder.h"
+#include "image/png/png_writer.h"
+#include "pictures.h"
 #include "suite/results/results_file.h"
 
 namespace glibra::suite {
@@ -19,6 +21,12 @@ ShotResult shot(const std::string& name, Verdict verdict, const std::string& got
     made.verdict = verdict;
     made.got = got;
     return made;
+}
+
+/// The bytes of a PNG picture, different for each value.
+std::string png(int value) {
+    const std::vector<std::byte> bytes = image::encodePng(oneColor(value));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// A run that planned these shots, and is complete if it skips none.
@@ -66,16 +74,16 @@ class Merge : public testing::Test {
 };
 
 TEST_F(Merge, JoinsTheShardsWithTheirPictures) {
-    writeText(folder / "1/pictures/a.png", "picture a");
-    writeText(folder / "2/pictures/b.png", "picture b");
+    writeText(folder / "1/pictures/a.png", png(1));
+    writeText(folder / "2/pictures/b.png", png(2));
     add("2", run("2/2", {shot("b", Verdict::failed, "pictures/b.png")}));
     add("1", run("1/2", {shot("a", Verdict::passed, "pictures/a.png"), shot("c", Verdict::missing)}));
     const Result<RunResult> result = merged();
     ASSERT_TRUE(result);
     EXPECT_EQ(ids(result.diagnostics), "");
     EXPECT_EQ(verdicts(*result), "a:passed b:failed c:missing ");
-    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), "picture a");
-    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), "picture b");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), png(1));
+    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), png(2));
     EXPECT_EQ(result->shard, "");
     EXPECT_EQ(result->driver, "llvmpipe");
     const Result<RunResult> written = readResults(folder / "into");
@@ -199,21 +207,21 @@ TEST_F(Merge, NoCutOfAResultsFileMergesWithoutAnError) {
 }
 
 TEST_F(Merge, KeepsBothOfTwoPicturesWithOneName) {
-    writeText(folder / "1/p.png", "one");
-    writeText(folder / "2/p.png", "two");
-    writeText(folder / "3/p.png", "one");
+    writeText(folder / "1/p.png", png(1));
+    writeText(folder / "2/p.png", png(2));
+    writeText(folder / "3/p.png", png(1));
     add("1", run("1/3", {shot("a", Verdict::failed, "p.png")}));
     add("2", run("2/3", {shot("b", Verdict::failed, "p.png")}));
     add("3", run("3/3", {shot("c", Verdict::failed, "./p.png")}));
     const Result<RunResult> result = merged();
     ASSERT_TRUE(result);
-    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), "one");
-    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), "two");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), png(1));
+    EXPECT_EQ(textOf(folder / "into" / result->shots[1].got), png(2));
     EXPECT_EQ(result->shots[2].got, result->shots[0].got);
 }
 
 TEST_F(Merge, LeavesPicturesOutsideOfTheFoldersWhereTheyAre) {
-    writeText(folder / "goldens/g.png", "golden");
+    writeText(folder / "goldens/g.png", png(3));
     RunResult result = run("", {shot("a", Verdict::failed, "../goldens/g.png")});
     result.shots[0].expected = folder / "goldens/g.png";
     add("1", result);
@@ -246,15 +254,69 @@ TEST_F(Merge, AFolderThatCannotBeReadIsReportedAndTheOthersAreMerged) {
 }
 
 TEST_F(Merge, GoesIntoOneOfItsOwnFoldersToo) {
-    writeText(folder / "1/p.png", "one");
-    writeText(folder / "2/q.png", "two");
+    writeText(folder / "1/p.png", png(1));
+    writeText(folder / "2/q.png", png(2));
     add("1", run("1/2", {shot("a", Verdict::failed, "p.png")}));
     add("2", run("2/2", {shot("b", Verdict::failed, "q.png")}));
     const Result<RunResult> result = mergeResults(folders, folder / "1");
     ASSERT_TRUE(result);
-    EXPECT_EQ(textOf(folder / "1/p.png"), "one");
-    EXPECT_EQ(textOf(folder / "1/q.png"), "two");
+    EXPECT_EQ(textOf(folder / "1/p.png"), png(1));
+    EXPECT_EQ(textOf(folder / "1" / result->shots[0].got), png(1));
+    EXPECT_EQ(textOf(folder / "1" / result->shots[1].got), png(2));
     EXPECT_EQ(readResults(folder / "1")->shots.size(), 2U);
+}
+
+TEST_F(Merge, AFileThatIsNoPictureIsLeftOutAndNamed) {
+    writeText(folder / "1/.git/hooks/post-checkout", "#!/bin/sh\n");
+    writeText(folder / "1/evil.sh", "#!/bin/sh\n");
+    writeText(folder / "1/cut.png", png(1).substr(0, 60));
+    add("1", run("", {shot("a", Verdict::failed, ".git/hooks/post-checkout"),
+                      shot("b", Verdict::failed, "evil.sh"), shot("c", Verdict::failed, "cut.png")}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(ids(result.diagnostics), "result-W02 result-W02 result-W02 ");
+    EXPECT_NE(result.diagnostics[1].text.find("'s/b': 'evil.sh' is no picture"), std::string::npos)
+        << result.diagnostics[1].text;
+    for (const ShotResult& each : result->shots) EXPECT_TRUE(each.got.empty());
+    for (const auto& each : fs::directory_iterator(folder / "into"))
+        EXPECT_EQ(each.path().filename(), "results.jsonl");
+}
+
+TEST_F(Merge, APictureWithTheNameOfAScriptIsStoredUnderANameOfOurs) {
+    writeText(folder / "1/run.sh", png(1));
+    add("1", run("", {shot("a", Verdict::failed, "run.sh")}));
+    const Result<RunResult> result = merged();
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->shots[0].got.parent_path(), "pictures");
+    EXPECT_EQ(result->shots[0].got.extension(), ".png");
+    EXPECT_EQ(textOf(folder / "into" / result->shots[0].got), png(1));
+    EXPECT_FALSE(fs::exists(folder / "into/run.sh"));
+}
+
+TEST_F(Merge, WritesThroughNoLinkOfAFolderThatSomebodyElseMade) {
+    writeText(folder / "1/p.png", png(1));
+    writeText(folder / "mine/results", "mine");
+    add("1", run("", {shot("a", Verdict::failed, "p.png")}));
+    fs::create_directory_symlink(folder / "mine", folder / "1/pictures");
+    EXPECT_EQ(ids(mergeResults(folders, folder / "1").diagnostics), "file-E10 ");
+    fs::remove(folder / "1/pictures");
+    fs::rename(folder / "1/results.jsonl", folder / "2.jsonl");
+    fs::create_symlink(folder / "mine/results", folder / "1/results.jsonl");
+    folders = {folder / "2.jsonl"};
+    fs::create_directories(folder / "into");
+    fs::create_symlink(folder / "mine/results", folder / "into/results.jsonl");
+    EXPECT_TRUE(merged());
+    EXPECT_EQ(textOf(folder / "mine/results"), "mine");
+    EXPECT_FALSE(fs::is_symlink(folder / "into/results.jsonl"));
+    folders = {folder / "1"};
+    EXPECT_EQ(ids(merged().diagnostics), "file-E02 ") << "a results file that is a link";
+}
+
+TEST_F(Merge, IsRefusedWhileARunWritesIntoItsFolder) {
+    add("1", run("", {shot("a", Verdict::passed)}));
+    const Result<ResultsWriter> writer = ResultsWriter::open(folder / "into", run("", {}));
+    ASSERT_TRUE(writer);
+    EXPECT_EQ(ids(merged().diagnostics), "result-E02 ");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ double ResultsMaker::figure() {
 
 Diagnostic ResultsMaker::diagnostic() {
     return {static_cast<Severity>(below(3)), text(), text(),
-            Place{text(), static_cast<int>(random_()), static_cast<int>(random_())}};
+            Place{text(), static_cast<int>(below(1U << 31U)), static_cast<int>(below(100))}};
 }
 
 ShotResult ResultsMaker::shot() {
@@ -73,8 +73,8 @@ ShotResult ResultsMaker::shot() {
     made.goldenVariant = text();
     made.exact = chance();
     made.changed = chance();
-    made.width = static_cast<int>(random_());
-    made.height = static_cast<int>(random_());
+    made.width = static_cast<int>(below(1 << 24));
+    made.height = static_cast<int>(below(1 << 24));
     made.judgement.same = chance();
     made.judgement.decidedBy = static_cast<image::Rung>(below(6));
     made.judgement.reason = text();
@@ -106,7 +106,7 @@ ShotResult ResultsMaker::shot() {
     made.judgement.biasX = static_cast<int>(random_());
     made.judgement.biasY = static_cast<int>(random_());
     for (std::size_t count = below(3); count > 0; --count) made.diagnostics.push_back(diagnostic());
-    made.milliseconds = figure();
+    made.milliseconds = static_cast<double>(below(1'000'000'000)) / 7;
     made.reproduce = text();
     made.accept = text();
     made.driver = text();
@@ -119,7 +119,7 @@ RunResult ResultsMaker::run() {
     made.machine = text();
     made.shard = text();
     made.command = text();
-    made.seconds = figure();
+    made.seconds = static_cast<double>(below(1'000'000'000)) / 7;
     made.began = text();
     if (chance()) made.planned = {{text(), {text(), text()}}, {text(), {}}};
     return made;

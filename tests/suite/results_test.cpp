@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "results_maker.h"
+#include "suite/report/junit_report.h"
+#include "suite/report/terminal_report.h"
+#include "suite/results/figures.h"
 
 namespace glibra::suite {
 namespace {
@@ -109,7 +113,30 @@ INSTANTIATE_TEST_SUITE_P(
                    "the comparison has no rung 'luck'"},
         BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","diagnostics":[{"severity":"sad"}]})",
                    "there is no severity 'sad'"},
+        BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","milliseconds":1e308})",
+                   "'milliseconds': expected a number between 0 and"},
+        BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","milliseconds":"nan"})", "'milliseconds'"},
+        BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","width":-1})", "'width': expected a number"},
+        BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","height":2000000000})", "'height'"},
+        BrokenLine{R"({"suite":"s","shot":"a","verdict":"passed","diagnostics":[{"place":{"line":-7}}]})",
+                   "'line'"},
         BrokenLine{R"({"suite":"s","shot":{"bytes":"Ā"},"verdict":"passed"})", "above U+00FF"}));
+
+TEST(Results, ATimeThatNoRunTakesIsRefusedAndNeverPrintedInFull) {
+    const Result<RunResult> run = parseRunLine(R"({"run":{"seconds":1e308}})", kPlace);
+    ASSERT_FALSE(run);
+    EXPECT_EQ(run.diagnostics.front().id, "result-E01");
+    for (const double seconds : {1e308, 1e9, -1., std::nan("")})
+        EXPECT_EQ(readableTime(seconds), "unknown time") << seconds;
+    RunResult made;
+    made.seconds = 1e308;
+    made.shots.emplace_back().milliseconds = 1e308;
+    made.shots.back().verdict = Verdict::failed;
+    made.shots.back().judgement.decidedBy = image::Rung::flip;
+    made.shots.back().judgement.flip = made.shots.back().judgement.structure = 1e308;
+    for (const std::string& text : {toText(made, false), toJunit(made)})
+        EXPECT_EQ(text.find("00000000000000000000"), std::string::npos) << text;
+}
 
 TEST(Results, DamagedLinesNeverStopTheProgram) {
     ResultsMaker maker(3);

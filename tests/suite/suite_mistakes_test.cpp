@@ -207,6 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "2:10 suite-E10 script: cannot find 'teapto.glib'; did you mean 'teapot.glib'?\n"},
         Mistake{"MissingScriptOfAList", "[[shot]]\nscript = ['teapot.glib', 'start/cwo.glib']\n",
                 "2:26 suite-E10 script: cannot find 'start/cwo.glib'; did you mean 'cow.glib'?\n"},
+        Mistake{"NoScene", "[[shot]]\nscript = '/etc/passwd'\n",
+                "2:10 suite-E10 script: '/etc/passwd' is no scene; the name of a scene ends with '.glib'\n"},
         Mistake{"MissingEnding", "[[shot]]\nscript = 'teapot'\n",
                 "2:10 suite-E10 script: cannot find 'teapot'; did you mean 'teapot.glib'?\n"},
         Mistake{

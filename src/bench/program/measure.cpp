@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/suggest.h"
 #include "bench/core/run.h"
 #include "bench/program/commands.h"
 #include "bench/report/csv_report.h"
@@ -17,7 +18,6 @@
 #include "bench/report/text_report.h"
 #include "bench/subjects/subjects.h"
 #include "cli/commands.h"
-#include "glib/suggest.h"
 #include "image/file.h"
 
 namespace glibra::bench {
@@ -37,7 +37,7 @@ Result<std::vector<const Subject*>> choose(const std::vector<std::string>& names
     Diagnostics problems;
     for (const std::string& each : names) {
         if (std::ranges::find(known, each) != known.end()) continue;
-        const std::string near = glib::suggestion(each, known);
+        const std::string near = base::suggestion(each, known);
         problems.push_back(diagnose("bench-E01", fmt::format("unknown subject '{}'{}", each,
                                                              near.empty() ? "; --list names them" : near)));
     }

@@ -103,6 +103,14 @@ int keywordSince(std::string_view word) {
     return found == otherTable().end() ? 0 : found->second;
 }
 
+std::vector<std::string_view> keywords() {
+    std::vector<std::string_view> words;
+    for (const auto* table : {&typeTable(), &otherTable()})
+        for (const auto& [word, since] : *table) words.push_back(word);
+    std::sort(words.begin(), words.end());
+    return words;
+}
+
 bool isTypeWord(std::string_view word) {
     return typeTable().contains(word);
 }

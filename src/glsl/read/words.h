@@ -2,6 +2,7 @@
 // The keywords of GLSL 4.50: types, qualifiers and statements, and the version that introduced each of them.
 
 #include <string_view>
+#include <vector>
 
 namespace glibra::glsl {
 
@@ -9,6 +10,9 @@ namespace glibra::glsl {
 /// 0 for all other words.
 int keywordSince(std::string_view word);
 inline constexpr int kReserved = 1000;
+
+/// All keywords and reserved words, in byte order.
+std::vector<std::string_view> keywords();
 
 /// True for words that name a type: "float", "vec3", "sampler2D", "void", ...
 bool isTypeWord(std::string_view word);

@@ -9,18 +9,12 @@
 #include "glsl/types/translated_program.h"
 #include "gpu/context/capabilities.h"
 #include "render/draw/tile.h"
+#include "render/draw/vertex_box.h"
 #include "render/draw/view_matrices.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
 
-/// The smallest and largest value of each coordinate of all vertices, in model space; w is 1 if the mesh has
-/// none.
-struct VertexBox {
-    glm::dvec4 low{0.0}, high{0.0};
-    bool isKnown = false;  ///< false: there are no vertices, or one is not finite
-};
-VertexBox boundsOf(const geometry::Mesh& mesh);
 enum class Sight { possible, left, right, below, above, nearer, farther, betweenPixels };
 
 /// What decides where a draw's vertices land: its matrices and the target.

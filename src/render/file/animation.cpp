@@ -49,8 +49,9 @@ class TimerSearch {
             if (begin == std::string_view::npos) continue;
             const std::size_t end = rest.find_first_of("\">", begin + 1);
             if (end == std::string_view::npos) continue;
-            const scene::FileReference found = scene::findInclude(
-                rest.substr(begin + 1, end - begin - 1), file.string(), scene_.path, {options_.libraryRoots});
+            const scene::FileReference found =
+                scene::findInclude(rest.substr(begin + 1, end - begin - 1), file.string(), scene_.path,
+                                   {options_.libraryRoots}, listings_);
             if (isIn(found.path)) return true;
         }
         return false;
@@ -58,6 +59,7 @@ class TimerSearch {
 
     const scene::Scene& scene_;
     const RenderOptions& options_;
+    scene::FolderListings listings_;
     std::map<std::filesystem::path, bool> searched_;  ///< whether the word is in it
 };
 

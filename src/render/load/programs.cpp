@@ -67,7 +67,35 @@ std::string userName(const std::string& emitted, const glsl::TranslatedProgram& 
 
 ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
                                const RenderOptions& options, bool tiled, Stats& stats, SharedParts* shared)
-    : context_(context), scene_(scene), options_(options), tiled_(tiled), stats_(stats), shared_(shared) {}
+    : context_(context),
+      scene_(scene),
+      options_(options),
+      tiled_(tiled),
+      stats_(stats),
+      shared_(shared),
+      shown_(scene::shownRoots(scene::searchFolders(scene.path, {options.libraryRoots}))) {}
+
+void ProgramLibrary::noteIfHidden(scene::ProgramIndex program, const std::string& file) {
+    if (!shown_.contains(file)) hidden_.emplace(program, file);
+}
+
+std::string ProgramLibrary::hiddenSource(scene::ProgramIndex program) const {
+    const auto found = hidden_.find(program);
+    return found == hidden_.end() ? std::string() : found->second;
+}
+
+void ProgramLibrary::hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const {
+    const std::string hidden = hiddenSource(program);
+    if (hidden.empty()) return;
+    for (Diagnostic& each : diagnostics) {
+        // Messages about finding and opening a file name the file and nothing else.
+        if (each.id.starts_with("file-")) continue;
+        each.text = fmt::format(
+            "the text of this message is not shown, because it may quote '{}', which lies "
+            "outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
+            hidden);
+    }
+}
 
 const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex file) {
     const auto [entry, isNew] = sources_.try_emplace(file);
@@ -120,14 +148,16 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     for (const scene::StageFile& stage : program.stages) {
         const SourceFile& source = sourceFile(stage.file);
         append(diagnostics, source.diagnostics);
+        if (!source.path.empty()) noteIfHidden(variant.program, source.path);
         if (source.text) request.stages.push_back({stage.stage, source.path, *source.text});
     }
-    request.include = [this](std::string_view name,
-                             std::string_view from) -> std::optional<glsl::IncludedFile> {
+    request.include = [this, program = variant.program](
+                          std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
         const scene::FileReference found =
-            scene::findInclude(name, from, scene_.path, {options_.libraryRoots});
+            scene::findInclude(name, from, scene_.path, {options_.libraryRoots}, listings_);
         if (found.path.empty()) return std::nullopt;
         stats_.add("files read", 1);
+        noteIfHidden(program, found.path.string());
         const auto bytes = image::readFile(found.path, {found.name, found.place}, kLargestSource);
         included_.insert(found.path);
         if (!bytes) return std::nullopt;
@@ -190,6 +220,8 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         append(diagnostics, built.remarks);
     }
     const bool isBuiltin = !variant.program;
+    hideTexts(variant.program, diagnostics);
+    if (!hiddenSource(variant.program).empty()) built.refused.clear();
     if (BuiltProgram* earlier = built.program ? nullptr : lastGoodOf(variant)) {
         built.program = std::exchange(earlier->program, std::nullopt);
         built.interface = std::move(earlier->interface);

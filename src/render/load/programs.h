@@ -19,6 +19,7 @@
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
 #include "render/stats.h"
+#include "scene/file_lookup.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
@@ -67,6 +68,9 @@ class ProgramLibrary {
     const plan::ProgramInterface& interfaceOf(const plan::ProgramVariant& variant);
     /// The program that interfaceOf has made; null before its first call for the variant.
     [[nodiscard]] const BuiltProgram* find(const plan::ProgramVariant& variant) const;
+    /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
+    /// the library; empty if there is none. It is known after interfaceOf.
+    [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
     /// True if any source of the program names an image function.
     bool mayWriteImages(scene::ProgramIndex program);
 
@@ -83,6 +87,10 @@ class ProgramLibrary {
         Diagnostics diagnostics;
     };
     const SourceFile& sourceFile(scene::FileIndex file);
+    /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
+    void noteIfHidden(scene::ProgramIndex program, const std::string& file);
+    /// Replaces the texts of messages about a program with such a source, because they quote it.
+    void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const;
     const Translation& translationOf(const plan::ProgramVariant& variant);
     std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
     bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
@@ -108,6 +116,9 @@ class ProgramLibrary {
     ProgramLibrary* previous_ = nullptr;
     std::map<scene::FileIndex, SourceFile> sources_;
     std::set<std::filesystem::path> included_;
+    scene::FolderListings listings_;
+    base::Roots shown_;
+    std::map<scene::ProgramIndex, std::string> hidden_;  ///< programs with a source that may not be shown
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<Translation>>> translations_;
     std::vector<std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>> programs_;
 };

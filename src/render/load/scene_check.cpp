@@ -43,16 +43,25 @@ std::string portable(std::string_view source) {
     return text;
 }
 
-std::vector<TranslatedShader> translatedShaders(const scene::Scene& scene, const plan::FramePlan& plan) {
+/// Takes the place of a translation that would show the text of a file outside of the scene's folder and the
+/// library.
+constexpr const char* kNotShown =
+    "#error not shown: a source lies outside of the scene's folder and the library; add its folder to "
+    "GLIBRA_PATH\n";
+
+std::vector<TranslatedShader> translatedShaders(const SceneRenderer::State& state) {
+    const scene::Scene& scene = state.scene;
+    const plan::FramePlan& plan = state.plan;
     std::vector<TranslatedShader> shaders;
     for (const plan::PlannedProgramIndex i : plan.programs.indices()) {
         const scene::ProgramIndex program = plan.programs[i].variant.program;
         std::string name = program ? scene.programs[program].name : "built-in";
         for (char& c : name)
             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+        const bool isHidden = !state.programs.hiddenSource(program).empty();
         for (const glsl::TranslatedStage& each : plan.programs[i].interface->facts.stages)
-            shaders.push_back(
-                {fmt::format("{}-{}.{}", i.position(), name, suffix(each.stage)), portable(each.source)});
+            shaders.push_back({fmt::format("{}-{}.{}", i.position(), name, suffix(each.stage)),
+                               isHidden ? std::string(kNotShown) : portable(each.source)});
     }
     return shaders;
 }
@@ -69,7 +78,7 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
         // A scene with errors in its text is checked further, because its shaders may have errors too.
         SceneRenderer::State state(context, options, std::move(*interpreted), false, stats, nullptr);
         append(result.diagnostics, state.preparePlan(stats, true));
-        result.shaders = translatedShaders(state.scene, state.plan);
+        result.shaders = translatedShaders(state);
     }
     append(result.diagnostics, context.debugLog().takeDiagnostics());
     applyStrict(result.diagnostics, options.strict);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "glib/limits.h"
+#include "glib/text.h"
 #include "image/file.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
@@ -16,6 +17,16 @@ namespace {
 Result<std::string> readScene(const std::filesystem::path& path) {
     const Place place{path.string(), 1, 1};
     std::error_code failure;
+    // Messages about a scene quote it. A folder of scenes may come from somebody else, with a link to a file
+    // that is none.
+    const auto isNamedAsScene = [](const std::filesystem::path& file) {
+        return glib::sameWord(file.extension().string(), ".glib");
+    };
+    if (isNamedAsScene(path) && std::filesystem::is_symlink(path, failure) &&
+        !isNamedAsScene(std::filesystem::canonical(path, failure)) && !failure)
+        return diagnose("glib-E14",
+                        "cannot read the scene: it is a link to a file whose name does not end with '.glib'",
+                        place);
     // An empty scene is valid, unlike every other empty file.
     if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
         return std::string();
@@ -26,7 +37,7 @@ Result<std::string> readScene(const std::filesystem::path& path) {
                     place);
 }
 
-/// The parser and the plan may both report a mistake. Of equal ids at one place the first is kept.
+/// The parser and the plan may both report a mistake. The first of equal ids at one place is kept.
 void removeRepeats(Diagnostics& diagnostics) {
     std::set<std::tuple<std::string, std::string, int, int, std::string>> seen;
     std::erase_if(diagnostics, [&](const Diagnostic& each) {

@@ -14,11 +14,16 @@
 #include <utility>
 
 #include "base/program_resources.h"
-#include "geometry/mesh.h"
-#include "glsl/types/translated_program.h"
 #include "gpu/object/program.h"
 #include "gpu/object/texture.h"
-#include "render/draw/sight.h"
+#include "render/draw/vertex_box.h"
+
+namespace glibra::geometry {
+struct Mesh;
+}
+namespace glibra::glsl {
+struct TranslatedProgram;
+}
 
 namespace glibra::render {
 

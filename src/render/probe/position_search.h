@@ -28,7 +28,7 @@ class PositionSearch {
 
     /// Draws one frame and captures the positions of every draw; the results are in drawing order. The stages
     /// before rasterisation run three times per draw, and each program is linked once more when it is first
-    /// used. Of a draw with more than 2^25 vertices only the first are examined; a program that does not link
+    /// used. Draws with more than 2^25 vertices are examined up to that number; a program that does not link
     /// without its fragment stage is skipped. Use one search with one renderer only.
     std::vector<LostPrimitives> search(SceneRenderer& renderer, double time, Stats& stats);
 

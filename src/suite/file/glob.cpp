@@ -5,13 +5,12 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace glibra::suite {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostEntries = 1'000'000;
 
 /// How one element of a pattern matches a character: the length of the element, and whether the character is
 /// in it.
@@ -78,21 +77,27 @@ class Walk {
 
     /// The folder and all folders below it.
     void addTree(const fs::path& root, std::set<fs::path>& folders) {
-        std::vector<fs::path> open{root};
+        std::vector<std::pair<fs::path, int>> open{{root, 0}};
         while (!open.empty() && !isTooMuch()) {
-            const fs::path folder = std::move(open.back());
+            const auto [folder, depth] = std::move(open.back());
             open.pop_back();
             if (!folders.insert(folder).second) continue;
             std::error_code failure;
-            for (fs::path& each : entries(folder, "**"))
-                if (fs::symlink_status(each, failure).type() == fs::file_type::directory)
-                    open.push_back(std::move(each));
+            for (fs::path& each : entries(folder, "**")) {
+                if (fs::symlink_status(each, failure).type() != fs::file_type::directory) continue;
+                if (depth == kDeepestSearch) {
+                    tooDeep_ = true;
+                    return;
+                }
+                open.emplace_back(std::move(each), depth + 1);
+            }
         }
     }
 
-    [[nodiscard]] bool isTooMuch() const { return seen_ > kMostEntries; }
+    [[nodiscard]] bool isTooMuch() const { return tooDeep_ || seen_ > kMostSearched; }
 
   private:
+    bool tooDeep_ = false;
     std::size_t seen_ = 0;
 };
 

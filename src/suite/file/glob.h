@@ -5,6 +5,7 @@
 
 #include <glibra/result.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,11 +20,16 @@ bool isPattern(std::string_view text);
 /// text.size() steps.
 bool fits(std::string_view pattern, std::string_view text);
 
+/// The limits of one search: entries of folders that it looks at, and folders below each other that a "**"
+/// stands for. A suite that searches a whole disk by mistake is told so within a second.
+inline constexpr std::size_t kMostSearched = 200'000;
+inline constexpr int kDeepestSearch = 64;
+
 /// Returns the regular files below `folder` whose paths match the pattern, sorted by bytes, in the form
 /// "folder/part/part". Links to files are followed. The pattern is matched part by part: "*" ends at a "/",
 /// the part "**" stands for any number of folders (links to folders are not followed), and neither matches a
 /// name that begins with ".". An absolute pattern does not use `folder`. Folders that cannot be read are left
-/// out. No value and no diagnostics mean that the search would look at more than a million entries.
+/// out. No value and no diagnostics mean that the search would exceed a limit.
 Result<std::vector<std::filesystem::path>> filesThatFit(const std::filesystem::path& folder,
                                                         std::string_view pattern);
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 #include "glib/text.h"
 
 namespace glibra::suite {
@@ -45,7 +45,7 @@ std::string whyNoFolder(const fs::path& folder) {
         const std::vector<std::string> beside = foldersIn(known.empty() ? "." : known);
         const std::vector<std::string_view> names(beside.begin(), beside.end());
         return fmt::format("there is no folder {}{}", glib::inQuotes(next.string()),
-                           glib::suggestion(part.string(), names));
+                           base::suggestion(part.string(), names));
     }
     return {};
 }

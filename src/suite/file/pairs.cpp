@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 #include "glib/text.h"
 
 namespace glibra::suite {
@@ -38,7 +38,7 @@ std::string hint(const Suite& suite, const std::string& wanted) {
             return fmt::format("; there is '{}', one of several", shot.name);
         names.emplace_back(shot.name);
     }
-    return glib::suggestion(wanted, names);
+    return base::suggestion(wanted, names);
 }
 
 /// The names of a cycle: "a, b, c, a". Long cycles are cut.

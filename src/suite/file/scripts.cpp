@@ -6,7 +6,8 @@
 #include <set>
 #include <system_error>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
+#include "glib/number.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
 #include "scene/near_files.h"
@@ -34,7 +35,12 @@ class ScriptFinder {
     std::vector<FoundScript> find() {
         for (const PlacedText& each : shot_.exceptions) exclude(each);
         for (const PlacedText& each : shot_.scripts) {
-            if (isFile(folder_ / each.text))
+            if (isFile(folder_ / each.text) && !isScene(folder_ / each.text))
+                reader_.report("suite-E10",
+                               fmt::format("script: {} is no scene; the name of a scene ends with '.glib'",
+                                           glib::inQuotes((folder_ / each.text).string())),
+                               each.place);
+            else if (isFile(folder_ / each.text))
                 add(folder_ / each.text, fs::path(each.text).filename().string(), shot_.isList, each.place);
             else if (isPattern(each.text))
                 addFitting(each);
@@ -52,14 +58,26 @@ class ScriptFinder {
         return fs::is_regular_file(path, failure);
     }
 
-    std::vector<fs::path> fitting(const PlacedText& pattern) {
-        const Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
-        if (files) return *files;
-        reader_.report("suite-E11",
-                       fmt::format("{}: the search would look at more than 1,000,000 files",
-                                   glib::inQuotes(pattern.text)),
-                       pattern.place);
-        return {};
+    /// Messages about a scene quote it, so that a suite may name only files that are scenes by their names.
+    static bool isScene(const fs::path& path) { return glib::sameWord(path.extension().string(), ".glib"); }
+
+    /// The files that match a pattern, or nothing if it was reported that there are none.
+    std::vector<fs::path> fitting(std::string_view key, const PlacedText& pattern) {
+        Result<std::vector<fs::path>> files = filesThatFit(folder_, pattern.text);
+        // "a/**" matches pictures and shaders too.
+        if (files && key == "script")
+            std::erase_if(*files, [](const fs::path& each) { return !isScene(each); });
+        if (!files)
+            reader_.report(
+                "suite-E11",
+                fmt::format("{}: {} has too much to search; the limits are {} files and {} folders "
+                            "below each other",
+                            key, glib::inQuotes(pattern.text),
+                            glib::groupedText(static_cast<long long>(kMostSearched)), kDeepestSearch),
+                pattern.place);
+        else if (files->empty())
+            fitsNothing(key, pattern);
+        return files ? *files : std::vector<fs::path>();
     }
 
     void fitsNothing(std::string_view key, const PlacedText& pattern) {
@@ -81,19 +99,16 @@ class ScriptFinder {
         std::set<std::string> endings;
         for (const fs::path& each : *files) endings.insert(each.extension().string());
         const std::vector<std::string_view> names(endings.begin(), endings.end());
-        const std::string near = glib::nearestName(ending, names);
+        const std::string near = base::nearestName(ending, names);
         return near.empty() ? "" : stem + near;
     }
 
     void exclude(const PlacedText& pattern) {
-        const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty()) fitsNothing("except", pattern);
-        for (const fs::path& each : files) excluded_.insert(each.lexically_normal());
+        for (const fs::path& each : fitting("except", pattern)) excluded_.insert(each.lexically_normal());
     }
 
     void addFitting(const PlacedText& pattern) {
-        const std::vector<fs::path> files = fitting(pattern);
-        if (files.empty()) fitsNothing("script", pattern);
+        const std::vector<fs::path> files = fitting("script", pattern);
         const fs::path fixed = folder_ / fixedFolder(pattern.text);
         for (const fs::path& each : files)
             add(each, each.lexically_relative(fixed).generic_string(), true, pattern.place);

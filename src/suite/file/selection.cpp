@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 #include "glib/text.h"
 #include "suite/file/glob.h"
 
@@ -52,7 +52,7 @@ std::string nearest(std::span<const Suite> suites, std::string_view pattern) {
             }
         }
     const std::vector<std::string_view> all(names.begin(), names.end());
-    const std::string near = glib::nearestName(isTag ? pattern.substr(kTag.size()) : pattern, all);
+    const std::string near = base::nearestName(isTag ? pattern.substr(kTag.size()) : pattern, all);
     return near.empty() || !isTag ? near : std::string(kTag) + near;
 }
 

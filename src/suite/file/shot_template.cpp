@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/suggest.h"
 #include "glib/diagnostic_catalogue.h"
-#include "glib/suggest.h"
 #include "glib/text.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/shot_options.h"
@@ -90,7 +90,7 @@ void readErrorId(const Context& in, const TomlValue& value, std::string_view nam
     if (glib::findDiagnostic(*id)) return;
     std::vector<std::string_view> ids;
     for (const glib::CatalogueRow& row : glib::diagnosticCatalogue()) ids.push_back(row.id);
-    const std::string meant = glib::suggestion(*id, ids);
+    const std::string meant = base::suggestion(*id, ids);
     in.reader.report("suite-E17",
                      fmt::format("{}: there is no message {}{}", name, glib::inQuotes(*id),
                                  meant.empty() ? "; 'glibra language --diagnostics' lists them" : meant),

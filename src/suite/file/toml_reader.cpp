@@ -10,9 +10,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/suggest.h"
 #include "base/utf8.h"
 #include "glib/number.h"
-#include "glib/suggest.h"
 #include "glib/text.h"
 #include "suite/file/toml_syntax.h"
 
@@ -31,7 +31,7 @@ bool beginsCharacter(char c) {
 /// "fraction" for "frac".
 std::string nearestKey(std::string_view word, std::span<const std::string_view> keys) {
     constexpr std::size_t kLeast = 3;
-    if (std::string near = glib::nearestName(word, keys); !near.empty()) return near;
+    if (std::string near = base::nearestName(word, keys); !near.empty()) return near;
     for (const std::string_view key : keys)
         if (std::min(word.size(), key.size()) >= kLeast && (word.starts_with(key) || key.starts_with(word)))
             return std::string(key);

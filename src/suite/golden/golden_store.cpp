@@ -1,9 +1,12 @@
 #include "suite/golden/golden_store.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <system_error>
+#include <utility>
 
+#include "base/contained.h"
 #include "image/file.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -35,10 +38,51 @@ Result<Golden> readGolden(const Shot& shot, const fs::path& file, std::string va
     return Golden{file, std::move(variant), std::move(*bytes), identity};
 }
 
+/// The same diagnostics, with the name of the file that was to be made.
+Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::path& meant) {
+    for (Diagnostic& each : problems)
+        if (const std::size_t at = each.text.find(written.string()); at != std::string::npos)
+            each.text.replace(at, written.string().size(), meant.string());
+    return problems;
+}
+
+/// The path with all links resolved, as far as it exists.
+fs::path resolved(const fs::path& path) {
+    std::error_code failed;
+    fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
+    if (!whole.has_filename() && whole.has_parent_path()) whole = whole.parent_path();
+    return failed ? fs::path() : whole;
+}
+
+/// True if the path is the folder or lies below it, after all links are resolved.
+bool isBelow(const fs::path& path, const fs::path& folder) {
+    const fs::path whole = resolved(path), root = resolved(folder.empty() ? "." : folder);
+    const fs::path inside = whole.lexically_relative(root);
+    return !whole.empty() && !inside.empty() && *inside.begin() != "..";
+}
+
+fs::path folderOf(const Suite& suite) {
+    std::error_code failed;
+    if (fs::is_directory(suite.file, failed)) return suite.file;
+    return suite.file.has_parent_path() ? suite.file.parent_path() : fs::path(".");
+}
+
 }  // namespace
 
-Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder) {
+Diagnostics checkGoldenFolder(const Suite& suite) {
+    if (isBelow(suite.goldens, folderOf(suite))) return {};
+    return {diagnose(
+        "suite-E20",
+        fmt::format("goldens: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
+                    "write there",
+                    suite.goldens.string(), folderOf(suite).string()),
+        {suite.file.string(), 1, 1})};
+}
+
+Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder, bool allowOutside) {
     GoldenStore store;
+    store.suiteFolder_ = folderOf(suite);
+    store.allowOutside_ = allowOutside;
     store.suite_ = suite.name;
     store.folder_ = folder.empty() ? suite.goldens : folder / suite.name;
     Result<HashList> list = HashList::read(store.hashFile());
@@ -63,6 +107,13 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
         std::error_code failure;
         const fs::file_status status = fs::status(path, failure);
         if (status.type() == fs::file_type::not_found) continue;
+        if (!allowOutside_ && !isBelow(path, folder_) && !isBelow(path, suiteFolder_))
+            return diagnose(
+                "file-E02",
+                fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
+                            "--allow-outside follows it",
+                            path.string()),
+                {path.string(), 1, 1});
         return readGolden(shot, path, std::move(each));
     }
     return {};
@@ -76,12 +127,26 @@ const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
 Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
                                     const image::Image& picture) const {
     const fs::path path = file(shot, variant);
+    const auto refuse = [&](const std::string& why) {
+        return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
+    };
     std::error_code ignored;  // reported with the file that cannot be written
     fs::create_directories(path.parent_path(), ignored);
+    if (fs::is_symlink(path, ignored))
+        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
+    if (!allowOutside_ && !isBelow(path, folder_))
+        return refuse("its folder is a link that leads out of the golden folder; --allow-outside follows it");
+    // The new golden is on the disk before it takes the place of the old one.
+    const fs::path whole =
+        path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
     image::WriteOptions options;
     options.png.level = kCompression;
-    Diagnostics problems = image::writeImage(picture, path, options);
-    if (hasError(problems)) return problems;
+    Diagnostics problems = image::writeImage(picture, whole, options);
+    if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
+    if (const int problem = base::renameDurably(whole, path); problem != 0) {
+        fs::remove(whole, ignored);
+        return refuse(std::generic_category().message(problem));
+    }
     return readGolden(shot, path, std::string(variant));
 }
 

@@ -26,8 +26,11 @@ struct Golden {
 
 class GoldenStore {
   public:
-    /// Reads the list of accepted pixels. `folder` replaces the folder of the suite unless it is empty.
-    static Result<GoldenStore> open(const Suite& suite, const std::filesystem::path& folder = {});
+    /// Reads the list of accepted pixels. `folder` replaces the folder of the suite unless it is empty. With
+    /// `allowOutside` goldens may be links to any place; without it only to files of the golden folder or of
+    /// the suite's folder.
+    static Result<GoldenStore> open(const Suite& suite, const std::filesystem::path& folder = {},
+                                    bool allowOutside = false);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] std::filesystem::path hashFile() const;
@@ -41,15 +44,21 @@ class GoldenStore {
                                              const std::string& key) const;
 
     /// Makes the picture the golden of that variant and returns the new golden. The file is replaced when the
-    /// new one is whole; an error leaves everything as it was.
+    /// new one is whole and on the disk; an error leaves everything as it was. Error: file-E10, also for a
+    /// golden that is a link or is reached through one that leads out of the golden folder.
     [[nodiscard]] Result<Golden> replace(const Shot& shot, std::string_view variant,
                                          const image::Image& picture) const;
 
   private:
     std::string suite_;
-    std::filesystem::path folder_;
+    std::filesystem::path folder_, suiteFolder_;
+    bool allowOutside_ = false;
     HashList accepted_;
 };
+
+/// Whether --update may write the goldens of a suite: suite-E20 if the suite itself names a folder outside of
+/// its own (links resolved). A suite of somebody else could overwrite any picture of the user otherwise.
+Diagnostics checkGoldenFolder(const Suite& suite);
 
 /// The pixels of a golden. Errors name its file and say what to do.
 Result<image::Image> decode(const Golden& golden);

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <system_error>
 #include <tuple>
 
+#include "base/contained.h"
 #include "image/file.h"
 
 namespace glibra::suite {
@@ -130,7 +132,14 @@ Diagnostics acceptHashes(const fs::path& file, std::span<const AcceptedHash> acc
     const std::string after = list->toText();
     std::error_code failure;
     if (after == before && fs::exists(file, failure)) return {};
-    return image::writeFileAtomically(file, std::as_bytes(std::span(after)));
+    const auto refuse = [&](const std::string& why) {
+        return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
+    };
+    if (fs::is_symlink(file, failure))
+        return refuse("it is a symbolic link, and its target would be overwritten; remove the link");
+    const int problem =
+        base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(after)));
+    return problem == 0 ? Diagnostics{} : refuse(std::generic_category().message(problem));
 }
 
 }  // namespace glibra::suite

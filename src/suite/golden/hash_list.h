@@ -52,6 +52,7 @@ class HashList {
 };
 
 /// Adds lines to the file, which other processes may change at the same time. Returns nothing if that worked.
+/// A file that is a link is not written (file-E10).
 Diagnostics acceptHashes(const std::filesystem::path& file, std::span<const AcceptedHash> accepted);
 
 }  // namespace glibra::suite

@@ -9,9 +9,9 @@
 
 #include "embedded/report_page.h"
 #include "image/file.h"
+#include "suite/report/escape_xml.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
-#include "suite/report/escape_xml.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {
@@ -124,8 +124,8 @@ std::string runDetails(const RunResult& run) {
 }  // namespace
 
 Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
-                            const std::filesystem::path& reportFolder) {
-    ReportFiles files(resultsFolder, reportFolder);
+                            const std::filesystem::path& reportFolder, const ReportRoots& roots) {
+    ReportFiles files(resultsFolder, reportFolder, roots);
     std::vector<ShownShot> shown;
     shown.reserve(run.shots.size());
     for (const ShotResult& shot : run.shots) shown.push_back(files.add(shot, shown.size() + 1));
@@ -147,6 +147,7 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
     };
     const std::string page = filled(report_page::page_html(), slots);
     Diagnostics problems = files.problems();
+    static_cast<void>(base::prepareBeneath(reportFolder, "index.html"));  // the write below reports a failure
     append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page))));
     if (!hasError(problems)) files.removeOthers();
     return problems;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "suite/report/report_files.h"
 #include "suite/results/results.h"
 
 namespace glibra::suite {
@@ -15,9 +16,12 @@ namespace glibra::suite {
 /// Pictures and pixels of an earlier report are removed. The page is written last, when everything that it
 /// needs exists.
 ///
+/// The report shows files of the results folder, and what lies below `roots`: scenes, shaders,
+/// goldens. No link is followed, and no other file is read, whatever the results name.
+///
 /// The warning result-W02 names a picture or a scene that cannot be read (at most 20 of them); the report
 /// mentions it too. Errors: file-E10.
 Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
-                            const std::filesystem::path& reportFolder);
+                            const std::filesystem::path& reportFolder, const ReportRoots& roots = {});
 
 }  // namespace glibra::suite

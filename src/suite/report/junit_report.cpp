@@ -22,7 +22,8 @@ struct Sums {
 };
 
 std::string seconds(double value) {
-    return fmt::format("{:.3f}", std::isfinite(value) ? value : 0.);
+    constexpr double kMost = 1e12;  // more is no time, and would print hundreds of digits
+    return fmt::format("{:.3f}", value >= 0 && value < kMost ? value : 0.);
 }
 
 Sums sumsOf(const std::vector<const ShotResult*>& shots) {

@@ -11,6 +11,7 @@
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
+#include "image/png/png_chunks.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
 #include "suite/golden/hash.h"
@@ -61,8 +62,10 @@ bool isPlain(const ShotResult& shot) {
     return (shot.verdict == Verdict::passed && !shot.changed) || shot.verdict == Verdict::skipped;
 }
 
-ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder)
-    : resultsFolder_(std::move(resultsFolder)), reportFolder_(std::move(reportFolder)) {
+ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder, ReportRoots roots)
+    : resultsFolder_(std::move(resultsFolder)),
+      reportFolder_(std::move(reportFolder)),
+      roots_(std::move(roots)) {
     for (const char* folder : kFolders) {
         std::error_code ignored;  // reported with the first file that cannot be written
         fs::create_directories(reportFolder_ / folder, ignored);
@@ -71,6 +74,12 @@ ReportFiles::ReportFiles(fs::path resultsFolder, fs::path reportFolder)
 
 bool ReportFiles::write(const std::string& name, std::span<const std::byte> bytes) {
     if (hasError(problems_)) return false;  // a full disk is reported once
+    if (const int problem = base::prepareBeneath(reportFolder_, name); problem != 0) {
+        problems_.push_back(
+            diagnose("file-E10", fmt::format("cannot write '{}': {}", (reportFolder_ / name).string(),
+                                             std::generic_category().message(problem))));
+        return false;
+    }
     Diagnostics problems = image::writeFileAtomically(reportFolder_ / name, bytes);
     const bool good = problems.empty();
     append(problems_, std::move(problems));
@@ -88,16 +97,19 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
 ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
                                           std::string_view ending, bool wantsPixels, ShownShot& shown) {
     if (picture.empty()) return {};
-    const fs::path file = located(picture, resultsFolder_);
-    Result<std::vector<std::byte>> bytes = image::readFile(file, {picture.string(), {}});
+    Result<std::vector<std::byte>> bytes = readNamed(picture, resultsFolder_, roots_.pictures);
     if (!bytes) {
         remark(shown, shot, bytes.diagnostics.front().text);
         return {};
     }
     Copy copy;
     const bool isPng = image::formatOf(*bytes) == image::Format::png;
+    if (isPng && !image::pngChunks(*bytes)) {
+        remark(shown, shot, fmt::format("'{}' is a damaged PNG picture", picture.string()));
+        return {};
+    }
     if (wantsPixels || !isPng) {
-        Result<image::Image> decoded = image::decodeImage(*bytes, file);
+        Result<image::Image> decoded = image::decodeImage(*bytes, picture);
         if (!decoded) {
             remark(shown, shot, decoded.diagnostics.front().text);
             return {};
@@ -134,9 +146,10 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
     if (file.empty()) return;
     auto known = sourceOf_.find(file);
     if (known == sourceOf_.end()) {
+        // A results file may name any file of this machine, so only files below the roots are shown. Of
+        // others the report has the name, and the diagnostics say why a scene cannot be read.
         const Result<std::vector<std::byte>> bytes =
-            image::readFile(located(path, resultsFolder_), {file, {}}, kLargestSource);
-        // The diagnostics say why a scene cannot be read. The shot is shown without its text.
+            readNamed(path, resultsFolder_, roots_.texts, kLargestSource);
         if (!bytes) return;
         const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
         if (text.find('\0') != std::string_view::npos) return;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/contained.h"
 #include "image/image.h"
 #include "suite/results/results.h"
 
@@ -33,9 +34,16 @@ struct Source {
 /// True for a shot that is shown as a small picture only: a pass without changes, or a shot that was not run.
 bool isPlain(const ShotResult& shot);
 
+/// The folders, besides that of the results, whose files a report may show.
+struct ReportRoots {
+    base::Roots texts;     ///< scenes and shaders
+    base::Roots pictures;  ///< goldens
+};
+
 class ReportFiles {
   public:
-    ReportFiles(std::filesystem::path resultsFolder, std::filesystem::path reportFolder);
+    /// Pictures and texts are taken from the results folder and from below `roots` only; see readNamed.
+    ReportFiles(std::filesystem::path resultsFolder, std::filesystem::path reportFolder, ReportRoots roots);
 
     /// Writes the pictures and pixels of a shot. `number` counts from 1 and names its files.
     ShownShot add(const ShotResult& shot, std::size_t number);
@@ -61,6 +69,7 @@ class ReportFiles {
     void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);
 
     std::filesystem::path resultsFolder_, reportFolder_;
+    ReportRoots roots_;
     std::set<std::string> written_;
     std::map<std::string, std::size_t> sourceOf_;
     std::vector<Source> sources_;

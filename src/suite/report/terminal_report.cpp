@@ -95,9 +95,11 @@ class Text {
     }
     void map(const ShotResult& shot) {
         if (options_.mapColumns < 1 || shot.difference.empty()) return;
-        const Result<image::Image> picture =
-            image::readImage(located(shot.difference, options_.resultsFolder));
-        if (!picture) return;  // its path is printed below
+        const Result<std::vector<std::byte>> bytes =
+            readNamed(shot.difference, options_.resultsFolder, base::Roots());
+        if (!bytes) return;  // its path is printed below
+        const Result<image::Image> picture = image::decodeImage(*bytes, shot.difference);
+        if (!picture) return;
         for (const std::string& row : smallHeatMap(*picture, options_.mapColumns, options_.color))
             line(options_.color ? "    " + row : "    |" + row + "|");
     }

@@ -55,8 +55,10 @@ Figure largest(const ShotResult& shot) {
 }
 
 Figure perceptual(const char* title, double value, std::optional<double> limit) {
-    return {title, fmt::format("{:.5f}", value), limit ? fmt::format("{:.5f}", *limit) : "",
-            limit && value > *limit};
+    const auto text = [](double number) {
+        return std::abs(number) < 1000 ? fmt::format("{:.5f}", number) : fmt::format("{:.5g}", number);
+    };
+    return {title, text(value), limit ? text(*limit) : "", limit && value > *limit};
 }
 
 }  // namespace
@@ -150,10 +152,9 @@ std::string counts(const RunResult& run) {
 }
 
 std::string readableTime(double seconds) {
-    if (!std::isfinite(seconds) || seconds < 0) return "unknown time";
+    if (!(seconds >= 0 && seconds < 1e9)) return "unknown time";
     if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
     if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
-    if (seconds >= 1e9) return fmt::format("{:.0f} s", seconds);
     const auto whole = static_cast<long long>(std::lround(seconds));
     if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
     return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);

@@ -4,21 +4,28 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 
-#include "image/file.h"
+#include "base/contained.h"
+#include "image/format.h"
+#include "image/png/png_chunks.h"
+#include "suite/golden/hash.h"
 #include "suite/results/results_file.h"
 
 namespace glibra::suite {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRemarks = 20;
 
 struct Run {
     fs::path folder;
@@ -146,48 +153,47 @@ Diagnostics choose(std::vector<Run>& runs, std::map<ShotKey, Source>& chosen) {
     return remarks;
 }
 
-/// Copies the pictures of shots into one folder, each once.
+/// Copies the pictures of shots into one folder. A copy is named after its content, so that no name in a
+/// results file decides what is written.
 class PictureCopier {
   public:
-    PictureCopier(const fs::path& into, std::span<const Run> runs) : into_(into), runs_(runs) {}
+    explicit PictureCopier(const fs::path& into) : into_(into) {}
 
-    /// Returns the path relative to the new folder. Pictures outside the folder of the run keep their path.
-    Result<fs::path> copy(const fs::path& picture, const Run& run) {
-        const fs::path relative = picture.lexically_normal();
-        std::error_code failed;
-        const fs::path from = run.folder / relative;
-        if (picture.empty() || relative.is_absolute() || *relative.begin() == ".." ||
-            !fs::is_regular_file(from, failed))
-            return picture;
-        fs::path name = relative;
-        auto [taken, isNew] = sources_.try_emplace(name, from);
-        if (!isNew && taken->second == from) return name;
-        if (!isNew && haveSameContent(taken->second, from)) return name;
-        if (!isNew) {  // another picture of the same name
-            name = fs::path(fmt::format("run{}", &run - runs_.data() + 1)) / relative;
-            sources_[name] = from;
-        }
-        const fs::path to = into_ / name;
-        if (fs::equivalent(from, to, failed)) return name;
-        fs::create_directories(to.parent_path(), failed);
-        const Result<std::vector<std::byte>> bytes = image::readFile(from, {from.string(), {}});
-        if (!bytes) return bytes.diagnostics;
-        if (Diagnostics problems = image::writeFileAtomically(to, *bytes); !problems.empty()) return problems;
-        return name;
+    /// Replaces the path by that of the copy. A path that leads out of the folder of the run, or to nothing
+    /// in it, stays as it is; what is not a picture loses its path, and the remark says why. Error: file-E10.
+    Diagnostics copy(fs::path& picture, const Run& run) {
+        if (picture.empty()) return {};
+        const base::Descriptor file = base::openBeneath(run.folder, picture.lexically_normal());
+        if (!file && (errno == EINVAL || errno == ENOENT || errno == ENOTDIR)) return {};
+        if (!file) return drop(picture, cannotShow(picture, errno).text);
+        std::vector<std::byte> bytes;
+        if (const int problem = base::readAll(file, kLargestShownPicture, bytes); problem != 0)
+            return drop(picture, cannotShow(picture, problem).text);
+        const char* ending = endingOf(bytes);
+        if (ending == nullptr) return drop(picture, fmt::format("'{}' is no picture", picture.string()));
+        const fs::path name = fs::path("pictures") / (toText(hashOf(bytes)) + ending);
+        if (written_.insert(name).second)
+            if (const int problem = base::writeBeneath(into_, name, bytes); problem != 0)
+                return {diagnose("file-E10", fmt::format("cannot write '{}': {}", (into_ / name).string(),
+                                                         std::generic_category().message(problem)))};
+        picture = name;
+        return {};
     }
 
   private:
-    static bool haveSameContent(const fs::path& a, const fs::path& b) {
-        std::error_code failed;
-        if (fs::file_size(a, failed) != fs::file_size(b, failed)) return false;
-        const auto first = image::readFile(a, {a.string(), {}}),
-                   second = image::readFile(b, {b.string(), {}});
-        return first && second && *first == *second;
+    /// The ending for a picture of the kinds that runs write, by its first bytes; null if it is another file.
+    static const char* endingOf(std::span<const std::byte> bytes) {
+        if (image::pngChunks(bytes)) return ".png";
+        return image::formatOf(bytes) == image::Format::openExr ? ".exr" : nullptr;
+    }
+
+    static Diagnostics drop(fs::path& picture, const std::string& why) {
+        picture.clear();
+        return {diagnose("result-W02", why)};
     }
 
     const fs::path& into_;
-    std::span<const Run> runs_;
-    std::map<fs::path, fs::path> sources_;  ///< key: the name in the new folder
+    std::set<fs::path> written_;
 };
 
 /// The values of a member in all runs, each once.
@@ -218,6 +224,8 @@ RunResult header(std::span<const Run> runs) {
 
 Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path& into) {
     if (folders.empty()) return diagnose("result-E05", "no folder of results is given");
+    const Result<base::Descriptor> lock = lockResults(into);
+    if (!lock) return lock.diagnostics;
     Diagnostics remarks;
     std::vector<Run> runs;
     for (const fs::path& folder : folders) {
@@ -238,15 +246,19 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     RunResult merged = header(runs);
     merged.planned = joinedPlans(runs);
     merged.complete = isWhole;
-    PictureCopier copier(into, runs);
+    PictureCopier copier(into);
+    std::size_t dropped = 0;
     for (const auto& [key, source] : chosen) {
         ShotResult shot = std::move(*source.shot);
         if (shot.driver.empty() && source.run->results.driver != merged.driver)
             shot.driver = source.run->results.driver;
         for (fs::path* picture : {&shot.got, &shot.expected, &shot.difference}) {
-            Result<fs::path> copied = copier.copy(*picture, *source.run);
-            if (!copied) return copied.diagnostics;
-            *picture = std::move(*copied);
+            Diagnostics problems = copier.copy(*picture, *source.run);
+            if (hasError(problems)) return problems;
+            for (Diagnostic& each : problems) {
+                each.text = fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, each.text);
+                if (++dropped <= kMostRemarks) remarks.push_back(std::move(each));
+            }
         }
         merged.shots.push_back(std::move(shot));
     }

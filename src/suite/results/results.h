@@ -91,12 +91,13 @@ std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned);
 std::size_t plannedCount(const RunResult& run);
 
 /// One line of JSON for a shot, without its line end. parseJsonLine gives back the same value for any bytes
-/// in the strings and any numbers. A string that is not UTF-8 is written as {"bytes": ...} with one character
+/// in the strings and any figures. A string that is not UTF-8 is written as {"bytes": ...} with one character
 /// U+0000..U+00FF per byte; a number that is not finite is written as "inf", "-inf" or "nan".
 std::string toJsonLine(const ShotResult& shot);
 
 /// Reads such a line. `suite`, `shot` and `verdict` are required. Other members that are missing keep their
-/// defaults; unknown members are ignored. Error: result-E01 at `place`.
+/// defaults; unknown members are ignored. Error: result-E01 at `place`, also for a time, a size or a line
+/// number that no run writes.
 Result<ShotResult> parseJsonLine(std::string_view line, const Place& place);
 
 /// The same for a run without its shots and its end: {"run": {...}}.

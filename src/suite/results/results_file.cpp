@@ -21,6 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostMistakes = 20;
+constexpr std::uint64_t kLargestResults = 1ULL << 30;
+/// A loss of power costs the results since the last write to the disk. Writing each of them there would take
+/// longer than drawing it on some disks.
+constexpr std::chrono::seconds kSyncInterval{1};
 
 Diagnostic cannotWrite(const fs::path& path, int problem) {
     return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(),
@@ -32,6 +36,13 @@ Diagnostics makeFolder(const fs::path& folder) {
     fs::create_directories(folder, failed);
     if (failed && !fs::is_directory(folder)) return {cannotWrite(folder, failed.value())};
     return {};
+}
+
+Diagnostic isBusy(const fs::path& folder) {
+    return diagnose(
+        "result-E02",
+        fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
+                    folder.string()));
 }
 
 /// Appends in one piece. Returns 0, or the error number; the file is then as before.
@@ -50,11 +61,18 @@ int appendLine(int file, std::string_view line) {
     return 0;
 }
 
+/// The folder of a results file, and its name there.
+std::pair<fs::path, fs::path> placeOf(const fs::path& file) {
+    return {file.parent_path(), file.filename()};
+}
+
 Diagnostics writeWhole(const RunResult& run, const fs::path& file) {
     std::string text = toJsonLine(run) + '\n';
     for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
     if (run.complete) text += endLine(run.shots.size()) + '\n';
-    return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
+    const auto [folder, name] = placeOf(file);
+    const int problem = base::writeBeneath(folder, name, std::as_bytes(std::span(text)));
+    return problem == 0 ? Diagnostics{} : Diagnostics{cannotWrite(file, problem)};
 }
 
 /// The lines of a file with their numbers, one after the other.
@@ -90,11 +108,47 @@ fs::path resultsFile(const fs::path& folder) {
     return fs::is_regular_file(folder, ignored) ? folder : folder / "results.jsonl";
 }
 
-fs::path located(const fs::path& path, const fs::path& resultsFolder) {
-    if (path.empty()) return path;
-    const fs::path inside = resultsFolder / path;  // the path itself if it is absolute
-    std::error_code ignored;
-    return !fs::exists(inside, ignored) && fs::exists(path, ignored) ? path : inside;
+Diagnostic cannotShow(const fs::path& path, int problem) {
+    const std::string name = path.string();
+    switch (problem) {
+        case ENOENT:
+        case ENOTDIR:
+            return diagnose("file-E01", fmt::format("cannot find '{}'", name));
+        case EACCES:
+        case EINVAL:
+            return diagnose(
+                "file-E02",
+                fmt::format("cannot read '{}': it is not in the folder of the results, nor below the "
+                            "folders of the suite, its scenes and the library",
+                            name));
+        case ELOOP:
+            return diagnose("file-E02", fmt::format("cannot read '{}': links are not followed here", name));
+        case ENOTSUP:
+            return diagnose("file-E02", fmt::format("cannot read '{}': it is not an ordinary file", name));
+        case EFBIG:
+            return diagnose("file-E09", fmt::format("'{}' is too large to be shown", name));
+        default:
+            return diagnose("file-E02", fmt::format("cannot read '{}': {}", name,
+                                                    std::generic_category().message(problem)));
+    }
+}
+
+Result<std::vector<std::byte>> readNamed(const fs::path& path, const fs::path& resultsFolder,
+                                         const base::Roots& roots, std::uint64_t largest) {
+    base::Roots results;
+    results.add(resultsFolder);
+    base::Descriptor file = results.open(resultsFolder / path);  // the path itself if it is absolute
+    int problem = file ? 0 : errno;
+    if (!file && (problem == ENOENT || problem == ENOTDIR || problem == EACCES)) {
+        file = roots.open(path);
+        // What is neither in the results nor below a root is missing for a path into the results.
+        if (!file && (errno != EACCES || problem == EACCES)) problem = errno;
+    }
+    if (!file) return cannotShow(path, problem);
+    std::vector<std::byte> bytes;
+    problem = base::readAll(file, largest, bytes);
+    if (problem != 0) return cannotShow(path, problem);
+    return bytes;
 }
 
 Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
@@ -104,7 +158,9 @@ Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
 
 Result<RunResult> readResults(const fs::path& folder) {
     const std::string file = resultsFile(folder).string();
-    const Result<std::vector<std::byte>> bytes = image::readFile(file, {file, {}});
+    std::error_code ignored;
+    if (fs::is_symlink(file, ignored)) return cannotShow(file, ELOOP);
+    const Result<std::vector<std::byte>> bytes = image::readFile(file, {file, {}}, kLargestResults);
     if (!bytes) return bytes.diagnostics;
     Lines lines({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     Result<RunResult> result;
@@ -151,16 +207,19 @@ Result<RunResult> readResults(const fs::path& folder) {
     return result;
 }
 
+Result<base::Descriptor> lockResults(const fs::path& folder) {
+    if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
+    base::Descriptor locked(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (::flock(locked.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return isBusy(folder);
+    return locked;
+}
+
 Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResult& run, Start start) {
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
     const fs::path path = resultsFile(folder);
     ResultsWriter writer(path, ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), -1);
     // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
-    if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return diagnose(
-            "result-E02",
-            fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
-                        folder.string()));
+    if (::flock(writer.folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return isBusy(folder);
     RunResult beginning = run;
     beginning.shots.clear();
     beginning.complete = false;
@@ -171,7 +230,7 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
         beginning.shots = std::move(earlier->shots);
     }
     if (Diagnostics problems = writeWhole(beginning, path); !problems.empty()) return problems;
-    writer.file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+    writer.file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW);
     if (writer.file_ < 0) return cannotWrite(path, errno);
     return writer;
 }
@@ -179,23 +238,33 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
 Diagnostics ResultsWriter::add(const ShotResult& shot) {
     if (const int problem = appendLine(file_, toJsonLine(shot) + '\n'); problem != 0)
         return {cannotWrite(path_, problem)};
+    if (const auto now = std::chrono::steady_clock::now(); now - synced_ >= kSyncInterval) {
+        ::fdatasync(file_);  // a disk that fails is reported by the write of the whole file at the end
+        synced_ = now;
+    }
     return {};
 }
 
 ResultsWriter::ResultsWriter(fs::path path, int folder, int file)
-    : path_(std::move(path)), folder_(folder), owner_(::getpid()), file_(file) {}
+    : path_(std::move(path)),
+      folder_(folder),
+      owner_(::getpid()),
+      file_(file),
+      synced_(std::chrono::steady_clock::now()) {}
 
 ResultsWriter::ResultsWriter(ResultsWriter&& other) noexcept
     : path_(std::move(other.path_)),
       folder_(std::exchange(other.folder_, -1)),
       owner_(other.owner_),
-      file_(std::exchange(other.file_, -1)) {}
+      file_(std::exchange(other.file_, -1)),
+      synced_(other.synced_) {}
 
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(folder_, other.folder_);
     std::swap(owner_, other.owner_);
     std::swap(file_, other.file_);
+    std::swap(synced_, other.synced_);
     return *this;
 }
 

@@ -5,8 +5,14 @@
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
 
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "base/contained.h"
 #include "suite/results/results.h"
 
 namespace glibra::suite {
@@ -14,12 +20,22 @@ namespace glibra::suite {
 /// FOLDER/results.jsonl. The path of a file is the results file itself.
 std::filesystem::path resultsFile(const std::filesystem::path& folder);
 
-/// Where a path of a ShotResult points. Relative paths are searched in the results folder, then from the
-/// current folder. If there is no such file, the result is the place in the results folder.
-std::filesystem::path located(const std::filesystem::path& path, const std::filesystem::path& resultsFolder);
+/// The largest picture of results that is copied or shown.
+inline constexpr std::uint64_t kLargestShownPicture = 256ULL << 20;
+
+/// Reads a file that a ShotResult names: a relative path in the results folder, and any path below `roots`,
+/// where relative ones start at the current folder. No link is followed. A results file may come from
+/// somebody else, so nothing that it names is read in any other way. Errors: file-E01 missing; file-E02
+/// outside those folders, a link, a folder, a pipe, a device; file-E09 larger than `largest`.
+Result<std::vector<std::byte>> readNamed(const std::filesystem::path& path,
+                                         const std::filesystem::path& resultsFolder, const base::Roots& roots,
+                                         std::uint64_t largest = kLargestShownPicture);
+/// The file-E02 for a file that could not be opened, with the reason in words.
+Diagnostic cannotShow(const std::filesystem::path& path, int problem);
 
 /// Writes the whole file, in the order of `run.shots`, with its end line if the run is complete. The file
-/// appears when it is whole. The folder is made if it does not exist. Returns nothing, or one file-E10.
+/// appears when it is whole and on the disk. The folder is made if it does not exist. Returns nothing, or one
+/// file-E10.
 Diagnostics writeResults(const RunResult& run, const std::filesystem::path& folder);
 
 /// Reads what writeResults or ResultsWriter wrote. The run is complete if the file has its end line. A last
@@ -29,9 +45,14 @@ Diagnostics writeResults(const RunResult& run, const std::filesystem::path& fold
 /// and for lines after it.
 Result<RunResult> readResults(const std::filesystem::path& folder);
 
+/// Locks a results folder for this process, as a ResultsWriter does, as long as the object lives; the system
+/// releases the lock when the process ends. Error: result-E02.
+Result<base::Descriptor> lockResults(const std::filesystem::path& folder);
+
 /// Appends the shots of a run as they are done. Each line reaches the system in one piece before add()
-/// returns, so a run that is killed keeps every result that it has reported. While a writer lives, no other
-/// process can open one on its folder (where the file system has locks).
+/// returns, so a run that is killed keeps every result that it has reported. A loss of power costs the
+/// results of the last second at most. While a writer lives, no other process can open one on its folder
+/// (where the file system has locks).
 class ResultsWriter {
   public:
     enum class Start {
@@ -58,6 +79,7 @@ class ResultsWriter {
     int folder_ = -1;  ///< has the lock
     int owner_ = 0;    ///< the process that opened it
     int file_ = -1;
+    std::chrono::steady_clock::time_point synced_;  ///< when the file was last written to the disk
 };
 
 }  // namespace glibra::suite

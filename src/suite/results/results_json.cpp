@@ -17,6 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A run writes no larger numbers; a results file that holds one was not written by a run.
+constexpr double kLongestTime = 1e9;  ///< seconds
+constexpr int kLargestSide = 1 << 24;
+constexpr int kMostLines = std::numeric_limits<int>::max();
+
 template <class T>
 concept Integer = std::is_integral_v<T> && !std::is_same_v<T, bool>;
 
@@ -92,6 +97,10 @@ struct Writer {
     }
     template <class Value>
     void needed(const char* key, const Value& value) {
+        (*this)(key, value);
+    }
+    template <class Number>
+    void within(const char* key, const Number& value, Number) {
         (*this)(key, value);
     }
 };
@@ -214,6 +223,13 @@ struct Reader {
             throw;
         }
     }
+    /// A number from 0 to `most`.
+    template <class Number>
+    void within(const char* key, Number& value, Number most) {
+        (*this)(key, value);
+        if (!(value >= 0 && value <= most))
+            throw Mistake{fmt::format("'{}': expected a number between 0 and {}", key, most), true};
+    }
     template <class Value>
     void needed(const char* key, Value& value) {
         if (!object.contains(key)) fail(fmt::format("the member '{}' is missing", key));
@@ -226,8 +242,8 @@ void members(Archive& archive, Value& value) {
     using Type = std::remove_const_t<Value>;
     if constexpr (std::is_same_v<Type, Place>) {
         archive("file", value.file);
-        archive("line", value.line);
-        archive("column", value.column);
+        archive.within("line", value.line, kMostLines);
+        archive.within("column", value.column, kMostLines);
     } else if constexpr (std::is_same_v<Type, Diagnostic>) {
         archive("severity", value.severity);
         archive("id", value.id);
@@ -279,12 +295,12 @@ void members(Archive& archive, Value& value) {
         archive("goldenVariant", value.goldenVariant);
         archive("exact", value.exact);
         archive("changed", value.changed);
-        archive("width", value.width);
-        archive("height", value.height);
+        archive.within("width", value.width, kLargestSide);
+        archive.within("height", value.height, kLargestSide);
         archive("judgement", value.judgement);
         archive("tolerance", value.tolerance);
         archive("diagnostics", value.diagnostics);
-        archive("milliseconds", value.milliseconds);
+        archive.within("milliseconds", value.milliseconds, 1000 * kLongestTime);
         archive("driver", value.driver);
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
@@ -297,7 +313,7 @@ void members(Archive& archive, Value& value) {
         archive("machine", value.machine);
         archive("shard", value.shard);
         archive("command", value.command);
-        archive("seconds", value.seconds);
+        archive.within("seconds", value.seconds, kLongestTime);
         archive("began", value.began);
         archive("planned", value.planned);
     }

@@ -35,7 +35,7 @@ class Run {
         accepted_.resize(suites.size());
         if (!options.onlyRender.empty()) return;
         for (const Suite& each : suites) {
-            Result<GoldenStore> store = GoldenStore::open(each, options.goldens);
+            Result<GoldenStore> store = GoldenStore::open(each, options.goldens, options.allowOutside);
             append(end_.diagnostics, std::move(store.diagnostics));
             plan_.goldens.push_back(std::move(*store));
         }

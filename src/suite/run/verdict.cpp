@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/contained.h"
 #include "image/compare/heat_map.h"
 #include "image/inspect.h"
 #include "image/write.h"
@@ -206,9 +207,13 @@ fs::path ShotJudge::write(const Shot& shot, std::string_view what, const image::
         fs::path(suite_.name) /
         fmt::format("{}.{}{}", shot.name, what, picture.type == image::Component::f32 ? ".exr" : ".png");
     const fs::path file = options_.results / name;
-    std::error_code ignored;  // reported with the file that cannot be written
-    fs::create_directories(file.parent_path(), ignored);
-    Diagnostics problems = image::writeImage(picture, file);
+    // A results folder may have been unpacked from somebody else's archive, with links in it.
+    const int problem = base::prepareBeneath(options_.results, name);
+    Diagnostics problems =
+        problem == 0
+            ? image::writeImage(picture, file)
+            : Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(),
+                                                           std::generic_category().message(problem)))};
     const bool bad = hasError(problems);
     append(result.diagnostics, std::move(problems));
     return bad ? fs::path() : name;

@@ -1,16 +1,16 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/standard_files.h"
 #include "base/utf8.h"
+#include "cli/command_line.h"
 #include "view/browse/thumbnail_maker.h"
 #include "view/window/window.h"
 
@@ -56,40 +56,36 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
 }
 
 int start(int argc, char** argv) {
-    CLI::App app{"glibra view: shows a scene in a window, with a slider for every range"};
+    glibra::cli::Program program("shows a scene in a window, with a slider for every range",
+                                 "glibra view glib/start/teapot.glib --paused", "glibra view");
+    glibra::cli::CommandLine line = program.line();
     glibra::view::WindowArguments arguments;
     std::vector<std::string> scenes;
     std::string size;
     std::string thumbnails;
-    app.add_option("SCENE", scenes, "scene files (.glib), one tab each");
+    line.list("SCENE", scenes, "scene files (.glib), one tab each");
     // The window starts this program with --thumbnails to make pictures of scenes; see thumbnail_maker.h.
-    app.add_option("--thumbnails", thumbnails)->group("");
-    app.add_option("--set", arguments.set,
-                   "value of a uniform: NAME=VALUE, or PROGRAM:NAME=VALUE for one program")
-        ->allow_extra_args(false);
-    app.add_option("--size", size, "size of the picture in pixels: WIDTHxHEIGHT");
-    app.add_option("--time", arguments.options.time, "time at the start, in seconds")
-        ->check(CLI::Range(0.0, 1e9));
-    app.add_flag("--paused", arguments.paused, "start with the time paused");
-    app.add_flag("--axes", arguments.options.axes, "draw axes two units long");
-    app.add_option("--view", arguments.options.view,
-                   "auto: move the eye back if the scene surrounds it; glman: never")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, glibra::ViewPolicy>{
-            {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}}));
-    app.add_option("--state", arguments.stateFile,
-                   "write the window's state to this file as JSON whenever it changes");
-    app.add_option("--record", arguments.recordFile, "record the input of every frame in this file");
-    app.add_option("--replay", arguments.replayFile, "play the recorded input of this file, then quit")
-        ->check(CLI::ExistingFile);
-    try {
-        app.parse(argc, argv);
-        arguments.scenes.assign(scenes.begin(), scenes.end());
-        if (!thumbnails.empty())
-            return glibra::view::makeThumbnails(thumbnails, arguments.scenes, libraryRoots());
-        return run(arguments, size);
-    } catch (const CLI::ParseError& wrong) {
-        return app.exit(wrong) == 0 ? 0 : kWrongUsage;
-    }
+    line.option("--thumbnails", thumbnails, "").hidden();
+    line.repeated("--set", arguments.set,
+                  "value of a uniform: NAME=VALUE, or PROGRAM:NAME=VALUE for one program");
+    line.option("--size", size, "size of the picture in pixels: WIDTHxHEIGHT");
+    line.option("--time", arguments.options.time, "time at the start, in seconds").within(0.0, 1e9);
+    line.flag("--paused", arguments.paused, "start with the time paused");
+    line.flag("--axes", arguments.options.axes, "draw axes two units long");
+    line.choice("--view", arguments.options.view,
+                std::vector<std::pair<const char*, glibra::ViewPolicy>>{
+                    {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}},
+                "auto: move the eye back if the scene surrounds it; glman: never");
+    line.option("--state", arguments.stateFile,
+                "write the window's state to this file as JSON whenever it changes");
+    line.option("--record", arguments.recordFile, "record the input of every frame in this file");
+    line.option("--replay", arguments.replayFile, "play the recorded input of this file, then quit")
+        .existingFile();
+    if (const std::optional<int> status = program.parse(argc, argv)) return *status;
+    arguments.scenes.assign(scenes.begin(), scenes.end());
+    if (!thumbnails.empty())
+        return glibra::view::makeThumbnails(thumbnails, arguments.scenes, libraryRoots());
+    return run(arguments, size);
 }
 
 }  // namespace

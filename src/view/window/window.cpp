@@ -74,7 +74,6 @@ class Window {
 
     const WindowArguments& arguments_;
     Display& display_;
-    gpu::Context& context_;
     Shared shared_;
     Tabs tabs_;
     std::optional<Gui> gui_;
@@ -99,7 +98,6 @@ class Window {
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
       display_(display),
-      context_(context),
       tabs_(context, arguments.options, shared_, display.contentScale()),
       watch_([] { Display::wake(); }),
       pacer_(display.refreshRate(), Display::hasSwapControl()) {

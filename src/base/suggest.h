@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace glibra::glib {
+namespace glibra::base {
 
 /// Returns the smallest number of insertions, deletions, replacements and exchanges of neighbouring bytes
 /// that turn `a` into `b`, where no byte is edited twice (optimal string alignment distance). The case of
@@ -24,4 +24,4 @@ std::string nearestName(std::string_view word, std::span<const std::string_view>
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates,
                        std::size_t prefix = 0);
 
-}  // namespace glibra::glib
+}  // namespace glibra::base

@@ -1,6 +1,6 @@
 // Near names among names that all begin with the same letter.
 
-#include "glib/suggest.h"
+#include "base/suggest.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glibra::glib {
+namespace glibra::base {
 namespace {
 
 constexpr std::size_t kPrefix = 1;
@@ -51,4 +51,4 @@ TEST(NearName, IsOfferedAsAQuestion) {
 }
 
 }  // namespace
-}  // namespace glibra::glib
+}  // namespace glibra::base

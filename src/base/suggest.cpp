@@ -1,15 +1,17 @@
-#include "glib/suggest.h"
+#include "base/suggest.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "glib/text.h"
-
-namespace glibra::glib {
+namespace glibra::base {
 namespace {
 
 constexpr std::size_t kLongestWord = 128;
+
+constexpr char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 std::size_t allowedEdits(std::size_t length) {
     if (length <= 2) return 0;
@@ -64,4 +66,4 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
     return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 
-}  // namespace glibra::glib
+}  // namespace glibra::base

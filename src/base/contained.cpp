@@ -1,0 +1,218 @@
+#include "base/contained.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace glibra::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The parts of a path that leads downwards; none if it does not.
+std::vector<std::string> downwards(const fs::path& path) {
+    std::vector<std::string> parts;
+    if (path.is_absolute()) return {};
+    for (const fs::path& each : path) {
+        if (each == "..") return {};
+        if (each.native().find('\0') != std::string::npos) return {};
+        if (!each.empty() && each != ".") parts.push_back(each.string());
+    }
+    return parts;
+}
+
+Descriptor openFolder(const fs::path& folder) {
+    return Descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+}
+
+/// Goes down the folders of `parts`, all but the last. Each is opened from the one before, so that nobody can
+/// put a link in between. errno says why there is no value.
+Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bool make) {
+    if (parts.empty()) {
+        errno = EINVAL;
+        return {};
+    }
+    Descriptor folder = openFolder(root);
+    for (std::size_t i = 0; folder && i + 1 < parts.size(); ++i) {
+        if (make) ::mkdirat(folder.number(), parts[i].c_str(), 0777);
+        struct stat status {};
+        const bool isLink = ::fstatat(folder.number(), parts[i].c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+                            S_ISLNK(status.st_mode);
+        Descriptor next(
+            ::openat(folder.number(), parts[i].c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (!next && isLink) errno = ELOOP;
+        folder = std::move(next);
+    }
+    return folder;
+}
+
+int writeAll(int file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(file, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+/// Writes to the disk what the system holds of a file. File systems without that cannot lose it either.
+int sync(int file) {
+    return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS ? 0 : errno;
+}
+
+bool isHidden(const fs::path& path) {
+    return std::any_of(path.begin(), path.end(),
+                       [](const fs::path& part) { return part.native().starts_with('.'); });
+}
+
+}  // namespace
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+}
+
+Descriptor::~Descriptor() {
+    const int problem = errno;  // the caller still needs it
+    if (number_ >= 0) ::close(number_);
+    errno = problem;
+}
+
+Descriptor openBeneath(const fs::path& root, const fs::path& path) {
+    const std::vector<std::string> parts = downwards(path);
+    const Descriptor folder = enter(root, parts, false);
+    if (!folder) return {};
+    // Without O_NONBLOCK, opening a pipe blocks until somebody writes to it.
+    Descriptor file(
+        ::openat(folder.number(), parts.back().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (file && ::fstat(file.number(), &status) == 0 && !S_ISREG(status.st_mode)) {
+        errno = ENOTSUP;
+        return {};
+    }
+    return file;
+}
+
+int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes) {
+    struct stat status {};
+    if (::fstat(file.number(), &status) != 0) return errno;
+    if (static_cast<std::uint64_t>(status.st_size) > largest) return EFBIG;
+    try {
+        bytes.resize(static_cast<std::size_t>(status.st_size));
+    } catch (const std::bad_alloc&) {
+        return ENOMEM;
+    }
+    std::size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file.number(), bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return errno;
+        if (got == 0) break;  // the file has become shorter meanwhile
+        have += static_cast<std::size_t>(got);
+    }
+    bytes.resize(have);
+    return 0;
+}
+
+int writeBeneath(const fs::path& root, const fs::path& path, std::span<const std::byte> bytes) {
+    const std::vector<std::string> parts = downwards(path);
+    const Descriptor folder = enter(root, parts, true);
+    if (!folder) return errno;
+    constexpr int kAttempts = 1000;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const std::string name =
+            ".glibra-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+        const Descriptor file(
+            ::openat(folder.number(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        if (!file && errno == EEXIST) continue;
+        if (!file) return errno;
+        int problem = writeAll(file.number(), bytes);
+        if (problem == 0) problem = sync(file.number());
+        if (problem == 0 &&
+            ::renameat(folder.number(), name.c_str(), folder.number(), parts.back().c_str()) != 0)
+            problem = errno;
+        if (problem == 0) return sync(folder.number());
+        ::unlinkat(folder.number(), name.c_str(), 0);
+        return problem;
+    }
+    return EEXIST;
+}
+
+int prepareBeneath(const fs::path& root, const fs::path& path) {
+    const std::vector<std::string> parts = downwards(path);
+    const Descriptor folder = enter(root, parts, true);
+    if (!folder) return errno;
+    struct stat status {};
+    if (::fstatat(folder.number(), parts.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+        return errno == ENOENT ? 0 : errno;
+    if (S_ISREG(status.st_mode)) return 0;
+    return ::unlinkat(folder.number(), parts.back().c_str(), 0) == 0 ? 0 : errno;
+}
+
+int removeBeneath(const fs::path& root, const fs::path& path) {
+    const std::vector<std::string> parts = downwards(path);
+    const Descriptor folder = enter(root, parts, false);
+    return folder && ::unlinkat(folder.number(), parts.back().c_str(), 0) == 0 ? 0 : errno;
+}
+
+int renameDurably(const fs::path& from, const fs::path& to) {
+    const Descriptor file(::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (!file) return errno;
+    if (const int problem = sync(file.number()); problem != 0) return problem;
+    if (::rename(from.c_str(), to.c_str()) != 0) return errno;
+    const Descriptor folder = openFolder(to.parent_path());
+    return folder ? sync(folder.number()) : errno;
+}
+
+void Roots::add(const fs::path& folder) {
+    const auto put = [&](const fs::path& each) {
+        if (std::find(folders_.begin(), folders_.end(), each) == folders_.end()) folders_.push_back(each);
+    };
+    std::error_code failed;
+    const fs::path resolved = fs::canonical(folder.empty() ? "." : folder, failed);
+    if (failed || !fs::is_directory(resolved, failed)) return;
+    put(resolved);
+    fs::path named = fs::absolute(folder, failed).lexically_normal();
+    if (!named.has_filename()) named = named.parent_path();
+    if (!failed) put(named);
+}
+
+void Roots::addBelow(const fs::path& root, const fs::path& folder) {
+    Roots outer;
+    outer.add(root);
+    if (outer.contains(folder)) add(folder);
+}
+
+bool Roots::contains(const fs::path& file) const {
+    std::error_code failed;
+    const fs::path resolved = fs::canonical(file, failed);
+    if (failed) return false;
+    return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
+        const fs::path inside = resolved.lexically_relative(root);
+        return !inside.empty() && !isHidden(inside);  // "." and ".." begin with a dot too
+    });
+}
+
+Descriptor Roots::open(const fs::path& file) const {
+    std::error_code failed;
+    const fs::path named = fs::absolute(file, failed).lexically_normal();
+    int problem = EACCES;
+    for (const fs::path& root : folders_) {
+        const fs::path inside = named.lexically_relative(root);
+        if (failed || inside.empty() || isHidden(inside)) continue;
+        if (Descriptor opened = openBeneath(root, inside)) return opened;
+        problem = errno;
+    }
+    errno = problem;
+    return {};
+}
+
+}  // namespace glibra::base

@@ -1,0 +1,83 @@
+#pragma once
+// Expressions of scenes: text becomes checked code, and code becomes a value (language, 1.8).
+//
+//     const auto angle = parse("2 * sin(.35 * time)", place, names);
+//     if (!angle) report(angle.problem.message);
+//     else if (const auto value = angle->evaluate(values)) rotate(value->number());
+//
+// Syntax and names are those of GLSL; every number is a double. Types are checked when the text is read. An
+// evaluation throws nothing, allocates nothing unless it fails, and ends: there are no loops.
+
+#include <glibra/diagnostic.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "expression/names.h"
+#include "expression/problem.h"
+#include "expression/type.h"
+
+namespace glibra::expression {
+
+struct Code;
+
+/// What the place where an expression stands accepts.
+struct Wanted {
+    std::span<const Type> types = {};  ///< empty: every number, boolean, vector and matrix
+    /// The words that may be the value, as in `(inside ? front : back)`, if Type::word() is among the types.
+    /// A name that the scene declares hides a word. A choice whose words are among these may be the value,
+    /// too.
+    std::span<const std::string_view> words = {};
+};
+
+struct Limits {
+    std::size_t bytes = 16U << 10U;  ///< of the text
+    std::size_t depth = 200;         ///< of nested parentheses, subscripts, signs and conditions
+    std::size_t steps = 16U << 10U;  ///< of the code, each of them done at most once
+};
+
+/// One name that an expression uses.
+struct Use {
+    std::string path;  ///< "light.shadow"
+    Symbol symbol;
+};
+
+/// A checked expression: a value that is cheap to copy.
+class Expression {
+  public:
+    [[nodiscard]] Type type() const;
+    [[nodiscard]] const std::string& text() const;
+    [[nodiscard]] const Place& origin() const;
+
+    /// What the value can change with. An expression that depends on nothing has one value.
+    [[nodiscard]] Depends depends() const;
+    /// The names whose values are read, each once, in the order of the text. Branches that are never taken
+    /// because their condition is constant do not count.
+    [[nodiscard]] std::span<const Use> uses() const;
+    /// The value, if no name is read and there is one.
+    [[nodiscard]] std::optional<Value> constant() const;
+
+    /// Computes the value. Problems are expr-E06 and expr-E07.
+    [[nodiscard]] Checked<Value> evaluate(const Values& values) const;
+
+    /// Equal text, read with the same meaning of its names. The place does not count.
+    friend bool operator==(const Expression& a, const Expression& b);
+
+  private:
+    friend Checked<Expression> parse(std::string_view text, const Place& origin, const Names& names,
+                                     const Wanted& wanted, const Limits& limits);
+    explicit Expression(std::shared_ptr<const Code> code) : code_(std::move(code)) {}
+    std::shared_ptr<const Code> code_;
+};
+
+/// Reads an expression, with or without parentheses around it. `origin` is the place of the first byte of the
+/// text, which may have several lines, joined by backslashes. Problems are expr-E01 to expr-E05; the first
+/// one is returned.
+Checked<Expression> parse(std::string_view text, const Place& origin, const Names& names,
+                          const Wanted& wanted = {}, const Limits& limits = {});
+
+}  // namespace glibra::expression

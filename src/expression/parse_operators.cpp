@@ -1,0 +1,253 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "expression/operators.h"
+#include "expression/parser.h"
+
+namespace glibra::expression {
+
+Parser::Parsed Parser::expression() {
+    const Level level(*this);
+    if (depth_ > limits_.depth) return tooDeep();
+    Parsed condition = binary(1);
+    if (!condition || !token_.is("?")) return condition;
+    return conditional(*condition);
+}
+
+Parser::Parsed Parser::conditional(Operand condition) {
+    if (!settle(condition)) return std::nullopt;
+    if (!condition.type.isBoolean())
+        return problem(condition.range, "expr-E03",
+                       fmt::format("a condition is a bool, found {}", name(condition.type)));
+    const Range mark = token_.range;
+    take();
+    // The branch that a constant condition never takes is read and then removed.
+    const bool isKnown = condition.isConstant;
+    const bool isTrue = isKnown && build_.valueOf(condition)[0] != 0;
+    std::size_t toElse = 0, toEnd = 0;
+    if (isKnown)
+        build_.erase(condition.begin, build_.end(), 1);
+    else
+        toElse = build_.emitJump(Op::jumpIfFalse, mark, 1);
+    Parsed yes = expression();
+    if (!yes || !settle(*yes)) return std::nullopt;
+    if (!token_.is(":")) return unexpected("':' and the value for the other case");
+    const Range colon = token_.range;
+    take();
+    if (!isKnown) {
+        toEnd = build_.emitJump(Op::jump, colon, 0);
+        build_.jumpHere(toElse);
+    }
+    const std::size_t elseBegin = build_.end();
+    if (!isKnown) build_.forget(yes->type.size());
+    Parsed no = expression();
+    if (!no || !settle(*no)) return std::nullopt;
+    if (yes->type != no->type)
+        return problem(since(condition.range.begin), "expr-E03",
+                       fmt::format("both cases of '?' have the same type, found {} and {}", name(yes->type),
+                                   name(no->type)));
+    Operand result{.type = yes->type, .range = since(condition.range.begin), .begin = condition.begin};
+    if (isKnown) {
+        if (isTrue)
+            build_.erase(elseBegin, build_.end(), no->type.size());
+        else
+            build_.erase(yes->begin, elseBegin, yes->type.size());
+        result.isConstant = isTrue ? yes->isConstant : no->isConstant;
+    } else {
+        build_.jumpHere(toEnd);
+    }
+    return result;
+}
+
+Parser::Parsed Parser::binary(int least) {
+    Parsed left = unary();
+    while (left) {
+        const Token sign = token_;
+        const int precedence = sign.kind == TokenKind::sign ? precedenceOf(sign.text) : 0;
+        if (precedence < least || precedence == 0) return left;
+        take();
+        if (sign.text == "&&" || sign.text == "||") {
+            left = shortCircuit(*left, sign, precedence);
+            continue;
+        }
+        Parsed right = binary(precedence + 1);
+        if (!right) return std::nullopt;
+        left = withinLimits(operation(*left, sign, *right));
+    }
+    return left;
+}
+
+Parser::Parsed Parser::operation(Operand left, const Token& sign, Operand right) {
+    const Range range{left.range.begin, right.range.end};
+    if (sign.text == "==" || sign.text == "!=") {
+        if (left.choice && right.type == Type::word() && right.isConstant && !compareWithChoice(left, right))
+            return std::nullopt;
+        if (right.choice && left.type == Type::word() && left.isConstant && !compareWithChoice(right, left))
+            return std::nullopt;
+    }
+    if (!settle(left) || !settle(right)) return std::nullopt;
+    const auto call = operationOf(sign.text, left.type, right.type);
+    if (!call) {
+        const bool isOrder = sign.text[0] == '<' || sign.text[0] == '>';
+        return problem(
+            range, "expr-E03",
+            fmt::format("'{}' does not combine {} and {}{}", sign.text, name(left.type), name(right.type),
+                        isOrder && sign.text.size() < 3 && left.type.isVector() && left.type == right.type &&
+                                sign.text != "<<" && sign.text != ">>"
+                            ? "; lessThan() and greaterThan() compare vectors"
+                            : ""));
+    }
+    return build_.combined({left, right}, call->instruction, call->result, range);
+}
+
+Parser::Parsed Parser::shortCircuit(Operand left, const Token& sign, int precedence) {
+    const auto isBool = [&](const Operand& operand) {
+        if (!settle(operand)) return false;
+        if (!operand.type.isBoolean())
+            problem(operand.range, "expr-E03",
+                    fmt::format("'{}' combines bools, found {}", sign.text, name(operand.type)));
+        return operand.type.isBoolean();
+    };
+    if (!isBool(left)) return std::nullopt;
+    const bool decides = sign.text == "||";  // the value of the left side that decides
+    const bool isKnown = left.isConstant;
+    const bool isDecided = isKnown && (build_.valueOf(left)[0] != 0) == decides;
+    std::size_t jump = 0;
+    if (!isKnown)
+        jump = build_.emitJump(decides ? Op::jumpKeepTrue : Op::jumpKeepFalse, sign.range, 1);
+    else if (!isDecided)
+        build_.erase(left.begin, build_.end(), 1);
+    const std::size_t begin = build_.end();
+    Parsed right = binary(precedence + 1);
+    if (!right || !isBool(*right)) return std::nullopt;
+    Operand result{
+        .type = Type::boolean(), .range = {left.range.begin, right->range.end}, .begin = left.begin};
+    if (isDecided) {
+        build_.erase(begin, build_.end(), 1);
+        result.isConstant = true;
+    } else if (isKnown) {
+        result.isConstant = right->isConstant;
+    } else {
+        build_.jumpHere(jump);
+    }
+    return withinLimits(result);
+}
+
+Parser::Parsed Parser::unary() {
+    const Token sign = token_;
+    const bool isSign = sign.is("-") || sign.is("+") || sign.is("!") || sign.is("~");
+    if (!isSign) return postfix();
+    const Level level(*this);
+    if (depth_ > limits_.depth) return tooDeep();
+    take();
+    Parsed operand = unary();
+    if (!operand || !settle(*operand)) return std::nullopt;
+    const Range range = since(sign.range.begin);
+    const auto call = operationOf(sign.is("+") ? "-" : sign.text, operand->type);
+    if (!call)
+        return problem(range, "expr-E03",
+                       fmt::format("'{}' does not apply to {} {}{}", sign.text, article(name(operand->type)),
+                                   name(operand->type),
+                                   sign.is("!") && operand->type.kind == Kind::boolean ? "; use not()" : ""));
+    if (sign.is("+")) {
+        operand->range = range;
+        operand->choice.reset();
+        return operand;
+    }
+    return withinLimits(build_.combined({*operand}, call->instruction, call->result, range));
+}
+
+Parser::Parsed Parser::postfix() {
+    Parsed value = primary();
+    while (value && (token_.is(".") || token_.is("["))) {
+        if (!settle(*value)) return std::nullopt;
+        value = withinLimits(token_.is(".") ? component(*value) : subscripted(*value));
+    }
+    return value;
+}
+
+Parser::Parsed Parser::primary() {
+    const Token first = token_;
+    if (first.kind == TokenKind::number) {
+        take();
+        return withinLimits(build_.pushed(first.number, Type::number(), first.range));
+    }
+    if (first.kind == TokenKind::name) {
+        take();
+        if (token_.is("(")) return withinLimits(call(first));
+        return withinLimits(named(first));
+    }
+    if (!first.is("(")) return unexpected("a value");
+    take();
+    Parsed inner = expression();
+    if (!inner) return inner;
+    if (!takeIf(")")) return unexpected("')'");
+    if (inner->unknownWord.empty()) inner->range = since(first.range.begin);
+    return inner;
+}
+
+Parser::Parsed Parser::component(const Operand& value) {
+    constexpr std::array<std::string_view, 3> kSets{"xyzw", "rgba", "stpq"};
+    take();
+    if (token_.kind != TokenKind::name) return unexpected("the name of a component");
+    const Token name = token_;
+    take();
+    const Range range = since(value.range.begin);
+    Instruction swizzle;
+    swizzle.op = Op::swizzle;
+    for (const std::string_view set : kSets) {
+        if (name.text.size() > 4 || name.text.find_first_not_of(set) != std::string_view::npos) continue;
+        if (value.type.isMatrix() || value.type.kind == Kind::word) break;
+        swizzle.a = static_cast<std::uint8_t>(value.type.size());
+        swizzle.n = static_cast<std::uint8_t>(name.text.size());
+        for (std::size_t k = 0; k < name.text.size(); ++k) {
+            const std::size_t index = set.find(name.text[k]);
+            if (index >= value.type.rows)
+                return problem(
+                    name.range, "expr-E02",
+                    fmt::format("a {} has no component '{}'", expression::name(value.type), name.text[k]));
+            swizzle.target |= static_cast<std::uint32_t>(index) << (2 * k);
+        }
+        return build_.combined({value}, swizzle, Type::vector(name.text.size(), value.type.kind), range);
+    }
+    return problem(name.range, "expr-E02",
+                   fmt::format("{} {} has no component or field {}", article(expression::name(value.type)),
+                               expression::name(value.type), quoted(code_.text, name.range)));
+}
+
+Parser::Parsed Parser::subscript(std::size_t count) {
+    take();
+    Parsed index = expression();
+    if (!index || !settle(*index)) return std::nullopt;
+    if (!takeIf("]")) return unexpected("']'");
+    if (!index->type.isNumber())
+        return problem(index->range, "expr-E03",
+                       fmt::format("a subscript is a number, found {}", name(index->type)));
+    if (index->isConstant) {
+        const double value = std::trunc(build_.valueOf(*index)[0]) + 0.0;
+        if (!(value >= 0 && value < static_cast<double>(count)))
+            return problem(index->range, "expr-E06",
+                           fmt::format("subscript {} is not between 0 and {}", value, count - 1));
+    }
+    return index;
+}
+
+Parser::Parsed Parser::subscripted(const Operand& value) {
+    const std::size_t count = value.type.isMatrix() ? value.type.columns : value.type.rows;
+    if (count < 2 || value.type.kind == Kind::word)
+        return problem(value.range, "expr-E03",
+                       fmt::format("{} {} has no elements", article(name(value.type)), name(value.type)));
+    const Parsed index = subscript(count);
+    if (!index) return std::nullopt;
+    const Type type =
+        value.type.isMatrix() ? Type::vector(value.type.rows) : Type::vector(1, value.type.kind);
+    Instruction element;
+    element.op = Op::element;
+    element.n = static_cast<std::uint8_t>(type.size());
+    element.b = static_cast<std::uint8_t>(count);
+    return build_.combined({value, *index}, element, type, since(value.range.begin));
+}
+
+}  // namespace glibra::expression
