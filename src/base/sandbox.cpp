@@ -78,10 +78,7 @@ void addSystem(Sandbox& sandbox) {
                              "/dev/urandom",
                              "/dev/random"})
         sandbox.readable.emplace_back(each);
-    for (const char* each : {"/dev/null", "/dev/zero", "/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset",
-                             "/dev/nvidia-uvm", "/dev/dxg"})
-        sandbox.devices.emplace_back(each);
-    for (int i = 0; i < 16; ++i) sandbox.devices.emplace_back("/dev/nvidia" + std::to_string(i));
+    for (const char* each : {"/dev/null", "/dev/zero"}) sandbox.devices.emplace_back(each);
 }
 
 }  // namespace

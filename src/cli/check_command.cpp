@@ -116,7 +116,7 @@ int run(CheckArguments& arguments) {
     std::optional<base::Sandbox> sandbox;
     if (arguments.untrusted) {
         if (!prepareUntrusted()) return kNoDriver;
-        sandbox = sandboxOf(arguments.scenes, arguments.picture.options);
+        sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     }
     SceneChecker checker(arguments, jobs);
     CheckReport report(arguments);

@@ -315,7 +315,8 @@ class SceneBatch {
 int renderScenes(const RenderArguments& arguments) {
     const Interruption interruption;
     std::optional<base::Sandbox> sandbox;
-    if (arguments.untrusted) sandbox = sandboxOf(arguments.scenes, arguments.picture.options);
+    if (arguments.untrusted)
+        sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     Diagnostics late;
     const std::optional<int> parts = partsOf(
         arguments, sandbox ? &*sandbox : nullptr, [&] { return interruption.signal() != 0; }, late);

@@ -33,7 +33,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         std::vector<fs::path> folders;
         for (const suite::Suite& each : selection->suites)
             folders.push_back(several ? options.onlyRender / each.name : options.onlyRender);
-        sandbox = sandboxOf(*selection, {}, folders);
+        sandbox = sandboxOf(*selection, arguments.driver, {}, folders);
         if (!sandbox) return kSceneIsWrong;
         options.sandbox = &*sandbox;
     }

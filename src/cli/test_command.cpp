@@ -160,7 +160,7 @@ int test(const TestArguments& arguments) {
         std::vector<fs::path> folders;
         for (const suite::Suite& each : selection->suites)
             folders.push_back(fs::path(arguments.results) / each.name);
-        sandbox = sandboxOf(*selection, arguments.goldens, folders);
+        sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
         if (!sandbox) return kSceneIsWrong;
     }
 

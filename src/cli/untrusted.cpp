@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/commands.h"
+#include "gpu/context/hardware.h"
 #include "image/module_loader.h"
 #include "scene/file_lookup.h"
 
@@ -41,7 +42,7 @@ void addScene(std::set<fs::path>& readable, const fs::path& scene, const RenderO
     readable.insert(folders.library.begin(), folders.library.end());
 }
 
-base::Sandbox sandboxWith(const std::set<fs::path>& readable) {
+base::Sandbox sandboxWith(const std::set<fs::path>& readable, Driver driver) {
     base::Sandbox sandbox;
     sandbox.readable.assign(readable.begin(), readable.end());
     for (const fs::path& each : image::defaultModuleFolders())
@@ -49,6 +50,12 @@ base::Sandbox sandboxWith(const std::set<fs::path>& readable) {
     // Where users keep drivers of their own.
     for (const char* name : {"LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_DIRS"})
         for (fs::path& each : foldersIn(name)) sandbox.readable.push_back(std::move(each));
+    if (!gpu::mayUseHardware(driver)) return sandbox;
+    for (const char* each :
+         {"/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset", "/dev/nvidia-uvm", "/dev/dxg"})
+        sandbox.devices.emplace_back(each);
+    constexpr int kMostDevices = 16;
+    for (int i = 0; i < kMostDevices; ++i) sandbox.devices.emplace_back(fmt::format("/dev/nvidia{}", i));
     return sandbox;
 }
 
@@ -72,13 +79,13 @@ bool prepareUntrusted() {
     return true;
 }
 
-base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options) {
+base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver) {
     std::set<fs::path> readable;
     for (const std::string& each : scenes) addScene(readable, each, options);
-    return sandboxWith(readable);
+    return sandboxWith(readable, driver);
 }
 
-std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::path& goldens,
+std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver, const fs::path& goldens,
                                        const std::vector<fs::path>& folders) {
     Diagnostics problems;
     std::set<fs::path> readable;
@@ -121,7 +128,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, const fs::pat
                                 folder.string(), each.string())));
     print(problems);
     if (!problems.empty()) return std::nullopt;
-    base::Sandbox sandbox = sandboxWith(readable);
+    base::Sandbox sandbox = sandboxWith(readable, driver);
     sandbox.writable = folders;
     for (const fs::path& folder : folders) {
         std::error_code ignored;  // reported with the file that cannot be written

@@ -2,6 +2,7 @@
 // --untrusted: the processes that read scenes of strangers are confined to what they need (base/sandbox.h).
 
 #include <glibra/diagnostic.h>
+#include <glibra/driver.h>
 #include <glibra/render.h>
 
 #include <filesystem>
@@ -23,14 +24,15 @@ void addUntrustedOption(CommandLine& command, bool& to);
 bool prepareUntrusted();
 
 /// What workers need that draw these scenes: the scenes' folders, the library folders that the file look-up
-/// searches, and the image module.
-base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options);
+/// searches, the image module, and the graphics devices unless the driver draws by software.
+base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver);
 
 /// The same for suites; their workers write only into `folders`, which are made if they do not exist. A suite
 /// may have been written by a stranger too, so its scenes, goldens and libraries must be below its own folder
 /// or the current one; `goldens` is a folder that the command line names. Without a value, the reason has
 /// been printed, and the exit status is kSceneIsWrong.
-std::optional<base::Sandbox> sandboxOf(const Selection& selection, const std::filesystem::path& goldens,
+std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver,
+                                       const std::filesystem::path& goldens,
                                        const std::vector<std::filesystem::path>& folders);
 
 /// A new hidden folder, the only one that confined workers of `glibra render` write to. Their files are moved
