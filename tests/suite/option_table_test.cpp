@@ -121,6 +121,7 @@ TEST(OptionTable, AWrongTextSaysWhatWouldBeRightAndChangesNothing) {
         {"size", "0x10", "expected WxH with 1 to 65536 pixels a side, as 800x600, found '0x10'"},
         {"view", "best", "expected auto or glman, found 'best'"},
         {"background", "1,2", "expected R,G,B or R,G,B,A, as 0,.5,1, found '1,2'"},
+        {"background", "0,3.5e38,1", "expected R,G,B or R,G,B,A, as 0,.5,1, found '0,3.5e38,1'"},
         {"eye-transform", "1,2", "expected 16 numbers separated by commas, column by column, found '1,2'"},
         {"object-transform", "0:1",
          "expected LINE:M, the line of the object in the scene and a matrix, found '0:1'"},

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -29,13 +30,14 @@ std::optional<T> numberOf(std::string_view text) {
     return value;
 }
 
-/// Numbers separated by commas; nothing if the text is anything else.
+/// Numbers separated by commas, finite as 32-bit floats; nothing if the text is anything else.
 std::optional<std::vector<double>> numbersOf(std::string_view text) {
     std::vector<double> values;
     for (;;) {
         const std::size_t comma = std::min(text.find(','), text.size());
         const auto value = numberOf<double>(text.substr(0, comma));
-        if (!value || !std::isfinite(*value)) return std::nullopt;
+        // Written so that NaN is refused, too.
+        if (!value || !(std::abs(*value) <= std::numeric_limits<float>::max())) return std::nullopt;
         values.push_back(*value);
         if (comma == text.size()) return values;
         text.remove_prefix(comma + 1);
