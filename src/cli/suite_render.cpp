@@ -36,6 +36,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         sandbox = sandboxOf(*selection, arguments.driver, {}, folders);
         if (!sandbox) return kSceneIsWrong;
         options.sandbox = &*sandbox;
+        makeWritableFolders(*sandbox);
     }
 
     std::vector<suite::ShotReference> open;

@@ -174,6 +174,7 @@ int test(const TestArguments& arguments) {
         interruption.obey();
         return kSceneIsWrong;
     }
+    if (sandbox) makeWritableFolders(*sandbox);  // opening the record has removed those of an earlier run
     std::vector<suite::ShotReference> open;
     for (const suite::ShotReference& each : selection->shots)
         if (!record->isDone(selection->suites[each.suite], each)) open.push_back(each);

@@ -130,11 +130,14 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
     if (!problems.empty()) return std::nullopt;
     base::Sandbox sandbox = sandboxWith(readable, driver);
     sandbox.writable = folders;
-    for (const fs::path& folder : folders) {
+    return sandbox;
+}
+
+void makeWritableFolders(const base::Sandbox& sandbox) {
+    for (const fs::path& folder : sandbox.writable) {
         std::error_code ignored;  // reported with the file that cannot be written
         fs::create_directories(folder, ignored);
     }
-    return sandbox;
 }
 
 StagingFolder::StagingFolder(const fs::path& parent)

@@ -27,13 +27,17 @@ bool prepareUntrusted();
 /// searches, the image module, and the graphics devices unless the driver draws by software.
 base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver);
 
-/// The same for suites; their workers write only into `folders`, which are made if they do not exist. A suite
+/// The same for suites; their workers write only into `folders`. A suite
 /// may have been written by a stranger too, so its scenes, goldens and libraries must be below its own folder
 /// or the current one; `goldens` is a folder that the command line names. Without a value, the reason has
 /// been printed, and the exit status is kSceneIsWrong.
 std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver,
                                        const std::filesystem::path& goldens,
                                        const std::vector<std::filesystem::path>& folders);
+
+/// Makes the folders that workers write to, because a sandbox leaves out what does not exist when the workers
+/// start.
+void makeWritableFolders(const base::Sandbox& sandbox);
 
 /// A new hidden folder, the only one that confined workers of `glibra render` write to. Their files are moved
 /// out of it when they are complete. It is removed with the object.
