@@ -39,6 +39,10 @@ Descriptor enter(const fs::path& root, const std::vector<std::string>& parts, bo
         errno = EINVAL;
         return {};
     }
+    if (make && !root.empty()) {
+        std::error_code ignored;  // reported by the next step
+        fs::create_directories(root, ignored);
+    }
     Descriptor folder = openFolder(root);
     for (std::size_t i = 0; folder && i + 1 < parts.size(); ++i) {
         if (make) ::mkdirat(folder.number(), parts[i].c_str(), 0777);

@@ -36,14 +36,14 @@ Descriptor openBeneath(const std::filesystem::path& root, const std::filesystem:
 /// Reads an open file from its beginning. EFBIG: it is longer than `largest` bytes.
 int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes);
 
-/// Writes a file below `root` and makes its folders. The file appears under its name when it is whole and on
-/// the disk, so that a loss of power leaves the old file or the new one. A link of that name is replaced, and
-/// its target stays as it is.
+/// Writes a file below `root` and makes its folders, also `root`. The file appears under its name when it is
+/// whole and on the disk, so that a loss of power leaves the old file or the new one. A link of that name is
+/// replaced, and its target stays as it is.
 int writeBeneath(const std::filesystem::path& root, const std::filesystem::path& path,
                  std::span<const std::byte> bytes);
 
-/// Makes the folders of `path` below `root`, and removes a link, a pipe or a device that has its name, so
-/// that code which knows only paths can write there.
+/// Makes `root` and the folders of `path` below it, and removes a link, a pipe or a device that has its name,
+/// so that code which knows only paths can write there.
 int prepareBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
 
 /// Removes a file below `root`; a link is removed, not its target.

@@ -223,7 +223,8 @@ TEST_F(Survival, TwoRunsInOneFolderBothGiveRightResults) {
 TEST_F(Survival, AMergeIntoTheFolderOfARunIsRefused) {
     ASSERT_EQ(run("s.toml --update --results part").status, 0);
     const int status = shell(
-        "flock glibra-results sleep 60 & lock=$!\nwhile flock -n glibra-results true; do sleep 0.05; done\n"
+        "mkdir glibra-results\nflock glibra-results sleep 60 & lock=$!\nwhile flock -n glibra-results true; "
+        "do sleep 0.05; done\n"
         "$GLIBRA test --merge part --results glibra-results >merged 2>&1\ncode=$?\nkill $lock\nexit $code\n");
     EXPECT_EQ(status, 3) << log();
     EXPECT_TRUE(contains(readFile(folder / "merged"), "result-E02")) << readFile(folder / "merged");
@@ -237,7 +238,6 @@ TEST_F(Survival, APowerLossThatLeavesZerosCostsOneResult) {
     folder.write("glibra-results/results.jsonl", results + std::string(4096, '\0'));
     const Finished rest = run("s.toml --resume");
     EXPECT_EQ(rest.status, 0) << rest.err;
-    EXPECT_TRUE(contains(rest.err, "result-N01")) << rest.err;
     EXPECT_TRUE(contains(rest.out, count(kShots, "passed"))) << rest.out;
 }
 

@@ -124,6 +124,7 @@ class Hostile : public testing::Test {
         for (int i = 0; i < 12; ++i) {
             ShotResult shot = maker.shot();
             if (random() % 2 == 0) shot.suite = "s";
+            shot.shot += std::to_string(i);
             shot.got = path(random);
             shot.expected = path(random);
             shot.difference = path(random);

@@ -94,6 +94,12 @@ void ReportFiles::remark(ShownShot& shown, const ShotResult& shot, const std::st
             diagnose("result-W02", fmt::format("report of '{}/{}': {}", shot.suite, shot.shot, text)));
 }
 
+fs::path ReportFiles::foundAt(const fs::path& picture) const {
+    const fs::path inside = resultsFolder_ / picture;
+    std::error_code ignored;
+    return fs::exists(inside, ignored) ? inside : picture;
+}
+
 ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotResult& shot, std::size_t number,
                                           std::string_view ending, bool wantsPixels, ShownShot& shown) {
     if (picture.empty()) return {};
@@ -109,7 +115,7 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
         return {};
     }
     if (wantsPixels || !isPng) {
-        Result<image::Image> decoded = image::decodeImage(*bytes, picture);
+        Result<image::Image> decoded = image::decodeImage(*bytes, foundAt(picture));
         if (!decoded) {
             remark(shown, shot, decoded.diagnostics.front().text);
             return {};

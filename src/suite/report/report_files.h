@@ -65,6 +65,8 @@ class ReportFiles {
                     std::string_view ending, bool wantsPixels, ShownShot& shown);
     std::string addPixels(const Copy& expected, const Copy& got, std::size_t number, ShownShot& shown);
     void addSource(const std::filesystem::path& file, ShownShot& shown);
+    /// Where readNamed found a picture. Some formats are decoded by a library that opens the file itself.
+    [[nodiscard]] std::filesystem::path foundAt(const std::filesystem::path& picture) const;
     bool write(const std::string& name, std::span<const std::byte> bytes);
     void remark(ShownShot& shown, const ShotResult& shot, const std::string& text);
 

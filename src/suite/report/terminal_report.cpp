@@ -98,7 +98,8 @@ class Text {
         const Result<std::vector<std::byte>> bytes =
             readNamed(shot.difference, options_.resultsFolder, base::Roots());
         if (!bytes) return;  // its path is printed below
-        const Result<image::Image> picture = image::decodeImage(*bytes, shot.difference);
+        const Result<image::Image> picture =
+            image::decodeImage(*bytes, options_.resultsFolder / shot.difference);
         if (!picture) return;
         for (const std::string& row : smallHeatMap(*picture, options_.mapColumns, options_.color))
             line(options_.color ? "    " + row : "    |" + row + "|");
