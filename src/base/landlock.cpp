@@ -93,6 +93,7 @@ std::string confineFiles(const Sandbox& sandbox) {
     };
     allowAll(sandbox.readable, reading);
     allowAll(sandbox.writable, writing);
+    allowAll(sandbox.listable, kReadFolder);
     allowAll(sandbox.devices, device);
     if (problem == 0 && ::syscall(SYS_landlock_restrict_self, rules, 0) != 0) problem = errno;
     ::close(rules);

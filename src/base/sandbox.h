@@ -14,6 +14,7 @@ namespace glibra::base {
 struct Sandbox {
     std::vector<std::filesystem::path> readable;  ///< files, and folders with all that is below
     std::vector<std::filesystem::path> writable;  ///< folders in which files can be made and replaced
+    std::vector<std::filesystem::path> listable;  ///< folders whose names can be listed
     std::vector<std::filesystem::path> devices;   ///< devices that can be read, written and controlled
     bool standardOutput = false;                  ///< descriptor 1 stays what it is
 };

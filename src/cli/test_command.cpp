@@ -162,6 +162,8 @@ int test(const TestArguments& arguments) {
             folders.push_back(fs::path(arguments.results) / each.name);
         sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
         if (!sandbox) return kSceneIsWrong;
+        sandbox->listable.emplace_back(
+            arguments.results);  // pictures are written from there on, folder by folder
     }
 
     const auto start = std::chrono::steady_clock::now();

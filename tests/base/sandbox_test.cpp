@@ -128,6 +128,12 @@ TEST_F(Confined, ReadsNoOtherFile) {
     });
 }
 
+TEST_F(Confined, AFolderThatIsOnlyListedKeepsItsFiles) {
+    sandbox.listable = {root / "elsewhere"};
+    isAllowed("the names", [&] { return !fs::is_empty(root / "elsewhere"); });
+    isStopped("a file", [&] { return reads(root / "elsewhere/secret"); });
+}
+
 TEST_F(Confined, WritesNoOtherFile) {
     isStopped("a new file elsewhere", [&] {
         const fs::path file = root / "elsewhere/new";

@@ -34,11 +34,11 @@ struct RunOptions {
     bool force = false;                      ///< ... even pictures of one colour or with NaN
     bool skip = true;                        ///< false: also makes and draws what the pictures do not need
     bool variant = false;                    ///< ... for this family of drivers alone
+    bool allowOutside = false;               ///< goldens may be links to places outside of their folder
     std::filesystem::path goldens{};         ///< folder with one folder per suite, instead of the suites' own
     std::filesystem::path results{};         ///< folder for the pictures of failures
     std::filesystem::path onlyRender{};      ///< if not empty: no goldens, pictures are written here by name
     const base::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`
-    bool allowOutside = false;               ///< goldens may be links to places outside of their folder
 };
 
 struct RunEvents {
