@@ -7,8 +7,10 @@
 
 #include "check.h"
 #include "expression/expression.h"
+#include "expression/functions.h"
 #include "expression/name_table.h"
 #include "expression/parentheses.h"
+#include "text_mutator.h"
 
 namespace {
 
@@ -67,6 +69,28 @@ void attempt(std::string_view text, const NameTable& names, const Wanted& wanted
 }
 
 }  // namespace
+
+const glibra::fuzz::Grammar& glibra::fuzz::grammar() {
+    static const Grammar kGrammar = [] {
+        Grammar made;
+        for (const FunctionRow& row : functionTable()) {
+            made.words.emplace_back(row.name());
+            made.statements.push_back(std::string(row.name()) + "(1, v, m)");
+        }
+        for (const NameRow& each : sceneNames()) made.words.emplace_back(each.path);
+        for (const NameRow& each : cameraFields()) {
+            made.words.push_back("light." + std::string(each.path));
+            made.words.push_back("slice[1].prev." + std::string(each.path));
+        }
+        for (const std::string_view word : kWords) made.words.emplace_back(word);
+        for (const char* each :
+             {"(a ? front : back)", "pose[i - 1] * 2", "mode == back", "v.zyx / 0", "!(1 < 2) && true"})
+            made.statements.emplace_back(each);
+        made.separators = " \t,;()[]<>=!?:.+-*/%&|^~";
+        return made;
+    }();
+    return kGrammar;
+}
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const NameTable names = table();

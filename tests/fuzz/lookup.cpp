@@ -58,8 +58,9 @@ void lookUp(std::string_view name, const Tree& tree, const scene::SearchFolders&
     fuzz::checkMessages(found.remarks);
     check(found.path.empty() == hasError(found.remarks), "a file is found or there is an error");
     check(found.path.empty() || scene::isOrdinaryFile(found.path), "what is found is an ordinary file");
-    const scene::FileReference included = scene::findInclude(
-        name, (tree.scene.parent_path() / "sub/Deep/file.frag").string(), tree.scene.string(), tree.options);
+    const scene::FileReference included =
+        scene::findInclude(name, (tree.scene.parent_path() / "sub/Deep/file.frag").string(),
+                           tree.scene.string(), tree.options, listings);
     fuzz::checkMessages(included.remarks);
     check(included.path.empty() || scene::isOrdinaryFile(included.path),
           "what is included is an ordinary file");
