@@ -96,7 +96,7 @@ TEST(IntUniform, IsLimitedToThirtyTwoBits) {
 }
 TEST(UintUniform, TakesANegativeNumberAsZero) {
     expectReading(number("uint", -3), {0}, "glib-W20");
-    EXPECT_EQ(textOf(number("uint", -3).diagnostics, "glib-W20"), "uA is uint, -3 read as 0");
+    EXPECT_EQ(textOf(number("uint", -3).diagnostics, "glib-W20"), "uA is uint, so -3 is read as 0");
 }
 
 TEST(BoolUniform, IsWhetherANumberIsNotZero) {
