@@ -170,12 +170,12 @@ class ProgramReader {
         };
         if (spec.form == UniformForm::range) {
             if (count == 1)
-                report("< >",
-                       fmt::format("read as minimum {}, current {}, maximum {}", spec.values[0] < 0 ? written[0] : "0",
-                                   written[0], spec.values[0] > 1 ? written[0] : "1"));
+                report("< >", fmt::format("read as minimum {}, current {}, maximum {}",
+                                          spec.values[0] < 0 ? written[0] : "0", written[0],
+                                          spec.values[0] > 1 ? written[0] : "1"));
             if (count == 2)
-                report("< >", fmt::format("read as minimum {}, current {}, maximum {}", written[0], written[1],
-                                          written[spec.values[1] > spec.values[0] ? 1 : 0]));
+                report("< >", fmt::format("read as minimum {}, current {}, maximum {}", written[0],
+                                          written[1], written[spec.values[1] > spec.values[0] ? 1 : 0]));
             if (count > 3) report("< >", "the surplus is ignored");
         }
         if (spec.form == UniformForm::color) {

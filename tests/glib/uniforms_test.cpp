@@ -98,10 +98,14 @@ TEST(Forms, TruthAmongNumbersIsOneOrZero) {
 
 TEST(Counts, RangesOfOneTwoAndFourValues) {
     EXPECT_EQ(idsOf("Program P u <.5>"), Ids{"glib-W15"});
-    EXPECT_EQ(messageOf("Program P u <.5>", "glib-W15"), "u: 1 value in < >; read as minimum 0, current .5, maximum 1");
-    EXPECT_EQ(messageOf("Program P u <-2>", "glib-W15"), "u: 1 value in < >; read as minimum -2, current -2, maximum 1");
-    EXPECT_EQ(messageOf("Program P u <7>", "glib-W15"), "u: 1 value in < >; read as minimum 0, current 7, maximum 7");
-    EXPECT_EQ(messageOf("Program P u <3 2>", "glib-W15"), "u: 2 values in < >; read as minimum 3, current 2, maximum 3");
+    EXPECT_EQ(messageOf("Program P u <.5>", "glib-W15"),
+              "u: 1 value in < >; read as minimum 0, current .5, maximum 1");
+    EXPECT_EQ(messageOf("Program P u <-2>", "glib-W15"),
+              "u: 1 value in < >; read as minimum -2, current -2, maximum 1");
+    EXPECT_EQ(messageOf("Program P u <7>", "glib-W15"),
+              "u: 1 value in < >; read as minimum 0, current 7, maximum 7");
+    EXPECT_EQ(messageOf("Program P u <3 2>", "glib-W15"),
+              "u: 2 values in < >; read as minimum 3, current 2, maximum 3");
     EXPECT_EQ(idsOf("Program P u <0 1 2 3>"), Ids{"glib-W15"});
     EXPECT_EQ(firstTag("Program P u <3 2>").values, (Numbers{3, 2}));
 }
