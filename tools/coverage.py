@@ -11,7 +11,7 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-IDENTIFIER = re.compile(r"\b(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?\b")
+IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|G\d{1,2}\.\w+)\b")
 STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment)\s+(\S+)", re.IGNORECASE)
 
 # The chapters of the book. GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the next one.
@@ -32,7 +32,7 @@ def identifiers(scene, topic):
     with open(scene, encoding="utf-8") as file:
         for line in file:
             match = STAGE.match(line)
-            if match:
+            if match and match.group(1) != "inline":
                 texts.append(first_line(os.path.join(ROOT, "shaders", topic, match.group(1))))
     found = []
     for text in texts:
@@ -43,6 +43,9 @@ def identifiers(scene, topic):
 
 
 def chapter(identifier):
+    """The number of a chapter, or "G4" for chapter 4 of the second book."""
+    if re.match(r"G\d", identifier):
+        return identifier.split(".")[0]
     family = identifier.rstrip("0123456789.")
     number = int(re.sub(r"\D", "", identifier.split(".")[0]))
     starts = [start for start in CHAPTERS[family] if start <= number]
@@ -50,7 +53,7 @@ def chapter(identifier):
 
 
 def source(ids):
-    chapters = sorted({chapter(each) for each in ids})
+    chapters = sorted({chapter(each) for each in ids}, key=lambda each: (isinstance(each, str), each))
     return ", ".join(str(each) for each in chapters) if chapters else "-"
 
 
@@ -60,7 +63,8 @@ def table():
              "[textures](../textures/README.md), models in [scenes/models](../scenes/models/README.md).", "",
              "Nearly all scenes answer exercises of the book \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham,",
              "second edition, 2012). The shaders were written anew from the behaviour that the book describes; the column",
-             "\"chapter\" names the chapters. The first lines of scenes and shaders have the exact ids of the exercises.", "",
+             "\"chapter\" names the chapters. G and a number is a chapter of \"Computer Graphics Programming in OpenGL with",
+             "Java\" (Gordon, Clevenger, third edition). The first lines of scenes and shaders have the exact ids of the exercises.", "",
              "`tools/coverage.py` writes this page from those first lines.", "",
              "| scene | what it shows | chapter |", "|---|---|---|"]
     folder = os.path.join(ROOT, "glib")

@@ -2,6 +2,7 @@
 // The library's entry point: reads a scene file and renders its picture.
 
 #include <glibra/diagnostic.h>
+#include <glibra/draw_id.h>
 #include <glibra/driver.h>
 #include <glibra/result.h>
 
@@ -33,11 +34,17 @@ struct ViewState {
     Matrix scene = kIdentity;    ///< Projection becomes Projection * scene
     Matrix eye = kIdentity;      ///< ModelView becomes eye * ModelView
     Matrix texture = kIdentity;  ///< gl_TextureMatrix[0]
-    /// The transform of one object: ModelView * matrix for the draw of that line of the scene, counted from
-    /// 1.
+    /// The transform of one object: ModelView * matrix for that draw.
     struct Object {
-        int line = 0;
+        int line = 0;  ///< of the scene, counted from 1
         Matrix matrix = kIdentity;
+        int file = 0, counter = 0;  ///< as in DrawId
+
+        Object() = default;
+        Object(int ofLine, const Matrix& by) : line(ofLine), matrix(by) {}
+        Object(const DrawId& draw, const Matrix& by)
+            : line(draw.line), matrix(by), file(draw.file), counter(draw.counter) {}
+        [[nodiscard]] DrawId draw() const { return {line, file, counter}; }
         friend bool operator==(const Object&, const Object&) = default;
     };
     std::vector<Object> objects{};

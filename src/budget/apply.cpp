@@ -12,7 +12,7 @@ using Key = std::pair<glib::CommandId, std::vector<double>>;
 /// Returns the shapes that are drawn. A draw whose shape is about to be replaced has none.
 std::set<scene::ShapeIndex> drawnShapes(const scene::Scene& scene) {
     std::set<scene::ShapeIndex> drawn;
-    for (const scene::Pass& pass : scene.passes)
+    for (const scene::Pass& pass : scene.frame.passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step); draw && draw->shape)
                 drawn.insert(draw->shape);
@@ -25,7 +25,7 @@ std::vector<scene::ShapeIndex> apply(const Choice& choice, scene::Scene& scene) 
     std::vector<scene::Draw*> draws;
     std::vector<scene::Shape> wanted;
     for (const ShapeChoice& each : choice.shapes) {
-        auto& draw = std::get<scene::Draw>(scene.passes.at(each.pass).steps.at(each.step));
+        auto& draw = std::get<scene::Draw>(scene.frame.passes.at(each.pass).steps.at(each.step));
         wanted.push_back({scene.shapes[draw.shape].command, each.numbers, {}, nullptr});
         draws.push_back(&draw);
         draw.shape = {};

@@ -127,8 +127,7 @@ class Chooser {
     }
 
     void lookAt(const plan::PlannedPass& planned) {
-        const scene::Pass& pass = *planned.pass;
-        const auto index = static_cast<std::size_t>(planned.pass - scene_.passes.data());
+        const scene::Pass& pass = plan_.passOf(planned);
         const double windowAspect = static_cast<double>(request_.width) / request_.height;
         const double aspect = scene::aspectOf(scene_, pass, windowAspect);
         glm::dvec2 size(request_.width, request_.height);
@@ -136,16 +135,13 @@ class Chooser {
             if (const auto* target =
                     std::get_if<scene::EmptySource>(&scene_.textures[pass.targets.front()].source))
                 size = {target->width, target->height};
-        std::map<const scene::Draw*, std::size_t> steps;
-        for (std::size_t i = 0; i < pass.steps.size(); ++i)
-            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[i])) steps[draw] = i;
         for (const auto& each : planned.steps)
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&each))
-                lookAt(*draw, {index, steps.at(draw->draw), draw->draw}, aspect, size);
+                lookAt(*draw, {draw->step.pass, draw->step.step, &plan_.drawOf(*draw)}, aspect, size);
     }
 
     void lookAt(const plan::PlannedDraw& planned, Need need, double aspect, const glm::dvec2& size) {
-        const scene::Draw& draw = *planned.draw;
+        const scene::Draw& draw = plan_.drawOf(planned);
         const scene::Shape& shape = scene_.shapes[draw.shape];
         const plan::ProgramInterface& program = *plan_.programs[planned.program].interface;
         const SurfaceModel* model = shape.list ? nullptr : surfaceModel(shape.command);
@@ -280,7 +276,7 @@ class Chooser {
                 continue;
             NoiseUse& use = noise_[each.texture];
             use.period = std::max(use.period, scale.value_or(height / 2));
-            use.draw = planned.draw;
+            use.draw = &plan_.drawOf(planned);
         }
     }
 

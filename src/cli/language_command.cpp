@@ -12,6 +12,7 @@
 #include "cli/language_page.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
+#include "glib/modern/statement_table.h"
 #include "image/file.h"
 
 namespace glibra::cli {
@@ -44,6 +45,13 @@ std::string reference(const glib::CommandRow& row) {
     for (const glib::Argument& each : row.arguments)
         arguments += (arguments.empty() ? "" : "  ") + shown(each);
     return fmt::format("{:<38} {}\n{:<38} {}\n", head, row.summary, "", arguments);
+}
+
+std::string reference(const glib::StatementRow& row) {
+    std::string text = fmt::format("{:<38} {}\n{:<38} {}\n", row.name, row.summary, "", glib::usage(row));
+    for (const glib::WordList& each : glib::wordLists(row))
+        text += fmt::format("{:<38}   {}: {}\n", "", each.name, fmt::join(each.words, " "));
+    return text;
 }
 
 /// Refreshes the generated sections of a page in place.
@@ -80,16 +88,21 @@ int run(const LanguageArguments& arguments) {
         for (const glib::CommandRow& row : glib::commandTable())
             for (const std::string_view each : row.names)
                 if (!each.empty()) fmt::print("{}\n", each);
+        for (const glib::StatementRow& row : glib::statementTable())
+            if (!row.sharesWord()) fmt::print("{}\n", row.name);
         return kDone;
     }
     if (arguments.word.empty()) {
         for (const glib::CommandRow& row : glib::commandTable()) fmt::print("{}", reference(row));
+        for (const glib::StatementRow& row : glib::statementTable()) fmt::print("{}", reference(row));
         return kDone;
     }
-    if (const glib::CommandRow* row = glib::findCommand(arguments.word)) {
-        fmt::print("{}", reference(*row));
-        return kDone;
-    }
+    const glib::CommandRow* command = glib::findCommand(arguments.word);
+    const glib::StatementRow* statement =
+        command != nullptr ? glib::modernFormOf(arguments.word) : glib::findStatement(arguments.word);
+    if (command != nullptr) fmt::print("{}", reference(*command));
+    if (statement != nullptr) fmt::print("{}", reference(*statement));
+    if (command != nullptr || statement != nullptr) return kDone;
     const std::string_view near = glib::nearestCommand(arguments.word);
     printError(fmt::format("there is no command '{}'{}", arguments.word,
                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));

@@ -6,8 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "glib/bracket_group.h"
+#include "glib/limits.h"
+#include "glib/modern/read_values.h"
 #include "glib/number.h"
 #include "glib/text.h"
 
@@ -122,6 +126,21 @@ double applyRule(const Candidate& c, MessageLog& log) {
     return c.value;
 }
 
+void reportSurplus(std::string_view command, std::size_t count, Position first, MessageLog& log) {
+    log.report("glib-W07", fmt::format("{}: {} ignored", command, counted(count, "surplus argument")), first);
+}
+
+/// Cuts a number where an integer is wanted, and applies the rule.
+double checkArgument(Candidate c, bool reportsCut, MessageLog& log) {
+    if (c.argument.type == ArgumentType::integer) {
+        const double whole = std::trunc(c.value) + 0.0;  // + 0.0 turns -0 into 0
+        if (whole != c.value && reportsCut)
+            log.report("glib-W27", fmt::format("{} is cut to {}", c.text, numberText(whole)), c.position);
+        c.value = whole;
+    }
+    return applyRule(c, log);
+}
+
 /// Fills in the numbers that the file leaves out. Returns false if one is missing that has no default.
 bool fillMissing(const CommandRow& row, Command& command) {
     for (std::size_t i = command.numbers.size(); i < row.arguments.size(); ++i) {
@@ -220,37 +239,22 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
     const std::size_t errors = log.errorCount();
     const ReadNumber number = readNumber(token, log);
     if (log.errorCount() > errors) return 0;
-    double value = number.value;
-    if (argument.type == ArgumentType::integer) {
-        value = std::trunc(number.value) + 0.0;  // + 0.0 turns -0 into 0
-        if (value != number.value)
-            log.report("glib-W27", fmt::format("{} is cut to {}", number.text, numberText(value)),
-                       token.position);
-    }
-    return applyRule({argument, index, command, value, number.text, token.position}, log);
+    return checkArgument({argument, index, command, number.value, number.text, token.position}, true, log);
 }
 
 void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
                    MessageLog& log) {
-    if (tokens.size() <= used) return;
-    log.report("glib-W07",
-               fmt::format("{}: {} ignored", statement.row->name(),
-                           counted(tokens.size() - used, "surplus argument")),
-               tokens[used].position);
+    if (tokens.size() > used)
+        reportSurplus(statement.row->name(), tokens.size() - used, tokens[used].position, log);
 }
 
-void readNumbers(const Statement& statement, Command& command, MessageLog& log) {
-    const CommandRow& row = *statement.row;
-    const std::vector<Token> tokens = plainArguments(statement, log);
-    const std::size_t given = std::min(tokens.size(), row.arguments.size());
-    std::vector<Position> places;
-    places.reserve(given);
-    command.numbers.reserve(row.arguments.size());
-    for (std::size_t i = 0; i < given; ++i) {
-        command.numbers.push_back(readArgument(row.arguments[i], i, tokens[i], row.name(), log));
-        places.push_back(tokens[i].position);
-    }
-    command.givenNumbers = given;
+namespace {
+
+/// Fills in what is left out of the numbers, and checks all of them together. `places` are the places of all
+/// numbers that the file states, with the surplus ones.
+void finishNumbers(const CommandRow& row, Command& command, std::span<const Position> places,
+                   MessageLog& log) {
+    const std::size_t given = command.givenNumbers = command.numbers.size();
     if (given == 1 && row.loneNumber != LoneNumber::first) {
         command.numbers.resize(3, command.numbers.front());
         if (row.loneNumber == LoneNumber::grey)
@@ -259,8 +263,76 @@ void readNumbers(const Statement& statement, Command& command, MessageLog& log) 
         reportFiller(row, command, log);
     }
     if (!fillMissing(row, command)) return reportMissing(row, command, log);
-    reportSurplus(statement, tokens, given, log);
-    applyCommandRules(command, places, log);
+    if (places.size() > given) reportSurplus(row.name(), places.size() - given, places[given], log);
+    applyCommandRules(command, places.first(given), log);
+}
+
+/// Keeps numbers and expressions as they are written.
+void keepForLater(std::span<const Token> tokens, Command& command, MessageLog& log) {
+    if (tokens.size() > kMostValues) {
+        log.report("glib-E15",
+                   fmt::format("more than {} values in a statement",
+                               groupedText(static_cast<long long>(kMostValues))),
+                   command.position);
+        return;
+    }
+    command.isEvaluatedLater = true;
+    for (const Token& token : tokens) {
+        if (token.kind == TokenKind::expression) {
+            std::optional<std::vector<Piece>> pieces = readPieces({&token, 1}, log);
+            if (!pieces) return;
+            command.values.push_back(std::move(pieces->front().value));
+            continue;
+        }
+        Value value;
+        value.number = readNumber(token, log).value;
+        value.position = token.position;
+        value.begin = token.begin;
+        value.end = token.end;
+        command.values.push_back(std::move(value));
+    }
+}
+
+}  // namespace
+
+void readNumbers(const Statement& statement, Command& command, MessageLog& log) {
+    const CommandRow& row = *statement.row;
+    const std::vector<Token> tokens = plainArguments(statement, log);
+    if (std::any_of(tokens.begin(), tokens.end(),
+                    [](const Token& token) { return token.kind == TokenKind::expression; }))
+        return keepForLater(tokens, command, log);
+    const std::size_t given = std::min(tokens.size(), row.arguments.size());
+    std::vector<Position> places;
+    places.reserve(tokens.size());
+    command.numbers.reserve(row.arguments.size());
+    for (const Token& token : tokens) places.push_back(token.position);
+    for (std::size_t i = 0; i < given; ++i)
+        command.numbers.push_back(readArgument(row.arguments[i], i, tokens[i], row.name(), log));
+    finishNumbers(row, command, places, log);
+}
+
+void evaluateNumbers(const CommandRow& row, Command& command, std::span<const EvaluatedNumber> numbers,
+                     MessageLog& log) {
+    const std::size_t given = std::min(numbers.size(), row.arguments.size());
+    std::vector<Position> places;
+    places.reserve(numbers.size());
+    command.numbers.clear();
+    for (const EvaluatedNumber& each : numbers) places.push_back(each.position);
+    for (std::size_t i = 0; i < given; ++i) {
+        const EvaluatedNumber& number = numbers[i];
+        const std::string text = numberText(number.value);
+        double value = 0;
+        if (std::isfinite(static_cast<float>(number.value)))
+            value = checkArgument({row.arguments[i], i, row.name(), number.value, text, number.position},
+                                  number.isLiteral, log);
+        else
+            log.report("glib-E05",
+                       fmt::format("{}: {} {} is not finite as a 32-bit float", row.name(),
+                                   row.arguments[i].name, text),
+                       number.position);
+        command.numbers.push_back(value);
+    }
+    finishNumbers(row, command, places, log);
 }
 
 }  // namespace glibra::glib

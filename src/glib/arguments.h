@@ -36,9 +36,24 @@ double readArgument(const Argument& argument, std::size_t index, const Token& to
 void reportSurplus(const Statement& statement, std::span<const Token> tokens, std::size_t used,
                    MessageLog& log);
 
+/// One number of a command whose arguments are evaluated: its value, and the place of the number or
+/// expression that gave it.
+struct EvaluatedNumber {
+    double value = 0;
+    Position position;
+    bool isLiteral =
+        false;  ///< a fraction where an integer is wanted is reported (glib-W27) only for literals
+};
+
+/// Fills `numbers` of a command that is evaluated later, by the rules of its row, as if the file stated the
+/// numbers. Reports what readNumbers reports about them, and glib-E05 for values that are not finite.
+void evaluateNumbers(const CommandRow& row, Command& command, std::span<const EvaluatedNumber> numbers,
+                     MessageLog& log);
+
 /// Each of these fills `command` from the statement, for one of the argument forms, and reports its errors to
 /// the log.
-void readNumbers(const Statement& statement, Command& command, MessageLog& log);      // ArgumentForm::numbers
+// ArgumentForm::numbers; `values` instead, if an expression is among them
+void readNumbers(const Statement& statement, Command& command, MessageLog& log);
 void readFile(const Statement& statement, Command& command, MessageLog& log);         // file
 void readCubeMap(const Statement& statement, Command& command, MessageLog& log);      // cubeMap
 void readUnits(const Statement& statement, Command& command, MessageLog& log);        // units

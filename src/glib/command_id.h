@@ -2,9 +2,9 @@
 
 namespace glibra::glib {
 
-/// The commands of the language; aliases have the id of their command. Each command has one row in the
-/// command table. Primitives have no names here: their ids are firstPrimitive + index into
-/// geometry::primitives().
+/// The commands of the language; aliases have the id of their command. Each classic command has one row in
+/// the command table, each modern one in the statement table. Primitives have no names here: their ids are
+/// firstPrimitive + index into geometry::primitives().
 // clang-format off
 enum class CommandId {
     // window, view, colour
@@ -22,6 +22,13 @@ enum class CommandId {
     geometryInput, geometryOutput, geometryVerticesOut, gstap,
     // noise, time, messages
     noise2D, noise3D, timer, messageBox, verbose,
+    // modern statements: rows of modern/statement_table.h
+    let, set, material, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
+    include, use, key, fps, camera,
+    namedTexture1D, namedTexture2D, namedTexture3D, textureArray, namedCubeMap, sampler,
+    pass, endPass, fill, clearParts, viewport, scissor, state,
+    instances, vertices, attribute, tessLevels,
+    buffer, compute, dispatch, once, endOnce, step, endStep, expect,
     firstPrimitive,
 };
 // clang-format on

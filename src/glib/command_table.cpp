@@ -11,6 +11,7 @@
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
+#include "glib/modern/statement_table.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -367,7 +368,8 @@ const CommandRow* findCommand(std::string_view word) {
 std::string_view nameOf(CommandId id) {
     for (const CommandRow& row : commandTable())
         if (row.id == id) return row.name();
-    return {};
+    const StatementRow* statement = statementOf(id);
+    return statement != nullptr ? statement->name : std::string_view();
 }
 
 CommandId commandOf(std::string_view word) {
@@ -389,6 +391,8 @@ std::string_view nearestCommand(std::string_view word) {
     for (const CommandRow& row : commandTable())
         for (const std::string_view name : row.names)
             if (!name.empty()) names.push_back(name);
+    for (const StatementRow& row : statementTable())
+        if (!row.sharesWord()) names.push_back(row.name);
     const std::string nearest = base::nearestName(word, names);
     for (const std::string_view name : names)
         if (name == nearest) return name;

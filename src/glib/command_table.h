@@ -81,7 +81,7 @@ struct CommandRow {
     [[nodiscard]] std::string_view name() const { return names[0]; }
 };
 
-/// All commands, in the order of the language's section 3.
+/// All classic commands, in the order of the language's section 3.
 std::span<const CommandRow> commandTable();
 
 /// The row of a command word or alias, in any case; null if there is none.
@@ -96,7 +96,8 @@ CommandId commandOf(std::string_view word);
 /// The row of the primitive; null if the command is not one.
 const geometry::PrimitiveSpec* primitiveOf(CommandId id);
 
-/// The command or alias nearest to an unknown word, spelled as in the table; empty if none is near.
+/// The command, alias or modern statement nearest to an unknown word, spelled as in its table; empty if none
+/// is near.
 std::string_view nearestCommand(std::string_view word);
 
 /// A format of empty textures: its word and the bytes of one texel.

@@ -43,8 +43,9 @@ bool mayEndWord(char c) {
 /// Reads the tokens of one line. Offsets count from the start of the file.
 class LineReader {
   public:
-    LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log)
-        : text_(text.substr(0, range.end)), messages_(messages), log_(log) {
+    LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
+               Parentheses parentheses)
+        : text_(text.substr(0, range.end)), messages_(messages), parentheses_(parentheses), log_(log) {
         line_.range = range;
         at_ = range.begin;
     }
@@ -124,12 +125,23 @@ class LineReader {
         const char c = text_[at_];
         if (c == '"')
             readQuoted();
+        else if (c == '(' && parentheses_ != Parentheses::brackets && readExpression())
+            return;
         else if (mayEndWord(c) && kOpening.find(c) != std::string_view::npos)
             add(TokenKind::open, at_, at_ + 1, text_.substr(at_, 1));
         else if (mayEndWord(c) && kClosing.find(c) != std::string_view::npos)
             add(TokenKind::close, at_, at_ + 1, text_.substr(at_, 1));
         else
             readWord();
+    }
+
+    /// Returns false if the parenthesis is a bracket.
+    bool readExpression() {
+        if (!expressions_) expressions_.emplace(text_, at_);
+        const std::size_t end = expressions_->endAt(at_, parentheses_);
+        if (end == 0) return false;
+        add(TokenKind::expression, at_, end, text_.substr(at_ + 1, end - at_ - 2));
+        return true;
     }
 
     void readQuoted() {
@@ -205,7 +217,9 @@ class LineReader {
 
     std::string_view text_;  ///< the file up to the end of this line
     MessageLines messages_;
+    Parentheses parentheses_;
     MessageLog& log_;
+    std::optional<ExpressionFinder> expressions_;
     Line line_;
     std::size_t at_ = 0;
     std::size_t afterNoBreakSpace_ = 0;  ///< offset after the last one; 0: none on this line yet
@@ -233,8 +247,24 @@ std::optional<LineRange> LineSplitter::next() {
     return LineRange{++number_, begin, end};
 }
 
-Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log) {
-    return LineReader(text, range, messages, log).read();
+Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
+              Parentheses parentheses) {
+    return LineReader(text, range, messages, log, parentheses).read();
+}
+
+LineStart startOf(std::string_view text, const LineRange& range) {
+    const std::string_view line = text.substr(range.begin, range.end - range.begin);
+    std::size_t at = 0;
+    const auto nextWord = [&] {
+        while (at < line.size() && isBlank(line[at])) ++at;
+        const std::size_t begin = at;
+        while (at < line.size() && !mayEndWord(line[at])) ++at;
+        return line.substr(begin, at - begin);
+    };
+    LineStart start;
+    start.word = nextWord();
+    if (at < line.size() && isBlank(line[at])) start.next = nextWord();
+    return start;
 }
 
 }  // namespace glibra::glib

@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "glib/message_log.h"
+#include "glib/parentheses.h"
 #include "glib/script.h"
 
 namespace glibra::glib {
 
 enum class TokenKind {
     word,
-    quoted,  ///< a word in quotes: never a command, a number or `true`
-    number,  ///< begins with a number; more text may follow it
-    open,    ///< one of < [ { (
-    close,   ///< one of > ] } )
+    quoted,      ///< a word in quotes: never a command, a number or `true`
+    number,      ///< begins with a number; more text may follow it
+    open,        ///< one of < [ { (
+    close,       ///< one of > ] } )
+    expression,  ///< ( ... ); the text is without the outer parentheses
 };
 
 struct Token {
@@ -28,8 +30,10 @@ struct Token {
     Position position;
 
     [[nodiscard]] bool isWord() const { return kind == TokenKind::word || kind == TokenKind::quoted; }
-    /// True for a number and for the beginning of a bracket group.
-    [[nodiscard]] bool beginsValue() const { return kind == TokenKind::number || kind == TokenKind::open; }
+    /// True for a number, an expression, and the beginning of a bracket group.
+    [[nodiscard]] bool beginsValue() const {
+        return kind == TokenKind::number || kind == TokenKind::open || kind == TokenKind::expression;
+    }
     /// The value of the unquoted words `true` and `false`, in any case; nothing for other tokens.
     [[nodiscard]] std::optional<bool> truth() const;
 };
@@ -70,7 +74,17 @@ class LineSplitter {
 /// How a line that begins with MessageBox is read.
 enum class MessageLines { rawText, tokens };
 
-/// Reads one line. Reports glib-E02, E03, E15 (length), W01, W02, W03, W35.
-Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log);
+/// Reads one line. `parentheses` says which of them are expressions. Reports glib-E02, E03, E15 (length),
+/// W01, W02, W03, W35.
+Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
+              Parentheses parentheses = Parentheses::brackets);
+
+/// The first two words of a line, as far as they show what the line is; nothing is reported. A word ends
+/// where the lexer ends it.
+struct LineStart {
+    std::string_view word;
+    std::string_view next;
+};
+LineStart startOf(std::string_view text, const LineRange& range);
 
 }  // namespace glibra::glib

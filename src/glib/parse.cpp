@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "glib/arguments.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
+#include "glib/modern/blocks.h"
+#include "glib/modern/match.h"
+#include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/script.h"
 #include "glib/statement.h"
@@ -27,7 +32,13 @@ bool belongsToList(CommandId id) {
 
 class Parser {
   public:
-    Parser(std::string_view text, MessageLog& log) : reader_(text, log), log_(log) {}
+    Parser(std::string_view text, bool isModern, MessageLog& log)
+        : text_(text), reader_(text, isModern, log), log_(log), blocks_(log) {}
+
+    /// True if the scene has a modern statement, and a line that would mean something else if that were
+    /// known.
+    [[nodiscard]] bool hasToReadAgain() const { return isModern_ && reader_.wasAmbiguous(); }
+    [[nodiscard]] bool isModern() const { return isModern_; }
 
     std::vector<Command> parse() {
         std::size_t statements = 0;
@@ -39,17 +50,28 @@ class Parser {
                             statement->word.position);
                 break;
             }
-            if (!statement->row) {
+            if (statement->modern) {
+                keepModern(*statement, *statement->modern);
+            } else if (!statement->row) {
                 reportUnknown(statement->word);
-                continue;
+            } else if (!statement->refused) {
+                keep(*statement);
             }
-            if (!statement->refused) keep(*statement);
         }
+        blocks_.finish(commands_);
         return std::move(commands_);
     }
 
   private:
     void reportUnknown(const Token& word) {
+        constexpr std::string_view kEnd = "End";
+        if (word.kind == TokenKind::word && sameWord(word.text.substr(0, kEnd.size()), kEnd)) {
+            const StatementRow* stage = modernFormOf(word.text.substr(kEnd.size()));
+            if (!stage) stage = findStatement(word.text.substr(kEnd.size()));
+            if (stage && stage->syntax.find("inline") != std::string_view::npos)
+                return log_.report("glib-E21", fmt::format("{} without '{} inline'", word.text, stage->name),
+                                   word.position);
+        }
         const bool suggests = word.kind == TokenKind::word && !log_.isFull();
         const std::string_view nearest = suggests ? nearestCommand(word.text) : std::string_view();
         std::string text = "unknown command " + inQuotes(word.text);
@@ -57,19 +79,82 @@ class Parser {
         log_.report("glib-E01", std::move(text), word.position);
     }
 
-    void keep(const Statement& statement) {
+    static Command start(const Statement& statement, CommandId id) {
         Command command;
-        command.id = statement.row->id;
+        command.id = id;
         command.word = statement.word.text;
         command.position = command.textPosition = statement.word.position;
         command.begin = statement.word.begin;
         command.end = statement.end;
+        return command;
+    }
+
+    void keep(const Statement& statement) {
+        const StatementRow* form = statementOf(statement.row->id);
+        if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
+            return keepModern(statement, *form);
+        Command command = start(statement, statement.row->id);
         const std::size_t errors = log_.errorCount();
+        if (form && !statement.faulty) blocks_.checkPlace(*form, command);
         read(statement, command);
         const bool faulty = statement.faulty || log_.errorCount() > errors;
         if (command.id == CommandId::fragment) fragmentFile_ = command.text;
+        isModern_ = isModern_ || command.isEvaluatedLater;
         if (leavesOut(command.id, faulty) || faulty) return;
         commands_.push_back(std::move(command));
+    }
+
+    /// True if the tags are read by the rules of modern statements: after the first declaration of a name,
+    /// and if a value is an expression.
+    bool isModernProgram(const Statement& statement) const {
+        return declaresNames_ ||
+               std::any_of(statement.arguments.begin(), statement.arguments.end(),
+                           [](const Token& token) { return token.kind == TokenKind::expression; });
+    }
+
+    void keepModern(const Statement& statement, const StatementRow& row) {
+        isModern_ = true;
+        Command command = start(statement, row.id);
+        command.isModern = true;
+        command.body = statement.body;
+        command.bodyPosition = statement.bodyPosition;
+        const std::size_t errors = log_.errorCount();
+        if (!statement.faulty)
+            readStatement(
+                row, text_, statement.arguments,
+                [this](std::string_view name) { return mayBeDeclared(name); }, command, log_);
+        const bool isRead = !statement.faulty && log_.errorCount() == errors;
+        if (isRead) blocks_.checkPlace(row, command);
+        finishModern(row, command);
+        const bool faulty = statement.faulty || log_.errorCount() > errors;
+        if (!faulty) commands_.push_back(std::move(command));
+        blocks_.follow(row, statement.word.position, faulty, commands_);
+    }
+
+    bool mayBeDeclared(std::string_view name) const {
+        return hasInclude_ || name == "window" || name == "eye" || names_.contains(std::string(name));
+    }
+
+    /// Keeps the names that the statement declares, and moves what a classic member of Command can hold
+    /// there.
+    void finishModern(const StatementRow& row, Command& command) {
+        if (row.id == CommandId::include) hasInclude_ = true;
+        if (row.declaresName || row.id == CommandId::include) declaresNames_ = true;
+        if (row.declaresName && !command.values.empty()) {
+            const Value& name = command.values.front();
+            names_.insert(name.path.empty() ? name.text : name.path.front().name);
+        }
+        if (row.id == CommandId::compute && !command.values.empty()) setText(command);
+        if (row.id != CommandId::program) return;
+        if (++programs_ > kMostPrograms)
+            log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
+        if (!command.values.empty()) setText(command);
+        takeUniforms(command);
+    }
+
+    static void setText(Command& command) {
+        command.text = command.values.front().text;
+        command.textPosition = command.values.front().position;
     }
 
     /// True inside a vertex list whose glBegin is faulty. Its vertices are skipped, since they would only
@@ -98,7 +183,8 @@ class Parser {
             case ArgumentForm::switchWord:
                 return readSwitch(statement, command, log_);
             case ArgumentForm::pointGroups:
-                return readPointGroups(statement, command, log_);
+                if (!refusesExpressions(statement)) readPointGroups(statement, command, log_);
+                return;
             case ArgumentForm::message:
                 command.text = statement.message;
                 command.textPosition = statement.messagePosition;
@@ -110,13 +196,43 @@ class Parser {
         log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
 
+    /// Reports glib-E24 for an expression in a command that takes none.
+    bool refusesExpressions(const Statement& statement) {
+        for (const Token& token : statement.arguments) {
+            if (token.kind != TokenKind::expression) continue;
+            log_.report(
+                "glib-E24",
+                fmt::format("{}: an expression cannot stand here; use glVertex", statement.row->name()),
+                token.position);
+            return true;
+        }
+        return false;
+    }
+
+    std::string_view text_;
     StatementReader reader_;
     MessageLog& log_;
+    BlockStack blocks_;
+    std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
+    bool declaresNames_ = false;
+    bool hasInclude_ = false;
+    bool isModern_ = false;
     std::vector<Command> commands_;
     std::string fragmentFile_;  ///< the name in the last Fragment statement
     std::size_t programs_ = 0;
     bool inFaultyList_ = false;
 };
+
+/// Reads the commands. Returns true if the scene has modern statements.
+bool read(std::string_view text, std::vector<Command>& commands, MessageLog& log) {
+    const MessageLog empty = log;
+    Parser parser(text, false, log);
+    commands = parser.parse();
+    if (!parser.hasToReadAgain()) return parser.isModern();
+    log = empty;
+    commands = Parser(text, true, log).parse();
+    return true;
+}
 
 }  // namespace
 
@@ -132,7 +248,7 @@ Script parse(std::string_view text, std::string path) {
                                    groupedText(static_cast<long long>(kLargestFile))),
                        {});
         else
-            script.commands = Parser(text, log).parse();
+            script.isModern = read(text, script.commands, log);
     } catch (const std::exception& problem) {
         script.commands.clear();
         log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});

@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "glib/command_id.h"
+#include "glib/position.h"
+#include "glib/value.h"
 
 namespace glibra::glib {
-
-/// A place inside the scene's own file.
-struct Position {
-    int line = 1;
-    int column = 1;
-};
 
 /// One bracketed group of LinesAdjacency [x y z] [x y z] ..., as written.
 struct PointGroup {
@@ -35,6 +31,7 @@ struct UniformSpec {
     std::vector<double> values;
     Position tagPosition;
     Position valuePosition;
+    bool mayBeUnknown = false;  ///< set for all draws of a scope: a program without the uniform is no mistake
 };
 
 /// One statement. The form in the command's row decides which members are filled:
@@ -43,7 +40,18 @@ struct UniformSpec {
 ///   texture, MessageBox text;
 /// - files: the six files of CubeMap;
 /// - points: groups of LinesAdjacency and Triangles, each of 3 or 4 numbers;
-/// - uniforms: the pairs of Program.
+/// - uniforms: the pairs of Program whose values are plain numbers.
+///
+/// A modern statement (`isModern`) fills the members that its row in modern/statement_table.h describes:
+/// - values: what stands before the first key;
+/// - keys: each key with the values that follow it, in the order of the file;
+/// - tags: the pairs of Set, Group, Draw, Fill and Program; those of Program whose value is a plain number,
+///   list, colour or range are in `uniforms` instead;
+/// - body: the text of a shader in the script;
+/// - partner: see below.
+///
+/// A classic command of form `numbers` with an expression among its arguments is `isEvaluatedLater`: `values`
+/// are its numbers and expressions in order, and evaluateNumbers (arguments.h) fills `numbers`.
 struct Command {
     CommandId id{};
     std::string word;  ///< as written
@@ -57,12 +65,33 @@ struct Command {
     std::vector<UniformSpec> uniforms;
     std::size_t begin = 0;  ///< byte range of the statement in the file, for editing it in place
     std::size_t end = 0;
+
+    std::vector<Value> values;
+    std::vector<KeyedValues> keys;
+    std::vector<KeyedValues> tags;
+    std::string body;
+    Position bodyPosition;  ///< of the first byte of `body`
+    bool isModern = false;
+    bool isEvaluatedLater = false;
+    /// The index of the command that ends this block; for a command that ends a block, of the one that opens
+    /// it. The partner of When is its Else, if it has one; the partner of Else is EndWhen.
+    std::size_t partner = kNoPartner;
+
+    static constexpr std::size_t kNoPartner = static_cast<std::size_t>(-1);
+
+    /// The first key of this name; null if there is none.
+    [[nodiscard]] const KeyedValues* key(std::string_view name) const;
 };
+
+/// A modern statement as a scene writes it, on one line (and the lines of its body); reading it again gives
+/// an equal command. The uniforms of a Program are left out.
+std::string written(const Command& command);
 
 struct Script {
     std::string path;  ///< as given to the parser; used in every message
     std::vector<Command> commands;
     Diagnostics diagnostics;
+    bool isModern = false;  ///< it has a modern statement or an expression
 
     [[nodiscard]] Place place(Position position) const { return {path, position.line, position.column}; }
 };

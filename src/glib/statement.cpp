@@ -6,6 +6,7 @@
 #include <span>
 
 #include "glib/bracket_group.h"
+#include "glib/modern/read_values.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -44,13 +45,45 @@ bool fitsAsTag(const Line& line) {
     return end >= tokens.size() || !tokens[end].beginsValue();
 }
 
+/// True for the commands among whose arguments an expression may stand.
+bool takesExpressions(const CommandRow& row) {
+    return row.form == ArgumentForm::numbers || row.form == ArgumentForm::program ||
+           row.form == ArgumentForm::pointGroups;
+}
+
+bool isTextureForm(const CommandRow& row) {
+    return row.form == ArgumentForm::texture || row.form == ArgumentForm::cubeMap;
+}
+
+/// What parentheses mean on a line, which may continue a statement.
+Parentheses parenthesesOf(std::string_view text, const LineRange& range, const Statement* pending) {
+    if (pending && pending->modern) return Parentheses::expressions;
+    const LineStart start = startOf(text, range);
+    if (!pending && findStatement(start.word)) return Parentheses::expressions;
+    const CommandRow* row = findCommand(start.word);
+    if (!pending && row && isTextureForm(*row) && modernFormOf(start.word) && isIdentifier(start.next))
+        return Parentheses::expressions;
+    if (pending && (!row || isCommand(*pending, CommandId::program))) row = pending->row;
+    return !row || takesExpressions(*row) ? Parentheses::byContent : Parentheses::brackets;
+}
+
+/// What the line says, without blanks at either end.
+std::string_view trimmed(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t\v\f";
+    const std::size_t begin = line.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return {};
+    return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+}
+
 }  // namespace
 
-const Line* StatementReader::peek() {
+const Line* StatementReader::peek(const Statement* pending) {
     if (!ahead_) {
         const std::optional<LineRange> range = lines_.next();
         if (!range) return nullptr;
-        ahead_ = readLine(text_, *range, MessageLines::rawText, log_);
+        const bool joinsAny = pending && pending->modern;
+        ahead_ = readLine(text_, *range, joinsAny ? MessageLines::tokens : MessageLines::rawText, log_,
+                          parenthesesOf(text_, *range, pending));
     }
     return &*ahead_;
 }
@@ -74,8 +107,24 @@ Statement StatementReader::begin() {
     line.tokens.erase(line.tokens.begin());
     statement.arguments.swap(line.tokens);
     statement.plainArguments = countPlain(statement.arguments);
+    statement.modern = modernRowOf(statement);
     drop();
     return statement;
+}
+
+/// Returns the row of a modern statement; null if it is a classic one. A Program is decided by the parser.
+const StatementRow* StatementReader::modernRowOf(const Statement& statement) {
+    if (statement.word.kind != TokenKind::word) return nullptr;
+    if (!statement.row) return findStatement(statement.word.text);
+    const StatementRow* form = modernFormOf(statement.row->name());
+    if (!form || statement.arguments.empty() || isCommand(statement, CommandId::program)) return nullptr;
+    const Token& first = statement.arguments.front();
+    if (statement.row->form == ArgumentForm::file)
+        return first.kind == TokenKind::word && sameWord(first.text, "inline") ? form : nullptr;
+    if (isTextureForm(*statement.row))
+        return first.kind == TokenKind::word && isIdentifier(first.text) ? form : nullptr;
+    wasAmbiguous_ = true;  // Clear with arguments
+    return isModern_ ? form : nullptr;
 }
 
 void StatementReader::joinLine(Statement& statement) {
@@ -93,10 +142,14 @@ std::optional<Statement> StatementReader::next() {
     bool pending = line->continues;
     Position backslash = line->backslash;
     Statement statement = begin();
+    if (statement.modern) {
+        joinModernLines(statement, pending, backslash);
+        return statement;
+    }
     if (refuseBraceBlock(statement)) return statement;
 
     while (true) {
-        line = pending ? peek() : peekCode();
+        line = pending ? peek(&statement) : peekCode();
         const bool blank = !line || (line->tokens.empty() && !line->continues);
         if (pending && blank) {
             const char* what = !line             ? "the file ends here"
@@ -117,6 +170,59 @@ std::optional<Statement> StatementReader::next() {
     }
 }
 
+/// A modern statement goes on after a backslash, whatever the next line begins with, and never without one.
+void StatementReader::joinModernLines(Statement& statement, bool pending, Position backslash) {
+    while (pending) {
+        const Line* line = peek(&statement);
+        if (!line || (line->tokens.empty() && !line->continues)) {
+            if (!line || !line->tooLong)
+                log_.report("glib-W12", "backslash, but the statement ends here", backslash);
+            return;
+        }
+        pending = line->continues;
+        backslash = line->backslash;
+        joinLine(statement);
+    }
+    const bool isInline = !statement.arguments.empty() &&
+                          statement.arguments.front().kind == TokenKind::word &&
+                          sameWord(statement.arguments.front().text, "inline");
+    const CommandId id = statement.modern->id;
+    if (isInline && (statement.row || id == CommandId::compute)) readBody(statement);
+}
+
+/// Takes the lines up to one that holds only the end word.
+void StatementReader::readBody(Statement& statement) {
+    const std::string stage(statement.modern->name);
+    const std::string end = "End" + stage;
+    const LineSplitter start = lines_;
+    std::optional<LineRange> first;
+    while (!bodiesWithoutEnd_.contains(stage)) {
+        const std::optional<LineRange> line = lines_.next();
+        if (!line) break;
+        if (!first) first = line;
+        const std::string_view words = trimmed(text_.substr(line->begin, line->end - line->begin));
+        if (!sameWord(words, end)) continue;
+        statement.body = text_.substr(first->begin, line->begin - first->begin);
+        statement.bodyPosition = {first->number, 1};
+        statement.end = line->end;
+        return;
+    }
+    lines_ = start;
+    bodiesWithoutEnd_.insert(stage);
+    log_.report("glib-E22", fmt::format("'{} inline' is not closed by a line '{}'", stage, end),
+                statement.word.position);
+    statement.faulty = true;
+}
+
+/// True if the word begins a statement where a Program or a CubeMap could go on. In a classic scene the words
+/// of modern statements do not.
+bool StatementReader::startsStatement(const Token& word) {
+    if (commandOf(word)) return true;
+    if (word.kind != TokenKind::word || !findStatement(word.text)) return false;
+    wasAmbiguous_ = true;
+    return isModern_;
+}
+
 bool StatementReader::continuesAfterBackslash(const Statement& statement) {
     if (ahead_->tokens.empty()) return true;  // only another backslash
     const Token first = ahead_->tokens.front();
@@ -126,9 +232,9 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
         if (fitsAsTag(*ahead_)) return true;
         if (ahead_->isMessage) {  // MessageBox may also be a tag
             MessageLog unused{""};
-            Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused);
+            Line line = readLine(text_, ahead_->range, MessageLines::tokens, unused, Parentheses::byContent);
             if (fitsAsTag(line)) {
-                *ahead_ = readLine(text_, ahead_->range, MessageLines::tokens, log_);
+                *ahead_ = readLine(text_, ahead_->range, MessageLines::tokens, log_, Parentheses::byContent);
                 return true;
             }
         }
@@ -139,14 +245,11 @@ bool StatementReader::continuesAfterBackslash(const Statement& statement) {
 }
 
 bool StatementReader::continuesWithoutBackslash(const Statement& statement) {
-    if (commandOf(ahead_->tokens.front())) return false;
-    if (isCommand(statement, CommandId::program)) {
-        if (!readsAsPairs(ahead_->tokens)) return false;
-    } else if (isCommand(statement, CommandId::cubeMap)) {
-        if (statement.plainArguments >= kCubeMapArguments) return false;
-    } else {
-        return false;
-    }
+    const bool isProgram = isCommand(statement, CommandId::program);
+    const bool isCubeMap = isCommand(statement, CommandId::cubeMap);
+    if (!isProgram && !(isCubeMap && statement.plainArguments < kCubeMapArguments)) return false;
+    if (isProgram && !readsAsPairs(ahead_->tokens)) return false;
+    if (startsStatement(ahead_->tokens.front())) return false;
     log_.report("glib-W11", fmt::format("line continues {} without a backslash", described(statement)),
                 ahead_->tokens.front().position);
     return true;

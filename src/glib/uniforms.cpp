@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -205,7 +206,48 @@ class ProgramReader {
     std::unordered_map<std::string, std::size_t> indexOfTag_;
 };
 
+/// The tag as a UniformSpec; nothing if it has parts, or its value is not made of plain numbers.
+std::optional<UniformSpec> uniformOf(const KeyedValues& tag) {
+    const Value& value = tag.values.front();
+    UniformSpec spec{tag.key, UniformForm::number, {}, tag.position, value.position};
+    const bool isPlain = std::all_of(value.items.begin(), value.items.end(),
+                                     [](const Value& each) { return each.kind == Value::Kind::number; });
+    if (!tag.path.empty() || !isPlain || !value.count.empty()) return std::nullopt;
+    switch (value.kind) {
+        case Value::Kind::number:
+            break;
+        case Value::Kind::truth:
+            spec.form = UniformForm::truth;
+            break;
+        case Value::Kind::range:
+            spec.form = UniformForm::range;
+            break;
+        case Value::Kind::color:
+            spec.form = UniformForm::color;
+            break;
+        case Value::Kind::list:
+            spec.form = UniformForm::list;
+            break;
+        default:
+            return std::nullopt;
+    }
+    if (value.items.empty()) spec.values.push_back(value.number);
+    for (const Value& each : value.items) spec.values.push_back(each.number);
+    return spec;
+}
+
 }  // namespace
+
+void takeUniforms(Command& command) {
+    std::vector<KeyedValues> rest;
+    for (KeyedValues& tag : command.tags) {
+        if (std::optional<UniformSpec> spec = uniformOf(tag))
+            command.uniforms.push_back(std::move(*spec));
+        else
+            rest.push_back(std::move(tag));
+    }
+    command.tags = std::move(rest);
+}
 
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
                  MessageLog& log) {

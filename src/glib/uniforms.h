@@ -16,4 +16,7 @@ namespace glibra::glib {
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
                  MessageLog& log);
 
+/// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it.
+void takeUniforms(Command& command);
+
 }  // namespace glibra::glib

@@ -41,6 +41,7 @@ class FramePlanner {
           reads_(scene.shapes.size()) {}
 
     FramePlan plan(const MayWriteImages& mayWriteImages) && {
+        plan_.nodes = &scene_.frame;
         const TexturesOf texturesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
             std::vector<scene::TextureIndex> textures;
             for (const TextureUse& use : usesOf(draw, programOf(draw, pass))) textures.push_back(use.texture);
@@ -49,8 +50,8 @@ class FramePlanner {
         const Needs needs = findNeeds(
             scene_, {texturesOf, mayWriteImages, options_.everything ? OutOfSight() : options_.outOfSight},
             options_.everything);
-        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
-            if (needs.passes[pass]) planPass(scene_.passes[pass], needs.steps[pass]);
+        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass)
+            if (needs.passes[pass]) planPass(pass, needs.steps[pass]);
         if (options_.everything) planUndrawnPrograms();
         for (const scene::TextureIndex each : scene_.textures.indices())
             if (needs.textures[each]) plan_.textures.push_back(each);
@@ -61,7 +62,7 @@ class FramePlanner {
     }
 
   private:
-    using VariantKey = std::tuple<scene::ProgramIndex, bool, int>;
+    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, scene::UniformSetIndex>;
 
     const scene::Program* sceneProgram(scene::ProgramIndex index) const {
         return index ? &scene_.programs[index] : nullptr;
@@ -79,13 +80,13 @@ class FramePlanner {
     }
 
     PlannedProgramIndex programOf(const scene::Draw& draw, const scene::Pass& pass) {
-        return programOf(variantOf(scene_, draw, pass));
+        return programOf(variantOf(scene_, draw, pass), draw.uniforms);
     }
 
-    /// Returns the index of the variant in the plan. The first call asks for its interface.
-    PlannedProgramIndex programOf(const ProgramVariant& variant) {
+    /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
+    PlannedProgramIndex programOf(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {}) {
         PlannedProgramIndex& index =
-            programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets}];
+            programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets, uniforms}];
         if (index) return index;
         const ProgramInterface& interface = interfaceOf_(variant);
         PlannedProgram program{variant, &interface, {}, {}};
@@ -94,6 +95,13 @@ class FramePlanner {
         if (interface.usable) {
             const scene::Program noPairs;
             const scene::Program* own = sceneProgram(variant.program);
+            scene::Program merged;  // what a draw sets comes after what the Program statement sets
+            if (own != nullptr && uniforms) {
+                merged = *own;
+                const scene::UniformSet& set = scene_.uniformSets[uniforms];
+                merged.uniforms.insert(merged.uniforms.end(), set.begin(), set.end());
+                own = &merged;
+            }
             const std::span<const Override> overrides(options_.overrides);
             UniformResolution resolution =
                 resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
@@ -124,27 +132,30 @@ class FramePlanner {
         return entry->second;
     }
 
-    void planPass(const scene::Pass& pass, const std::vector<StepNeed>& needs) {
+    void planPass(std::size_t index, const std::vector<StepNeed>& needs) {
+        const scene::Pass& pass = scene_.frame.passes[index];
         PlannedPass result;
-        result.pass = &pass;
+        result.pass = index;
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             if (needs[step] != StepNeed::needed) continue;
-            if (const auto* clear = std::get_if<scene::Clear>(&pass.steps[step]))
-                result.steps.emplace_back(clear);
+            if (std::holds_alternative<scene::Clear>(pass.steps[step]))
+                result.steps.emplace_back(PlannedClear{{index, step}});
             else
-                planDraw(std::get<scene::Draw>(pass.steps[step]), pass, result);
+                planDraw({index, step}, result);
         }
         plan_.passes.push_back(std::move(result));
     }
 
-    void planDraw(const scene::Draw& draw, const scene::Pass& pass, PlannedPass& result) {
+    void planDraw(scene::StepIndex step, PlannedPass& result) {
+        const scene::Pass& pass = scene_.frame.passes[step.pass];
+        const scene::Draw& draw = scene_.frame.draw(step);
         const PlannedProgramIndex index = programOf(draw, pass);
         const ProgramInterface& interface = *planned(index).interface;
         const scene::Program* program = sceneProgram(planned(index).variant.program);
         announce(index);
         reportMissingStage(draw);
 
-        if (!interface.usable) return planUnusable(draw, index, result);
+        if (!interface.usable) return planUnusable(step, index, result);
         const Result<Submission> submission = submissionOf(scene_, draw, program, interface);
         Diagnostics problems = submission.diagnostics;
         for (Diagnostic each : state(index).unitProblems) {
@@ -158,16 +169,17 @@ class FramePlanner {
         if (!submission || hasError(problems)) return;
 
         reportRemarks(draw, index, program, *submission, uses);
-        result.steps.emplace_back(PlannedDraw{&draw, index, meshOf(draw, interface), *submission, uses});
+        result.steps.emplace_back(PlannedDraw{step, index, meshOf(draw, interface), *submission, uses});
     }
 
     /// The program has no usable stages, so a window shows the shape in one colour. It cannot show patches
     /// that way.
-    void planUnusable(const scene::Draw& draw, PlannedProgramIndex index, PlannedPass& result) {
+    void planUnusable(scene::StepIndex step, PlannedProgramIndex index, PlannedPass& result) {
+        const scene::Draw& draw = scene_.frame.draw(step);
         const geometry::Topology topology = topologyOf(scene_.shapes[draw.shape]);
         if (topology == geometry::Topology::patches) return;
         result.steps.emplace_back(
-            PlannedDraw{&draw, index, meshOf(draw, *planned(index).interface), {topology, 0}, {}});
+            PlannedDraw{step, index, meshOf(draw, *planned(index).interface), {topology, 0}, {}});
     }
 
     void announce(PlannedProgramIndex program) {
@@ -301,6 +313,7 @@ class FramePlanner {
     /// not link, only the pairs are known, so a name among them is accepted.
     void reportOverrides() {
         std::vector<std::string> names;
+        for (const scene::Variable& each : scene_.variables) names.push_back(each.name);
         std::set<scene::ProgramIndex> known;
         for (const PlannedProgram& program : plan_.programs) {
             if (program.interface->usable) known.insert(program.variant.program);

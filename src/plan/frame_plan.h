@@ -64,25 +64,40 @@ using PlannedProgramIndex = scene::Index<PlannedProgram>;
 using PlannedMeshIndex = scene::Index<PlannedMesh>;
 
 struct PlannedDraw {
-    const scene::Draw* draw = nullptr;
+    scene::StepIndex step;  ///< of a Draw
     PlannedProgramIndex program{};
     PlannedMeshIndex mesh{};
     Submission submission;
     std::vector<TextureUse> textures;
 };
 
+struct PlannedClear {
+    scene::StepIndex step;
+};
+
 struct PlannedPass {
-    const scene::Pass* pass = nullptr;
-    std::vector<std::variant<PlannedDraw, const scene::Clear*>> steps;
+    std::size_t pass = 0;  ///< index into NodeList::passes
+    std::vector<std::variant<PlannedDraw, PlannedClear>> steps;
 };
 
 struct FramePlan {
+    const scene::NodeList* nodes = nullptr;  ///< what is planned; it must outlive the plan
     std::vector<PlannedPass> passes;
     scene::List<PlannedProgram> programs;
     scene::List<PlannedMesh> meshes;
     std::vector<scene::TextureIndex> textures;  ///< those that must exist: sources and targets
     std::vector<Skipped> skipped;
     Diagnostics diagnostics;  ///< draw-E.., draw-W.., and those of needed programs and uniforms
+
+    [[nodiscard]] const scene::Draw& drawOf(const PlannedDraw& planned) const {
+        return nodes->draw(planned.step);
+    }
+    [[nodiscard]] const scene::Clear& clearOf(const PlannedClear& planned) const {
+        return nodes->clear(planned.step);
+    }
+    [[nodiscard]] const scene::Pass& passOf(const PlannedPass& planned) const {
+        return nodes->passes.at(planned.pass);
+    }
 };
 
 struct PlanOptions {

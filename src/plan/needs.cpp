@@ -11,16 +11,18 @@
 namespace glibra::plan {
 namespace {
 
-/// A step of the scene: pass and step index.
-using StepIndex = std::pair<std::size_t, std::size_t>;
+using scene::StepIndex;
 
 class NeedFinder {
   public:
     NeedFinder(const scene::Scene& scene, const NeedQuestions& questions)
-        : scene_(scene), questions_(questions), visited_(scene.passes.size()), read_(scene.textures.size()) {
-        needs_.passes.resize(scene.passes.size());
+        : scene_(scene),
+          questions_(questions),
+          visited_(scene.frame.passes.size()),
+          read_(scene.textures.size()) {
+        needs_.passes.resize(scene.frame.passes.size());
         needs_.textures.resize(scene.textures.size());
-        for (const scene::Pass& pass : scene.passes)
+        for (const scene::Pass& pass : scene.frame.passes)
             needs_.steps.emplace_back(pass.steps.size(), StepNeed::needed);
     }
 
@@ -42,14 +44,14 @@ class NeedFinder {
     }
 
   private:
-    bool isWindow(std::size_t pass) const { return scene_.passes[pass].targets.empty(); }
+    bool isWindow(std::size_t pass) const { return scene_.frame.passes[pass].targets.empty(); }
     const scene::Draw* drawAt(StepIndex index) const {
-        return std::get_if<scene::Draw>(&scene_.passes[index.first].steps[index.second]);
+        return std::get_if<scene::Draw>(&scene_.frame.passes[index.pass].steps[index.step]);
     }
 
     void markEmptyShapes() {
-        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass)
-            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass)
+            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
                 if (draw != nullptr && drawsNothing(scene_.shapes[draw->shape]))
                     needs_.steps[pass][step] = StepNeed::drawsNothing;
@@ -66,10 +68,10 @@ class NeedFinder {
     void startAtWindow() {
         std::vector<StepIndex> window;
         std::optional<std::size_t> lastClear;
-        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) {
+        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) {
             if (!isWindow(pass)) continue;
-            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
-                if (const auto* clear = std::get_if<scene::Clear>(&scene_.passes[pass].steps[step])) {
+            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
+                if (const auto* clear = std::get_if<scene::Clear>(&scene_.frame.passes[pass].steps[step])) {
                     lastClear = window.size();
                     needs_.clear = clear->place;
                 }
@@ -83,11 +85,11 @@ class NeedFinder {
             if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed && mayWrite(*draw)) kept = i;
         }
         for (std::size_t i = kept; lastClear && i < *lastClear; ++i) {
-            StepNeed& need = needs_.steps[window[i].first][window[i].second];
+            StepNeed& need = needs_.steps[window[i].pass][window[i].step];
             if (need == StepNeed::needed) need = StepNeed::coveredByClear;
         }
-        const std::size_t firstSeen = lastClear ? window[*lastClear].first : 0;
-        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) {
+        const std::size_t firstSeen = lastClear ? window[*lastClear].pass : 0;
+        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) {
             if (!isWindow(pass)) continue;
             // Even a pass without draws counts, since it may carry the window's implicit clear.
             const std::vector<StepNeed>& steps = needs_.steps[pass];
@@ -101,7 +103,7 @@ class NeedFinder {
         bool isChanged = true;
         while (isChanged) {
             isChanged = false;
-            for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
+            for (std::size_t pass = scene_.frame.passes.size(); pass-- > 0;) {
                 if (!needs_.passes[pass] && !feedsNeeded(pass)) continue;
                 needs_.passes[pass] = true;
                 if (visited_[pass]) continue;
@@ -113,25 +115,26 @@ class NeedFinder {
     }
 
     void visit(std::size_t pass) {
-        for (const scene::TextureIndex target : scene_.passes[pass].targets) needs_.textures[target] = true;
-        for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+        for (const scene::TextureIndex target : scene_.frame.passes[pass].targets)
+            needs_.textures[target] = true;
+        for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
             const scene::Draw* draw = drawAt({pass, step});
             if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed) continue;
-            if (isOutOfSight(*draw, scene_.passes[pass])) {
+            if (isOutOfSight({pass, step})) {
                 needs_.steps[pass][step] = StepNeed::outOfSight;
                 continue;
             }
-            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, scene_.passes[pass]))
+            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, scene_.frame.passes[pass]))
                 if (texture) read_[texture] = true;
         }
-        if (!isWindow(pass) && !startsWithClearDepth(scene_.passes[pass])) keepDepthBefore(pass);
+        if (!isWindow(pass) && !startsWithClearDepth(scene_.frame.passes[pass])) keepDepthBefore(pass);
     }
 
-    bool isOutOfSight(const scene::Draw& draw, const scene::Pass& pass) {
+    bool isOutOfSight(StepIndex index) {
         if (!questions_.outOfSight) return false;
-        std::string why = questions_.outOfSight(draw, pass);
+        std::string why = questions_.outOfSight(scene_.frame.draw(index), scene_.frame.passes[index.pass]);
         if (why.empty()) return false;
-        needs_.outOfSight.emplace(&draw, std::move(why));
+        needs_.outOfSight.emplace(index, std::move(why));
         return true;
     }
 
@@ -143,24 +146,24 @@ class NeedFinder {
     /// The latest earlier pass with the same depth buffer: its depth is what this pass is tested against.
     void keepDepthBefore(std::size_t pass) {
         for (std::size_t earlier = pass; earlier-- > 0;) {
-            const scene::Pass& other = scene_.passes[earlier];
-            if (other.targets.empty() || other.depthBuffer != scene_.passes[pass].depthBuffer) continue;
+            const scene::Pass& other = scene_.frame.passes[earlier];
+            if (other.targets.empty() || other.depthBuffer != scene_.frame.passes[pass].depthBuffer) continue;
             needs_.passes[earlier] = true;
             return;
         }
     }
 
     bool feedsNeeded(std::size_t pass) const {
-        const std::vector<scene::TextureIndex>& targets = scene_.passes[pass].targets;
+        const std::vector<scene::TextureIndex>& targets = scene_.frame.passes[pass].targets;
         return std::any_of(targets.begin(), targets.end(),
                            [&](scene::TextureIndex target) { return read_[target]; });
     }
 
     /// Adds the last pass that is not needed yet and may write to an image. False if there is none.
     bool addImageWriter() {
-        for (std::size_t pass = scene_.passes.size(); pass-- > 0;) {
+        for (std::size_t pass = scene_.frame.passes.size(); pass-- > 0;) {
             if (needs_.passes[pass] || isWindow(pass)) continue;
-            for (std::size_t step = 0; step < scene_.passes[pass].steps.size(); ++step) {
+            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
                 if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed || !mayWrite(*draw))
                     continue;

@@ -18,7 +18,7 @@ struct Needs {
     std::vector<bool> passes;
     std::vector<std::vector<StepNeed>> steps;
     scene::List<bool, scene::Texture> textures;  ///< sampled by a needed draw, or target of a needed pass
-    std::map<const scene::Draw*, std::string> outOfSight;  ///< why, for each such step
+    std::map<scene::StepIndex, std::string> outOfSight;  ///< why, for each such step
     Place clear;  ///< of the last Clear of the window, if steps are coveredByClear
 };
 

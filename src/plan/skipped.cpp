@@ -39,7 +39,7 @@ class SkipList {
           files_(scene.files.size()) {}
 
     std::vector<Skipped> list() && {
-        for (std::size_t pass = 0; pass < scene_.passes.size(); ++pass) addPass(pass);
+        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) addPass(pass);
         addPrograms();
         addMeshes();
         addTextures();
@@ -57,7 +57,7 @@ class SkipList {
     }
 
     void addPass(std::size_t index) {
-        const scene::Pass& pass = scene_.passes[index];
+        const scene::Pass& pass = scene_.frame.passes[index];
         if (!needs_.passes[index])
             add("pass",
                 pass.targets.empty() ? clearedAgain() : std::string("nothing visible samples its targets"),
@@ -65,19 +65,19 @@ class SkipList {
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             const StepNeed need = needs_.steps[index][step];
             if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
-                addDraw(*draw, need);
+                addDraw(*draw, {index, step}, need);
             else if (need == StepNeed::coveredByClear)
                 add("statement", "Clear: " + clearedAgain(), std::get<scene::Clear>(pass.steps[step]).place);
         }
     }
 
-    void addDraw(const scene::Draw& draw, StepNeed need) {
+    void addDraw(const scene::Draw& draw, scene::StepIndex at, StepNeed need) {
         const scene::Draw*& first = firstDraws_[draw.shape];
         if (first == nullptr) first = &draw;
         if (draw.program) hasDraw_[draw.program] = true;
         if (need == StepNeed::coveredByClear) add("draw", draw.word + ": " + clearedAgain(), draw.place);
         if (need == StepNeed::outOfSight)
-            add("draw", draw.word + ": " + needs_.outOfSight.at(&draw), draw.place);
+            add("draw", draw.word + ": " + needs_.outOfSight.at(at), draw.place);
         if (need == StepNeed::drawsNothing)
             add("draw", draw.word + ": it has no size and draws nothing", draw.place);
     }
@@ -132,7 +132,7 @@ class SkipList {
         scene::List<int, scene::Shape> draws(scene_.shapes.size());
         for (const PlannedPass& pass : plan_.passes)
             for (const auto& step : pass.steps)
-                if (const auto* draw = std::get_if<PlannedDraw>(&step)) ++draws[draw->draw->shape];
+                if (const auto* draw = std::get_if<PlannedDraw>(&step)) ++draws[plan_.drawOf(*draw).shape];
         return draws;
     }
 

@@ -102,7 +102,7 @@ class Resolver {
             const GivenValue given{spec.tag, spec.form, spec.values, place(spec.tagPosition),
                                    place(spec.valuePosition)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
-            if (named.empty()) reportUnknown(given);
+            if (named.empty() && !spec.mayBeUnknown) reportUnknown(given);
             for (const NamedUniform& each : named)
                 apply(given, each, overridden_.contains({each.uniform, each.element}));
         }

@@ -71,20 +71,21 @@ std::optional<Moment> SceneRenderer::momentOf(double time) const {
                 if (!supplied || supplied->value != glsl::Builtin::timer) continue;
                 const bool isFloat =
                     at(program.interface->uniforms, each.uniform).type.base == plan::BaseType::floating;
-                const double timer = timerAt(time, draw->draw->timerPeriod);
-                timers[draw->draw->timerPeriod] =
-                    isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
+                const double period = state_->plan.drawOf(*draw).timerPeriod;
+                const double timer = timerAt(time, period);
+                timers[period] = isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
             }
         }
     Moment moment;
     for (const auto& [period, timer] : timers) moment.push_back(timer);
+    if (state_->changesWithTime) moment.push_back(time);
     return moment;
 }
 
 PreparedScene SceneRenderer::begin(gpu::Context& context, const std::filesystem::path& path,
                                    const RenderOptions& options, Stats& stats, SharedParts* shared) {
     PreparedScene begun;
-    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     begun.isStrict_ = options.strict;
     begun.diagnostics_ = std::move(interpreted.diagnostics);
     applyStrict(begun.diagnostics_, options.strict);
@@ -115,22 +116,22 @@ Result<SceneRenderer> SceneRenderer::load(PreparedScene prepared, Stats& stats) 
     return renderer;
 }
 
-Result<SceneRenderer> SceneRenderer::of(gpu::Context& context, scene::Scene interpreted,
+Result<SceneRenderer> SceneRenderer::of(gpu::Context& context, InterpretedScene interpreted,
                                         const RenderOptions& options, Stats& stats, SharedParts* shared) {
     return finish(State::of(context, std::move(interpreted), options, stats, shared), stats);
 }
 
 Result<std::unique_ptr<SceneRenderer::State>> SceneRenderer::State::of(gpu::Context& context,
-                                                                       scene::Scene interpreted,
+                                                                       InterpretedScene interpreted,
                                                                        const RenderOptions& options,
                                                                        Stats& stats, SharedParts* shared) {
-    const int width = options.width > 0 ? options.width : interpreted.width;
-    const int height = options.height > 0 ? options.height : interpreted.height;
+    const int width = options.width > 0 ? options.width : interpreted.scene.width;
+    const int height = options.height > 0 ? options.height : interpreted.scene.height;
     if (static_cast<std::int64_t>(width) * height > kMostPixels)
         return diagnose(
             "glib-E15",
             fmt::format("a picture of {} x {} pixels is too large; the limit is 2^30 pixels", width, height),
-            {interpreted.path, 1, 1});
+            {interpreted.scene.path, 1, 1});
     const gpu::Capabilities& capabilities = context.capabilities();
     const int largest = std::min(
         {capabilities.maxRenderbufferSide, capabilities.maxViewportWidth, capabilities.maxViewportHeight});
@@ -162,10 +163,8 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
 
-    state->drawer.emplace(context, state->plan, state->programs, state->device, stats);
+    state->makeDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
-    if (options.skip && state->tiles.size() > 1) state->drawer->cullToTile(state->options.samples);
-    if (options.skip && !options.floatPixels) state->drawer->skipOpaqueBlending();
     state->device.releaseMeshes();
 
     Result<gpu::Target> window = gpu::Target::window(
@@ -183,6 +182,29 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};
+}
+
+void SceneRenderer::State::makeDrawer(Stats& stats) {
+    drawer.emplace(context, plan, programs, device, stats);
+    if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
+    if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
+}
+
+Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
+    if (!changesWithTime || inputs.time == time) return {};
+    inputs.time = time;
+    {
+        const StageTimer timer(stats, "interpret");
+        scene = source->at(inputs);
+    }
+    Diagnostics diagnostics = std::move(scene.diagnostics);
+    scene.diagnostics.clear();
+    view = ViewMatrices(options.viewState, scene.view, eyeDistance);
+    isMoving = true;
+    device.beginMoment();
+    append(diagnostics, preparePlan(stats, false));
+    if (!hasError(diagnostics)) makeDrawer(stats);
+    return diagnostics;
 }
 
 Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture,
@@ -220,7 +242,7 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     picture.components = state.options.alpha ? 4 : 3;
     picture.type = state.options.floatPixels ? image::Component::f32 : image::Component::u8;
     picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
-    Diagnostics diagnostics;
+    Diagnostics diagnostics = state.moveTo(time, stats);
     for (std::size_t i = 0; i < state.tiles.size() && !hasError(diagnostics); ++i)
         append(diagnostics, state.drawTile(i, time, picture, stats));
     stats.add("frames", 1);
@@ -236,7 +258,7 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
     state.drawer->setDrawLimit(draws);
     Result<image::Image> window = draw(time, stats);
     state.drawer->setDrawLimit(std::numeric_limits<std::size_t>::max());
-    const scene::Pass& drawn = *state.plan.passes[pass].pass;
+    const scene::Pass& drawn = state.plan.passOf(state.plan.passes[pass]);
     if (!window || drawn.targets.empty()) return window;
     const Result<const gpu::Target*> target = state.device.target(drawn);
     if (!target) return target.diagnostics;

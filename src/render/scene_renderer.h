@@ -16,6 +16,7 @@
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"
 #include "render/stats.h"
+#include "scene/interpret.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
@@ -24,8 +25,10 @@ class DeviceScene;
 class FrameDrawer;
 class PreparedScene;
 class ViewMatrices;
+struct InterpretedScene;
 
-/// What a picture depends on besides its scene: the values of Timer that its programs read, one per period.
+/// What a picture depends on besides its scene: the values of Timer that its programs read, one per period,
+/// and the time if the scene changes with it.
 using Moment = std::vector<double>;
 
 class SceneRenderer {
@@ -39,8 +42,9 @@ class SceneRenderer {
                                       SharedParts* shared = nullptr);
 
     /// The same for a scene that is already interpreted; its own diagnostics are not repeated.
-    static Result<SceneRenderer> of(gpu::Context& context, scene::Scene scene, const RenderOptions& options,
-                                    Stats& stats, SharedParts* shared = nullptr);
+    static Result<SceneRenderer> of(gpu::Context& context, InterpretedScene scene,
+                                    const RenderOptions& options, Stats& stats,
+                                    SharedParts* shared = nullptr);
 
     /// The part of load() that needs no GL: reads, translates and computes what the plan will probably need.
     /// It may run on another thread while this context draws and uses `shared`.
@@ -108,10 +112,20 @@ class PreparedScene {
     Result<std::unique_ptr<SceneRenderer::State>> state_;
 };
 
+/// A scene as it is at time 0, with what gives it for other inputs.
+struct InterpretedScene {
+    scene::Scene scene;
+    std::shared_ptr<scene::Interpretation> source;  ///< null: the scene is the same for all inputs
+    scene::FrameInputs inputs;                      ///< of `scene`
+
+    /// True if the scene changes with time.
+    [[nodiscard]] bool changesWithTime() const;
+};
+
 /// Reads and interprets a scene file. The result holds the diagnostics of both steps, and no value only if
-/// the file cannot be read (glib-E14, glib-E15).
-Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
-                                   Stats& stats);
+/// the file cannot be read (glib-E14, glib-E15). Values of variables come from options.set.
+Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
+                                       Stats& stats);
 /// Parses RenderOptions::set; no value if an entry cannot be parsed.
 Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set);
 

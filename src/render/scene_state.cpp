@@ -62,12 +62,17 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     if (!overrides) return std::move(overrides.diagnostics);
     plan::PlanOptions planOptions;
     planOptions.overrides = std::move(*overrides);
+    std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
+        return each.program.empty() && scene.usedVariables.contains(each.name);
+    });
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
     Diagnostics diagnostics;
-    if (options.maxError > 0 && !everything) append(diagnostics, keepBudget(planOptions, stats));
+    // A picture of another moment would need other counts.
+    if (options.maxError > 0 && !everything && !changesWithTime)
+        append(diagnostics, keepBudget(planOptions, stats));
     options.samples = std::max(1, options.samples);
     Diagnostics meshDiagnostics;
     if (!planOptions.everything)
@@ -75,7 +80,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
     plan = planScene(planOptions);
-    stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+    if (!isMoving) stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
     append(diagnostics, std::move(plan.diagnostics));
     plan.diagnostics.clear();
     append(diagnostics, std::move(meshDiagnostics));
@@ -109,21 +114,22 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
         });
     if (writesImages) return true;
     std::set<scene::TextureIndex> targets;
-    for (const plan::PlannedPass& pass : plan.passes)
-        targets.insert(pass.pass->targets.begin(), pass.pass->targets.end());
+    for (const plan::PlannedPass& each : plan.passes)
+        targets.insert(plan.passOf(each).targets.begin(), plan.passOf(each).targets.end());
     std::set<scene::TextureIndex> fresh;  // targets whose content is of this frame
     std::set<int> freshDepths;            // depth buffers likewise
-    for (const plan::PlannedPass& pass : plan.passes) {
-        const auto& steps = pass.steps;
-        const bool isCleared = !steps.empty() && std::holds_alternative<const scene::Clear*>(steps.front());
-        for (std::size_t i = 0; i < pass.pass->targets.size(); ++i)
-            if (isCleared || pass.pass->clearColors[i]) fresh.insert(pass.pass->targets[i]);
-        if (isCleared || pass.pass->clearDepth) freshDepths.insert(pass.pass->depthBuffer);
+    for (const plan::PlannedPass& planned : plan.passes) {
+        const auto& steps = planned.steps;
+        const scene::Pass& pass = plan.passOf(planned);
+        const bool isCleared = !steps.empty() && std::holds_alternative<plan::PlannedClear>(steps.front());
+        for (std::size_t i = 0; i < pass.targets.size(); ++i)
+            if (isCleared || pass.clearColors[i]) fresh.insert(pass.targets[i]);
+        if (isCleared || pass.clearDepth) freshDepths.insert(pass.depthBuffer);
         const auto isOld = [&](scene::TextureIndex texture) {
             return targets.contains(texture) && !fresh.contains(texture);
         };
-        if (std::any_of(pass.pass->targets.begin(), pass.pass->targets.end(), isOld) ||
-            (!pass.pass->targets.empty() && !freshDepths.contains(pass.pass->depthBuffer)))
+        if (std::any_of(pass.targets.begin(), pass.targets.end(), isOld) ||
+            (!pass.targets.empty() && !freshDepths.contains(pass.depthBuffer)))
             return true;
         for (const auto& step : steps)
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
@@ -135,7 +141,6 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
 
 Diagnostics SceneRenderer::State::placeEye(Stats& stats) {
     Diagnostics diagnostics;
-    double eyeDistance = 0;
     if (options.view != ViewPolicy::glman && !scene.usesLookAt) {
         const StageTimer timer(stats, "view");
         const scene::ViewMove move = scene::autoView(

@@ -19,11 +19,14 @@ namespace glibra::render {
 
 /// Members refer to members above them, so the whole state lives on the heap and never moves.
 struct SceneRenderer::State {
-    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted, bool tiled,
+    State(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted, bool tiled,
           Stats& stats, SharedParts* shared)
         : context(usedContext),
           options(std::move(usedOptions)),
-          scene(std::move(interpreted)),
+          changesWithTime(interpreted.changesWithTime()),
+          source(std::move(interpreted.source)),
+          inputs(std::move(interpreted.inputs)),
+          scene(std::move(interpreted.scene)),
           ownParts(options.maxError > 0 && options.skip && !shared ? std::make_unique<SharedParts>()
                                                                    : nullptr),
           parts(ownParts ? ownParts.get() : shared),
@@ -31,11 +34,14 @@ struct SceneRenderer::State {
           device(context, scene, stats, parts, options.skip) {}
 
     /// Needs no GL. Reports glib-E15 for a picture that is too large.
-    static Result<std::unique_ptr<State>> of(gpu::Context& context, scene::Scene interpreted,
+    static Result<std::unique_ptr<State>> of(gpu::Context& context, InterpretedScene interpreted,
                                              const RenderOptions& options, Stats& stats, SharedParts* shared);
 
     gpu::Context& context;
     RenderOptions options;
+    bool changesWithTime;
+    std::shared_ptr<scene::Interpretation> source;  ///< null: the scene never changes
+    scene::FrameInputs inputs;                      ///< of `scene`
     scene::Scene scene;
     std::unique_ptr<SharedParts> ownParts;  ///< shared by the picture and the probes of the error bound
     SharedParts* parts;                     ///< `ownParts`, or what other scenes share, or null
@@ -49,10 +55,15 @@ struct SceneRenderer::State {
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
     ViewMatrices view;
+    double eyeDistance = 0;   ///< by which the view policy moved the eye back, at time 0
+    bool isMoving = false;    ///< the plan is made for another moment than the first
     bool isStateful = false;  ///< remembersFrames()
 
     [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
     Diagnostics preparePlan(Stats& stats, bool everything);
+    /// Interprets and plans the scene for this time, if it is another one.
+    Diagnostics moveTo(double time, Stats& stats);
+    void makeDrawer(Stats& stats);
     Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
     /// Translates programs, makes meshes and reads textures that the plan will probably need. Needs no GL.

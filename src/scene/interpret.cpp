@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <utility>
 #include <vector>
 
+#include "glib/arguments.h"
 #include "glib/command_table.h"
+#include "glib/message_log.h"
 #include "glib/number.h"
+#include "scene/modern/evaluate.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -17,9 +22,63 @@ namespace {
 
 using glib::CommandId;
 
+/// A classic command with expressions among its arguments, with their values of this moment; nothing if one
+/// has none.
+std::optional<glib::Command> evaluated(Interpreter& in, const glib::Command& command) {
+    std::vector<glib::EvaluatedNumber> numbers;
+    for (const glib::Value& each : command.values) {
+        const auto values = numbersOf(in, {&each, 1});
+        if (!values) return std::nullopt;
+        const bool isLiteral = each.kind != glib::Value::Kind::expression;
+        for (const double value : *values) numbers.push_back({value, each.position, isLiteral});
+    }
+    glib::Command result = command;
+    result.isEvaluatedLater = false;
+    glib::MessageLog log(in.script->path);
+    glib::evaluateNumbers(*glib::findCommand(glib::nameOf(command.id)), result, numbers, log);
+    const bool isFaulty = log.errorCount() > 0;
+    for (Diagnostic& each : log.take()) in.report(std::move(each));
+    return isFaulty ? std::nullopt : std::optional(std::move(result));
+}
+
+/// All actions by CommandId. The element of a command without an action has no handler.
+std::vector<CommandAction> allActions() {
+    std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
+    for (const auto& some :
+         {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
+        for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
+    for (const auto& some : {structureActions(), variableActions(), cameraActions()})
+        for (CommandAction each : some) {
+            each.isModern = true;
+            all.at(static_cast<std::size_t>(each.id)) = each;
+        }
+    return all;
+}
+
+}  // namespace
+
+const CommandAction* actionOf(CommandId command) {
+    static const std::vector<CommandAction> kActions = allActions();
+    static constexpr CommandAction kPrimitive{.handler = doPrimitive, .draws = true};
+    const auto index = static_cast<std::size_t>(command);
+    if (index < kActions.size()) return kActions[index].handler != nullptr ? &kActions[index] : nullptr;
+    return glib::primitiveOf(command) != nullptr ? &kPrimitive : nullptr;
+}
+
 void execute(Interpreter& in, const glib::Command& command) {
     const CommandAction* known = actionOf(command.id);
-    if (known == nullptr) return;
+    if (known == nullptr) {
+        if (command.isModern)
+            in.reportAt(command, "glib-E25",
+                        fmt::format("'{}' is not available in this version of glibra", command.word));
+        return;
+    }
+    // The handlers of modern statements rely on what the parser has checked.
+    if (known->isModern && !command.isModern) return;
+    if (command.isEvaluatedLater) {
+        if (const auto now = evaluated(in, command)) execute(in, *now);
+        return;
+    }
     const CommandAction& action = *known;
     if (in.list && action.inList == InList::isWrong) {
         in.reportAt(command, "glib-E07",
@@ -36,25 +95,6 @@ void execute(Interpreter& in, const glib::Command& command) {
     action.handler(in, command);
 }
 
-/// All actions by CommandId. The element of a command without an action has no handler.
-std::vector<CommandAction> allActions() {
-    std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
-    for (const auto& some :
-         {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
-        for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-    return all;
-}
-
-}  // namespace
-
-const CommandAction* actionOf(CommandId command) {
-    static const std::vector<CommandAction> kActions = allActions();
-    static constexpr CommandAction kPrimitive{.handler = doPrimitive, .draws = true};
-    const auto index = static_cast<std::size_t>(command);
-    if (index < kActions.size()) return kActions[index].handler != nullptr ? &kActions[index] : nullptr;
-    return glib::primitiveOf(command) != nullptr ? &kPrimitive : nullptr;
-}
-
 std::string textOf(const glib::Command& command) {
     std::string text = command.word;
     const std::size_t shown = std::min(command.numbers.size(), std::size_t{16});
@@ -65,43 +105,131 @@ std::string textOf(const glib::Command& command) {
 }
 
 FileIndex fileOf(Interpreter& in, const std::string& name, const Place& place) {
-    FileIndex& index = in.files[name];
-    if (!index) index = in.scene.files.add(findFile(name, place, in.folders, in.listings));
-    return index;
+    return fileNamed(in, name, [&] { return findFile(name, place, in.folders, in.listings); });
 }
 
-Scene interpret(const glib::Script& script, const InterpretOptions& options) {
-    Interpreter in{.script = script,
+FileIndex fileNamed(Interpreter& in, const std::string& key, const std::function<FileReference()>& make) {
+    FileIndex& index = in.shared->fileIndices[key];
+    if (index) return index;
+    in.shared->files.push_back(make());
+    return index = in.scene.files.add(in.shared->files.back());
+}
+
+double windowAspect(const Interpreter& in) {
+    const int width = in.inputs.width > 0 ? in.inputs.width : in.scene.width;
+    const int height = in.inputs.height > 0 ? in.inputs.height : in.scene.height;
+    return static_cast<double>(width) / height;
+}
+
+void setFrameRate(Interpreter& in, double framesPerSecond) {
+    Environment& names = in.shared->environment;
+    in.shared->interval = 1 / framesPerSecond;
+    names.setNumber("dt", in.shared->interval);
+    names.setNumber("frame", std::floor(in.inputs.time * framesPerSecond));
+}
+
+struct Interpretation::State {
+    glib::Script script;
+    InterpretOptions options;
+    SearchFolders folders;
+    SharedState shared;
+
+    Scene run(const FrameInputs& inputs);
+};
+
+namespace {
+
+constexpr double kFramesPerSecond = 60;
+
+/// The values of the names that every scene has.
+void setInputs(Interpreter& in) {
+    Environment& names = in.shared->environment;
+    names.forgetValues();
+    names.setNumber("time", in.inputs.time);
+    setFrameRate(in, kFramesPerSecond);
+    const std::array mouse{in.inputs.mouseX, in.inputs.mouseY};
+    names.set("mouse", mouse);
+    names.setNumber("mouse.down", in.inputs.isMouseDown ? 1 : 0);
+    for (const auto& [name, camera] : in.shared->previousCameras) names.setCamera(name + ".prev", camera);
+}
+
+}  // namespace
+
+Scene Interpretation::State::run(const FrameInputs& inputs) {
+    Interpreter in{.script = &script,
+                   .shared = &shared,
+                   .inputs = inputs,
                    .log = glib::MessageLog(script.path),
                    .scene = {},
+                   .modern = {},
                    .state = {},
-                   .folders = searchFolders(script.path, options),
+                   .folders = folders,
                    .listings = {},
                    .list = {},
-                   .files = {},
                    .shapes = {},
+                   .uniformSets = {},
                    .listShapes = {},
                    .clearedTextures = {},
                    .depthBuffers = {},
                    .clearedDepths = {},
                    .windowSize = {}};
+    in.scene.files = shared.files;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
+    in.scene.isModern = script.isModern;
     in.scene.verbose =
         std::any_of(script.commands.begin(), script.commands.end(),
                     [](const glib::Command& command) { return command.id == CommandId::verbose; });
+    shared.depends = expression::Depends::nothing;
     try {
+        setInputs(in);
         addNoiseTextures(in);
-        for (const glib::Command& command : script.commands) execute(in, command);
+        scene::run(in, 0, script.commands.size());
         checkList(in);
         checkStack(in);
         finishPasses(in);
         finishNoise(in);
+        shared.cameras.clear();
+        for (const auto& [name, camera] : in.modern.cameras) shared.cameras[name] = valuesOf(in, camera);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
     }
     in.scene.diagnostics = in.log.take();
     return std::move(in.scene);
+}
+
+Interpretation::Interpretation(glib::Script script, InterpretOptions options)
+    : state_(std::make_unique<State>()) {
+    state_->script = std::move(script);
+    state_->folders = searchFolders(state_->script.path, options);
+    state_->options = std::move(options);
+}
+Interpretation::Interpretation(Interpretation&&) noexcept = default;
+Interpretation& Interpretation::operator=(Interpretation&&) noexcept = default;
+Interpretation::~Interpretation() = default;
+
+Scene Interpretation::at(const FrameInputs& inputs) {
+    Scene scene = state_->run(inputs);
+    SharedState& shared = state_->shared;
+    if (!shared.readsPrevious) return scene;
+    // An expression reads a camera of the frame before, so that frame is run for its cameras.
+    FrameInputs before = inputs;
+    before.time = std::max(0.0, inputs.time - shared.interval);
+    state_->run(before);
+    shared.previousCameras = std::move(shared.cameras);
+    return state_->run(inputs);
+}
+
+const glib::Script& Interpretation::script() const {
+    return state_->script;
+}
+
+expression::Depends Interpretation::depends() const {
+    return state_->shared.depends;
+}
+
+Scene interpret(const glib::Script& script, const InterpretOptions& options) {
+    return Interpretation(script, options).at({});
 }
 
 }  // namespace glibra::scene

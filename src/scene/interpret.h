@@ -1,8 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "expression/names.h"
 #include "glib/script.h"
 #include "scene/scene.h"
 
@@ -13,12 +17,48 @@ struct InterpretOptions {
     std::vector<std::filesystem::path> libraryRoots;
 };
 
-/// Runs the script once (language, 2) and records every draw with its complete state. Files are looked up but
-/// not read, except for the first bytes of texture files, which show their dimension.
-///
-/// The `diagnostics` of the result are in the order of the text. They contain neither those of the script nor
-/// those of files, which stay in the FileReference. A statement with an error is skipped and the others are
-/// executed. Does not throw.
+/// What a frame is a function of, besides the script and its files.
+struct FrameInputs {
+    double time = 0;                  ///< seconds since loading
+    int width = 0, height = 0;        ///< pixels of the window; 0: as the scene states
+    double mouseX = .5, mouseY = .5;  ///< 0..1 from the lower left corner of the window
+    bool isMouseDown = false;
+    /// Values of variables in place of those that the scene gives them, by name. A value with another number
+    /// of components is ignored.
+    std::map<std::string, std::vector<double>, std::less<>> variables{};
+    friend bool operator==(const FrameInputs&, const FrameInputs&) = default;
+};
+
+/// A script with what its frames share: looked-up files, included scripts, and expressions, which are read
+/// once.
+class Interpretation {
+  public:
+    Interpretation(glib::Script script, InterpretOptions options);
+    Interpretation(Interpretation&&) noexcept;
+    Interpretation& operator=(Interpretation&&) noexcept;
+    ~Interpretation();
+
+    /// Runs the script once (language, 2) and records every draw with its complete state. Files are looked up
+    /// but not read, except for included ones and the first bytes of texture files, which show their
+    /// dimension.
+    ///
+    /// The `diagnostics` of the result are in the order of the text. They contain neither those of the script
+    /// nor those of files, which stay in the FileReference. A statement with an error is skipped and the
+    /// others are executed. Does not throw. Textures, programs and files have the same indices in all scenes
+    /// of one script, as far as the same statements are executed; shapes have not.
+    Scene at(const FrameInputs& inputs);
+
+    [[nodiscard]] const glib::Script& script() const;
+    /// What the last scene depends on besides its variables. With nothing of time, window and mouse every
+    /// call of at() gives the same scene.
+    [[nodiscard]] expression::Depends depends() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The scene of a script at time 0.
 Scene interpret(const glib::Script& script, const InterpretOptions& options = {});
 
 }  // namespace glibra::scene

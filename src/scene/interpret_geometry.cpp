@@ -110,18 +110,28 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     const State& state = in.state;
     Draw made;
     made.place = in.place(command);
+    const int file = fileNumber(in);
+    made.id = {made.place.line, file, in.drawsOfLines[{file, made.place.line}]++};
     made.word = drawing.word;
     made.shape = drawing.shape;
     made.program = state.program;
     made.modelView = state.modelView;
     made.projection = state.projection;
+    if (const SceneCamera* eye = findCamera(in, "eye")) {
+        made.modelView = eye->view * state.model;
+        if (eye->clip || eye->aspect)
+            made.projection = projectionOf(*eye, windowAspect(in));
+        else
+            made.projection = eye->projection;
+    }
     made.color = drawing.color.value_or(state.color);
     made.raster = state.raster;
-    made.raster.blend = state.target.textures.empty() ? BlendMode::overOpaque : BlendMode::none;
+    made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
     made.patchVertices = state.patchVertices;
     made.flatColors = state.flatColors;
     made.sampling = state.sampling;
     made.slots = currentSlots(in);
+    made.uniforms = currentUniforms(in);
     made.timerPeriod = state.timerPeriod;
     made.givenNumbers = command.givenNumbers;
     if (in.scene.verbose) {
@@ -152,7 +162,7 @@ void doModel(Interpreter& in, const glib::Command& command) {
                                 command.word));
         return;
     }
-    Shape shape{command.id, {}, fileOf(in, command.text, in.script.place(command.textPosition)), nullptr};
+    Shape shape{command.id, {}, fileOf(in, command.text, in.script->place(command.textPosition)), nullptr};
     draw(in, command,
          {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text), {}});
 }

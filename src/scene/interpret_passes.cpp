@@ -90,11 +90,11 @@ bool isClearAlready(const Pass& pass, const glm::dvec4& color) {
 
 Pass& currentPass(Interpreter& in) {
     const int depthBuffer = depthBufferOf(in, in.state.target);
-    if (!in.scene.passes.empty()) {
-        Pass& last = in.scene.passes.back();
+    if (!in.scene.frame.passes.empty()) {
+        Pass& last = in.scene.frame.passes.back();
         if (last.targets == in.state.target.textures && last.depthBuffer == depthBuffer) return last;
     }
-    return in.scene.passes.emplace_back(beginPass(in, depthBuffer));
+    return in.scene.frame.passes.emplace_back(beginPass(in, depthBuffer));
 }
 
 namespace {

@@ -23,12 +23,27 @@ glsl::Stage stageOf(glib::CommandId id) {
     return glsl::Stage::vertex;
 }
 
+/// The shader that stands in the script after this statement.
+FileIndex inlineShader(Interpreter& in, const glib::Command& command) {
+    const std::string name = fmt::format("{} on line {}", command.word, command.position.line);
+    return fileNamed(in, in.script->path + '\n' + name, [&] {
+        FileReference file;
+        file.name = name;
+        file.path = in.script->path;
+        file.place = in.place(command);
+        file.text = std::string(static_cast<std::size_t>(command.bodyPosition.line - 1), '\n') + command.body;
+        return file;
+    });
+}
+
 void doStage(Interpreter& in, const glib::Command& command) {
     const glsl::Stage stage = stageOf(command.id);
-    if (command.text.empty())
+    if (command.isModern)
+        in.state.stageFiles[stage] = inlineShader(in, command);
+    else if (command.text.empty())
         in.state.stageFiles.erase(stage);
     else
-        in.state.stageFiles[stage] = fileOf(in, command.text, in.script.place(command.textPosition));
+        in.state.stageFiles[stage] = fileOf(in, command.text, in.script->place(command.textPosition));
 }
 
 void doProgram(Interpreter& in, const glib::Command& command) {
@@ -41,6 +56,8 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     program.geometryVerticesOut = in.state.geometryVerticesOut;
     program.uniforms = command.uniforms;
     in.state.program = in.scene.programs.add(std::move(program));
+    in.modern.programs[command.text] = in.state.program;
+    if (!command.tags.empty()) in.modern.programTags[in.state.program] = {&command, in.script};
 }
 
 void doGeometryInput(Interpreter& in, const glib::Command& command) {

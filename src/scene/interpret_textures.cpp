@@ -96,7 +96,7 @@ std::size_t dimensionsOf(glib::CommandId id) {
 Texture pictureTexture(Interpreter& in, const glib::Command& command) {
     Texture texture;
     const std::size_t wanted = dimensionsOf(command.id);
-    const Place place = in.script.place(command.textPosition);
+    const Place place = in.script->place(command.textPosition);
     const FileIndex file = fileOf(in, command.text, place);
     const std::filesystem::path& path = in.scene.files[file].path;
     const auto noise = path.empty() ? noiseNameOf(command.text) : std::nullopt;
@@ -123,7 +123,7 @@ void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t ind
 }  // namespace
 
 void addNoiseTextures(Interpreter& in) {
-    const Place place = in.script.place({});
+    const Place place = in.script->place({});
     in.scene.textures.push_back(
         {TextureTarget::texture2D, NoiseSource{.dimensions = 2, .remarks = {}}, place, kNoise2Unit});
     in.scene.textures.push_back(
@@ -154,7 +154,7 @@ void doCubeMap(Interpreter& in, const glib::Command& command) {
     if (command.numbers.empty()) return;
     PictureSource source;
     for (const std::string& name : command.files)
-        source.files.push_back(fileOf(in, name, in.script.place(command.textPosition)));
+        source.files.push_back(fileOf(in, name, in.script->place(command.textPosition)));
     store(in, command,
           {TextureTarget::cube, std::move(source), in.place(command), static_cast<int>(command.numbers[0])});
 }
@@ -193,7 +193,8 @@ void finishNoise(Interpreter& in) {
         FileReference file =
             noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
         noise.remarks = std::move(file.remarks);
-        if (!file.path.empty()) noise.file = in.scene.files.add(std::move(file));
+        const std::string key = "\n" + file.path.string();
+        if (!file.path.empty()) noise.file = fileNamed(in, key, [&] { return std::move(file); });
         texture.source = std::move(noise);
     }
 }

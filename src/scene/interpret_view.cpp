@@ -30,6 +30,7 @@ void multiply(Interpreter& in, const glib::Command& command, const glm::dmat4& t
         return;
     }
     in.state.modelView = product;
+    in.state.model = in.state.model * transform;
 }
 
 void doWindowSize(Interpreter& in, const glib::Command& command) {
@@ -71,9 +72,10 @@ void doLookAt(Interpreter& in, const glib::Command& command) {
                 command, "glib-W30",
                 fmt::format("LookAt: up is parallel to the view direction; {} is used instead", name));
     }
-    if (matrix && isFinite(*matrix))
+    if (matrix && isFinite(*matrix)) {
         in.state.modelView = in.scene.view = *matrix;
-    else
+        in.state.model = glm::dmat4(1.0);
+    } else
         in.reportAt(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
 }
 
@@ -107,7 +109,7 @@ void doPushMatrix(Interpreter& in, const glib::Command& command) {
                     fmt::format("{}: the limit is {} matrices", command.word, kDeepestStack));
         return;
     }
-    in.state.stack.push_back({in.state.modelView, in.place(command)});
+    in.state.stack.push_back({in.state.modelView, in.state.model, in.place(command)});
 }
 
 void doPopMatrix(Interpreter& in, const glib::Command& command) {
@@ -116,6 +118,7 @@ void doPopMatrix(Interpreter& in, const glib::Command& command) {
         return;
     }
     in.state.modelView = in.state.stack.back().modelView;
+    in.state.model = in.state.stack.back().model;
     in.state.stack.pop_back();
 }
 

@@ -3,6 +3,7 @@
 // here. File names are resolved, but a file is read only when something visible needs it.
 
 #include <glibra/diagnostic.h>
+#include <glibra/draw_id.h>
 
 #include <array>
 #include <cstdint>
@@ -11,11 +12,14 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "base/program_resources.h"
+#include "base/raster_state.h"
+#include "base/texel_format.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
@@ -29,6 +33,10 @@ struct Texture;
 struct Slot;
 struct Program;
 
+/// Values of uniform variables that draws set besides those of their program's Program statement. Draws share
+/// these.
+using UniformSet = std::vector<glib::UniformSpec>;
+
 /// The content of all slots at one place of the scene, sorted by unit and target. Draws share these.
 using SlotTable = std::vector<Slot>;
 
@@ -38,6 +46,7 @@ using ShapeIndex = Index<Shape>;
 using TextureIndex = Index<Texture>;
 using SlotTableIndex = Index<SlotTable>;
 using ProgramIndex = Index<Program>;
+using UniformSetIndex = Index<UniformSet>;
 
 /// A file that a scene names, looked up but not read. `path` is empty if no file was found. `remarks`
 /// (file-E01, file-W01 ...) are reported when the file is needed. Statements that name the same file share
@@ -47,6 +56,9 @@ struct FileReference {
     std::filesystem::path path;
     Diagnostics remarks;
     Place place;
+    /// The text of a shader that stands in the script, with as many empty lines before it as put it on its
+    /// lines of the script, which is `path`.
+    std::optional<std::string> text{};
 };
 
 /// What a geometry command draws: the command with its numbers, or a list made by glBegin, Triangles or
@@ -61,8 +73,8 @@ struct Shape {
         list;  ///< the mesh itself, if the text of the scene contains the vertices
 };
 
+using base::TexelFormat;
 using base::TextureTarget;
-enum class TexelFormat { rgba8, rgba16f, rgba32f, r32f };
 
 /// Where a texture's texels come from.
 struct PictureSource {
@@ -139,19 +151,15 @@ struct Perspective {
 struct Orthographic {
     double left = -3, right = 3, bottom = -3, top = 3, near = -1000, far = 1000;
 };
-using Projection = std::variant<Perspective, Orthographic>;
+/// A matrix is taken as it is, whatever the shape of the target.
+using Projection = std::variant<Perspective, Orthographic, glm::dmat4>;
 
-enum class BlendMode { none, overOpaque };
-
-/// The fixed-function state of a draw. A classic scene sets little of it, but each draw carries all of it.
-struct RasterState {
-    BlendMode blend = BlendMode::overOpaque;
-    double lineWidth = 1, pointSize = 1;  ///< pixels
-    bool pointSizeFromShader = false;
-};
+/// A classic scene sets little of it, but each draw carries all of it.
+using base::RasterState;
 
 /// One geometry command with its complete state.
 struct Draw {
+    DrawId id;
     Place place;
     std::string word;  ///< the command as written, or the topology of a glBegin list; for messages
     ShapeIndex shape{};
@@ -164,6 +172,7 @@ struct Draw {
     bool flatColors = false;
     Sampling sampling;
     SlotTableIndex slots{};
+    UniformSetIndex uniforms{};  ///< none: only those of the program
     double timerPeriod = 10;
     std::size_t givenNumbers = 0;  ///< how many of the shape's numbers the scene gives; the rest are defaults
 };
@@ -187,17 +196,56 @@ struct Pass {
     std::vector<std::variant<Draw, Clear>> steps;
 };
 
-struct Scene {
-    std::string path;
-    int width = 600, height = 600;
+/// A variable of a Let statement that the window and --set can change.
+struct Variable {
+    std::string name;
+    glib::UniformForm form = glib::UniformForm::number;
+    std::vector<double> written;     ///< least, current and largest of a range; otherwise the components
+    std::vector<double> current;     ///< the components that the frame has
+    std::vector<std::string> words;  ///< of a choice, which is a range that counts them from 0
+    Place place;                     ///< of the value
+};
+
+/// What a scene declares. Indices into these lists stay valid until the scene is read again.
+struct Declarations {
     List<FileReference> files;
     List<Shape> shapes;
     List<Texture> textures;
     List<SlotTable> slotTables;
+    List<UniformSet> uniformSets;
     List<Program> programs;
-    std::vector<Pass> passes;  ///< in order; the last content of the window is the picture
+};
+
+/// A step of a node list.
+struct StepIndex {
+    std::size_t pass = 0, step = 0;  ///< indices into NodeList::passes and Pass::steps
+    friend auto operator<=>(const StepIndex&, const StepIndex&) = default;
+};
+
+/// What is executed, in order.
+struct NodeList {
+    std::vector<Pass> passes;
+
+    /// Throws std::out_of_range or std::bad_variant_access if that step is no draw.
+    [[nodiscard]] const Draw& draw(StepIndex at) const {
+        return std::get<Draw>(passes.at(at.pass).steps.at(at.step));
+    }
+    [[nodiscard]] Draw& draw(StepIndex at) { return std::get<Draw>(passes.at(at.pass).steps.at(at.step)); }
+    /// The same for a Clear.
+    [[nodiscard]] const Clear& clear(StepIndex at) const {
+        return std::get<Clear>(passes.at(at.pass).steps.at(at.step));
+    }
+};
+
+struct Scene : Declarations {
+    std::string path;
+    int width = 600, height = 600;
+    NodeList frame;  ///< the last content of the window is the picture
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
+    std::vector<Variable> variables;
+    std::set<std::string, std::less<>> usedVariables;  ///< names of FrameInputs::variables that exist
+    bool isModern = false;                             ///< it has a modern statement or an expression
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
     Diagnostics diagnostics;
 };

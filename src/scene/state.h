@@ -2,6 +2,7 @@
 // Private to this room: the state machine (language, 2.1) and the handlers of the commands.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +19,7 @@
 #include "glib/script.h"
 #include "scene/file_lookup.h"
 #include "scene/interpret.h"
+#include "scene/modern/modern.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {
@@ -26,7 +28,7 @@ inline constexpr glm::dvec4 kInitialBackground{glib::kDefaultBackground[0], glib
                                                glib::kDefaultBackground[2], 1};
 
 struct SavedMatrix {
-    glm::dmat4 modelView;
+    glm::dmat4 modelView, model;
     Place place;
 };
 
@@ -42,6 +44,7 @@ struct TargetList {
 struct State {
     Projection projection = Perspective{};
     glm::dmat4 modelView{1.0};
+    glm::dmat4 model{1.0};  ///< the product of the transforms below the view
     std::vector<SavedMatrix> stack;
     glm::dvec4 color{1.0};
     glm::dvec4 background = kInitialBackground;
@@ -71,9 +74,12 @@ struct OpenList {
 
 /// One run over a script.
 struct Interpreter {
-    const glib::Script& script;
+    const glib::Script* script;  ///< that is running; an Include replaces it
+    SharedState* shared;
+    const FrameInputs& inputs;
     glib::MessageLog log;
     Scene scene;
+    ModernState modern;
     State state;
     SearchFolders folders;
     FolderListings listings;
@@ -81,21 +87,22 @@ struct Interpreter {
     bool isOrphan = false;  ///< the previous statement needed an open list, which has been reported
 
     // Everything made so far, so that equal things are shared.
-    std::map<std::string, FileIndex> files;  ///< by name as written
     std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
+    std::map<std::vector<std::pair<std::string, std::vector<double>>>, UniformSetIndex> uniformSets;
     std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
     SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
     std::set<TextureIndex> clearedTextures;
     bool isWindowCleared = false;
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;  ///< by units and size
     std::set<int> clearedDepths;
-    std::uint64_t vertices = 0;      ///< of all geometry commands
-    std::uint64_t textureBytes = 0;  ///< of all empty textures
-    int noiseSizes[2] = {64, 64};    ///< 2D, 3D
+    std::map<std::pair<int, int>, int> drawsOfLines{};  ///< by file and line
+    std::uint64_t vertices = 0;                         ///< of all geometry commands
+    std::uint64_t textureBytes = 0;                     ///< of all empty textures
+    int noiseSizes[2] = {64, 64};                       ///< 2D, 3D
     bool areNoiseSizesGiven[2] = {false, false};
     std::optional<std::pair<int, int>> windowSize;
 
-    [[nodiscard]] Place place(const glib::Command& command) const { return script.place(command.position); }
+    [[nodiscard]] Place place(const glib::Command& command) const { return script->place(command.position); }
     /// Messages are limited in number, except notes, which the scene asks for.
     void report(Diagnostic diagnostic) {
         if (diagnostic.severity == Severity::note)
@@ -123,20 +130,34 @@ struct CommandAction {
     glib::CommandId id{};
     Handler handler = nullptr;
     InList inList = InList::goesFirst;
-    bool draws = false;  ///< it reports itself when the scene is verbose
+    bool draws = false;     ///< it reports itself when the scene is verbose
+    bool isModern = false;  ///< a statement of the language's section 12
 };
-std::span<const CommandAction> viewActions();     // interpret_view.cpp
-std::span<const CommandAction> drawActions();     // interpret_geometry.cpp
-std::span<const CommandAction> listActions();     // lists.cpp
-std::span<const CommandAction> passActions();     // interpret_passes.cpp
-std::span<const CommandAction> textureActions();  // interpret_textures.cpp
-std::span<const CommandAction> programActions();  // interpret_programs.cpp
+std::span<const CommandAction> viewActions();       // interpret_view.cpp
+std::span<const CommandAction> drawActions();       // interpret_geometry.cpp
+std::span<const CommandAction> listActions();       // lists.cpp
+std::span<const CommandAction> passActions();       // interpret_passes.cpp
+std::span<const CommandAction> textureActions();    // interpret_textures.cpp
+std::span<const CommandAction> programActions();    // interpret_programs.cpp
+std::span<const CommandAction> structureActions();  // modern/structure.cpp
+std::span<const CommandAction> variableActions();   // modern/variables.cpp
+std::span<const CommandAction> cameraActions();     // modern/cameras.cpp
 
 /// The action of a command; null if there is none.
 const CommandAction* actionOf(glib::CommandId command);
 
+/// Runs one statement. A command that opens a block runs the block.
+void execute(Interpreter&, const glib::Command& command);
+
+/// Width / height of the window.
+double windowAspect(const Interpreter&);
+/// Sets the interval dt and the number of the frame.
+void setFrameRate(Interpreter&, double framesPerSecond);
+
 /// Returns the index of the file that a statement names. The file is looked up the first time.
 FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
+/// The file of that key; `make` is called once for all frames of the script.
+FileIndex fileNamed(Interpreter&, const std::string& key, const std::function<FileReference()>& make);
 
 // interpret_view.cpp
 

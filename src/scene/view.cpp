@@ -83,7 +83,7 @@ struct SeenDraw {
 
 std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) {
     std::vector<SeenDraw> draws;
-    for (const Pass& pass : scene.passes)
+    for (const Pass& pass : scene.frame.passes)
         for (const auto& step : pass.steps)
             if (const Draw* draw = std::get_if<Draw>(&step);
                 draw && std::holds_alternative<Perspective>(draw->projection))
@@ -141,7 +141,8 @@ glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
     if (const auto* perspective = std::get_if<Perspective>(&projection))
         return base::perspectiveProjection(perspective->fieldOfView, aspect, perspective->near,
                                            perspective->far);
-    return orthographicMatrix(std::get<Orthographic>(projection), aspect);
+    if (const auto* box = std::get_if<Orthographic>(&projection)) return orthographicMatrix(*box, aspect);
+    return std::get<glm::dmat4>(projection);
 }
 
 double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {

@@ -59,7 +59,7 @@ class Budget {
     }
 
     [[nodiscard]] const scene::Draw& draw(std::size_t index) const {
-        return std::get<scene::Draw>(scene.passes.front().steps.at(index));
+        return std::get<scene::Draw>(scene.frame.passes.front().steps.at(index));
     }
     [[nodiscard]] const std::vector<double>& numbers(std::size_t index) const {
         return scene.shapes[draw(index).shape].numbers;

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
+#include "glib/modern/statement_table.h"
 
 namespace glibra::glib::test {
 namespace {
@@ -49,6 +51,11 @@ TEST(CommandTable, HasOneRowPerId) {
     for (const CommandRow& row : commandTable()) {
         EXPECT_TRUE(ids.insert(static_cast<int>(row.id)).second) << row.name();
         EXPECT_EQ(commandOf(row.name()), row.id);
+    }
+    for (const StatementRow& row : statementTable()) {
+        // The stages and Program have one id for both forms.
+        if (const CommandRow* classic = findCommand(row.name); classic && classic->id == row.id) continue;
+        EXPECT_TRUE(ids.insert(static_cast<int>(row.id)).second) << row.name;
     }
     ASSERT_FALSE(ids.empty());
     EXPECT_EQ(*ids.begin(), 0);
@@ -99,6 +106,34 @@ TEST(CommandTable, FindsAliasesInAnyCase) {
     EXPECT_FALSE(findCommand(""));
     EXPECT_FALSE(findCommand("Spere"));
     EXPECT_FALSE(findCommand("Texture4D"));
+}
+
+TEST(StatementTable, WordsAreApartFromClassicOnesExceptWhereTheArgumentsDecide) {
+    std::string shared;
+    for (const StatementRow& row : statementTable()) {
+        EXPECT_EQ(findStatement(row.name) == nullptr, row.sharesWord()) << row.name;
+        EXPECT_EQ(modernFormOf(row.name) == nullptr, !row.sharesWord()) << row.name;
+        EXPECT_EQ(statementOf(row.id), &row) << row.name;
+        EXPECT_FALSE(row.summary.empty()) << row.name;
+        if (row.sharesWord()) shared.append(row.name).append(" ");
+    }
+    EXPECT_EQ(
+        shared,
+        "Vertex TessControl TessEvaluation Geometry Fragment Program Texture1D Texture2D Texture3D CubeMap "
+        "Clear ");
+    EXPECT_EQ(findStatement("ENDpass")->id, CommandId::endPass);
+    EXPECT_EQ(findStatement("Box"), nullptr);
+    EXPECT_EQ(findStatement(""), nullptr);
+}
+
+TEST(StatementTable, ShowsUsageAndWords) {
+    EXPECT_EQ(usage(*findStatement("Camera")).substr(0, 40), "Camera name[count] (LookAt view x9 (Pers");
+    EXPECT_EQ(usage(*findStatement("Repeat")), "Repeat (count | words) [as counter]");
+    EXPECT_EQ(usage(*findStatement("EndPass")), "EndPass");
+    const std::vector<std::string> words = wordsOf(*findStatement("State"));
+    for (const char* word : {"cull", "blend", "src_alpha", "notequal", "incr_wrap", "alphatocoverage"})
+        EXPECT_NE(std::find(words.begin(), words.end(), word), words.end()) << word;
+    EXPECT_EQ(wordLists(*findStatement("Vertices")).at(0).words.size(), 15U);
 }
 
 TEST(EditDistance, CountsEdits) {

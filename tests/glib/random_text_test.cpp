@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/message_log.h"
+#include "glib/modern/statement_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {
@@ -46,6 +48,15 @@ void checkPromises(const std::string& text) {
         for (const UniformSpec& spec : command.uniforms) ASSERT_FALSE(spec.values.empty());
         for (const PointGroup& group : command.points)
             ASSERT_TRUE(group.values.size() == 3 || group.values.size() == 4);
+    }
+    for (std::size_t i = 0; i < script.commands.size(); ++i) {
+        const std::size_t partner = script.commands[i].partner;
+        if (partner != Command::kNoPartner) {
+            ASSERT_LT(partner, script.commands.size());
+            ASSERT_NE(partner, i);
+        }
+        for (const Value& value : script.commands[i].values) ASSERT_LE(value.end, text.size());
+        ASSERT_FALSE(written(script.commands[i]).empty());
     }
     ASSERT_LE(script.diagnostics.size(), kMostMessages + 1);
     for (const Diagnostic& each : script.diagnostics) {
@@ -105,6 +116,68 @@ TEST(RandomText, TokensInAnyOrder) {
     }
 }
 
+TEST(RandomText, WordsOfModernStatementsInAnyOrder) {
+    constexpr std::array<std::string_view, 26> kPieces = {
+        "\n",        "\n",        "\n",     "\\\n",      "1",          "-2.5",    "(time)",        "(1",
+        "thing",     "life.prev", "a[2]",   "[1 2]",     "[3 of (i)]", "{1 0 0}", "<0 1 2>",       "<a b>",
+        "\"q r\"",   "window",    "inline", "EndVertex", "[",          "}",       "glow.level(2)", "# c\n",
+        "Let x 5\n", "x[(i)].y"};
+    std::vector<std::string> words;
+    for (const StatementRow& row : statementTable()) {
+        words.emplace_back("\n" + std::string(row.name));
+        for (const std::string& each : wordsOf(row)) words.push_back(each);
+    }
+    for (std::uint32_t seed = 20000; seed < 23000; ++seed) {
+        Hash hash(seed);
+        std::string text;
+        const std::uint32_t count = hash.below(120);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (hash.below(2) == 0)
+                text += words[hash.below(static_cast<std::uint32_t>(words.size()))];
+            else
+                text += kPieces.at(hash.below(kPieces.size()));
+            if (hash.below(6) != 0) text += ' ';
+        }
+        checkPromises(text);
+    }
+}
+
+TEST(RandomText, ModernScenesWithBytesChangedDroppedAndDoubled) {
+    const std::string scene =
+        "Camera eye LookAt 0 3 6 0 0 0 0 1 0 Perspective 50 .1 100\nTexture2D shadow 64 64 depth32f history\n"
+        "Let a[6] (sin(i))\nLet b <0 1 2>\nBuffer s float [1 2 3]\nGroup world size 1\nTranslate (2*time) 0 "
+        "0\n"
+        "Repeat [add sub] as op\nState blend (op) depth less\nSet lights[2].position {1 2 3} uT life.prev\n"
+        "When (a[2] < 3)\nBox (size)\nElse\nBox 1\nEndWhen\nEndRepeat\nEndGroup\nVertex inline\nvoid main() "
+        "{}\n"
+        "EndVertex\nProgram Lit uS shadow uM (eye.view * model) uA [6 of (i)]\nPass window shadow.level(1) "
+        "from eye "
+        "clear {1 1 1} depth 1\nDraw world size 2\nEndPass\nOnce\nDispatch Lit over shadow\nEndOnce\n"
+        "Expect pixel 1 2 [1 1 1 1] within .1 at 2\n";
+    checkPromises(scene);
+    ASSERT_TRUE(read(scene).diagnostics.empty());
+    for (std::uint32_t seed = 30000; seed < 32000; ++seed) {
+        Hash hash(seed);
+        std::string text = scene;
+        for (std::uint32_t edits = 1 + hash.below(6); edits > 0; --edits) {
+            const std::size_t at = hash.below(static_cast<std::uint32_t>(text.size()));
+            switch (hash.below(3)) {
+                case 0:
+                    text[at] = static_cast<char>(hash.below(256));
+                    break;
+                case 1:
+                    text.erase(at, 1 + hash.below(10));
+                    break;
+                default:
+                    text.insert(
+                        at, text.substr(hash.below(static_cast<std::uint32_t>(text.size())), hash.below(30)));
+            }
+            if (text.empty()) text = "#";
+        }
+        checkPromises(text);
+    }
+}
+
 TEST(RandomText, ScenesWithBytesChangedDroppedAndDoubled) {
     const std::string scene =
         "##OpenGL GLIB\nPerspective 70\nLookAt 0 0 5  0 0 0  0 1 0\nCubeMap 6 a.bmp b.bmp c.bmp d.bmp e.bmp "
@@ -139,9 +212,28 @@ TEST(RandomText, ScenesWithBytesChangedDroppedAndDoubled) {
 
 TEST(RandomText, LargestFilesOfOneTokenEnd) {
     constexpr std::size_t kSize = 1U << 20U;
-    for (const std::string_view piece :
-         {"<\\\n", "Program P {\n", "CubeMap [\n", "[\n", "u 1\n", ", ", "\\\n", "Spere\n", "/\n", "\"\n",
-          "Program u u\\\n", "Triangles <\\\n", "u<", "\xa0"}) {
+    for (const std::string_view piece : {"<\\\n",
+                                         "Program P {\n",
+                                         "CubeMap [\n",
+                                         "[\n",
+                                         "u 1\n",
+                                         ", ",
+                                         "\\\n",
+                                         "Spere\n",
+                                         "/\n",
+                                         "\"\n",
+                                         "Program u u\\\n",
+                                         "Triangles <\\\n",
+                                         "u<",
+                                         "\xa0",
+                                         "(a",
+                                         "Let a (",
+                                         "Group\n",
+                                         "EndPass\n",
+                                         "Vertex inline\n",
+                                         "Set u[",
+                                         "Pass a ",
+                                         "x(1)"}) {
         for (const char* head : {"", "Program P ", "CubeMap 6 "}) {
             std::string text = head;
             while (text.size() < kSize) {

@@ -46,7 +46,7 @@ Input makeInput(std::size_t count, TexelType type) {
                 input.numbers.push_back(value / 65535.);
                 break;
             }
-            case TexelType::f32: {
+            default: {
                 const auto value = static_cast<float>(random % 4096) / 4096.F;
                 std::memcpy(&input.data[4 * i], &value, 4);
                 input.numbers.push_back(static_cast<double>(value));
@@ -66,8 +66,7 @@ double tolerance(TexelFormat format) {
             return .5 / 65535 + 1e-7;
         case TexelFormat::rgba16f:
             return 1. / 2048;  // 11 bits of mantissa, values up to 1
-        case TexelFormat::rgba32f:
-        case TexelFormat::r32f:
+        default:               // 32-bit floats
             break;
     }
     return 1e-7;

@@ -88,7 +88,7 @@ class Drawing {
 
     Pixels draw() {
         setFixedState();
-        for (const scene::Pass& pass : scene_.passes) drawPass(pass);
+        for (const scene::Pass& pass : scene_.frame.passes) drawPass(pass);
         Pixels pixels{scene_.width, scene_.height, {}};
         const auto row = static_cast<std::size_t>(scene_.width) * 4;
         pixels.data.resize(row * static_cast<std::size_t>(scene_.height));

@@ -17,7 +17,7 @@ GLenum internalFormat(scene::TexelFormat format) {
             return GL_RGBA32F;
         case scene::TexelFormat::r32f:
             return GL_R32F;
-        case scene::TexelFormat::rgba8:
+        default:  // a classic scene names no other
             break;
     }
     return GL_RGBA8;

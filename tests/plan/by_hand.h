@@ -147,8 +147,8 @@ class SceneByHand {
         pass.targets = std::move(textures);
         pass.place = at(nextLine());
         pass.clearDepth = true;
-        scene.passes.push_back(std::move(pass));
-        return scene.passes.back();
+        scene.frame.passes.push_back(std::move(pass));
+        return scene.frame.passes.back();
     }
     static int depthBufferOf(scene::TextureIndex texture) { return static_cast<int>(texture.position()) + 1; }
     scene::Pass& window() { return target({}); }
@@ -171,16 +171,17 @@ class SceneByHand {
     scene::Draw& draw(std::string word, scene::ShapeIndex shapeIndex) {
         scene::Draw result;
         result.place = at(nextLine());
+        result.id = {result.place.line};
         result.word = std::move(word);
         result.shape = shapeIndex;
         result.program = currentProgram;
         result.slots = scene::SlotTableIndex(scene.slotTables.size() - 1);
-        scene.passes.back().steps.emplace_back(result);
-        return std::get<scene::Draw>(scene.passes.back().steps.back());
+        scene.frame.passes.back().steps.emplace_back(result);
+        return std::get<scene::Draw>(scene.frame.passes.back().steps.back());
     }
     scene::Draw& sphere() { return draw("Sphere", shape(glib::commandOf("Sphere"), {1, 60, 60})); }
     scene::Draw& teapot() { return draw("Teapot", shape(glib::commandOf("Teapot"))); }
-    void clear() { scene.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
+    void clear() { scene.frame.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
 
     scene::ProgramIndex currentProgram;
     int line = 0;
@@ -242,7 +243,7 @@ inline std::string drawn(const FramePlan& plan) {
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<PlannedDraw>(&step);
             if (!text.empty()) text += ' ';
-            text += draw != nullptr ? draw->draw->word : "Clear";
+            text += draw != nullptr ? plan.drawOf(*draw).word : "Clear";
         }
     }
     return text;

@@ -19,26 +19,26 @@ const glm::dvec4 kBlue{0, 0, 1, 1};
 
 TEST(Passes, AnEmptySceneIsTheClearedWindow) {
     const Scene scene = run("Background 1 0 0\nBackground 0 1 0\n");
-    ASSERT_EQ(scene.passes.size(), 1U);
-    EXPECT_TRUE(scene.passes[0].targets.empty());
-    EXPECT_TRUE(scene.passes[0].steps.empty());
-    EXPECT_EQ(scene.passes[0].clearColors, Colors{kGreen});
-    EXPECT_TRUE(scene.passes[0].clearDepth);
+    ASSERT_EQ(scene.frame.passes.size(), 1U);
+    EXPECT_TRUE(scene.frame.passes[0].targets.empty());
+    EXPECT_TRUE(scene.frame.passes[0].steps.empty());
+    EXPECT_EQ(scene.frame.passes[0].clearColors, Colors{kGreen});
+    EXPECT_TRUE(scene.frame.passes[0].clearDepth);
 }
 
 TEST(Passes, TheWindowIsClearedToTheBackgroundOfItsFirstDraw) {
     const Scene scene = run("Background 1 0 0\nSphere\nBackground 0 1 0\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 1U);
-    EXPECT_EQ(scene.passes[0].clearColors, Colors{kRed});
-    EXPECT_EQ(scene.passes[0].steps.size(), 2U);
+    ASSERT_EQ(scene.frame.passes.size(), 1U);
+    EXPECT_EQ(scene.frame.passes[0].clearColors, Colors{kRed});
+    EXPECT_EQ(scene.frame.passes[0].steps.size(), 2U);
 }
 
 TEST(Passes, OneTexturePassAndTheWindow) {
     const Scene scene =
         run("Background 1 0 0\nTexture2D 6 256 128\nRenderToTexture 6\nClear\nSphere\n"
             "RenderToTexture\nBackground 0 1 0\nClear\nQuadXY\n");
-    ASSERT_EQ(scene.passes.size(), 2U);
-    const Pass& texture = scene.passes[0];
+    ASSERT_EQ(scene.frame.passes.size(), 2U);
+    const Pass& texture = scene.frame.passes[0];
     ASSERT_EQ(texture.targets.size(), 1U);
     EXPECT_EQ(scene.textures[texture.targets[0]].unit, 6);
     EXPECT_EQ(texture.clearColors, Colors{kRed});
@@ -46,7 +46,7 @@ TEST(Passes, OneTexturePassAndTheWindow) {
     EXPECT_NE(texture.depthBuffer, 0);
     EXPECT_EQ(texture.place.line, 3);
     EXPECT_EQ(texture.steps.size(), 1U) << "the first Clear only repeats the implicit one";
-    const Pass& window = scene.passes[1];
+    const Pass& window = scene.frame.passes[1];
     EXPECT_TRUE(window.targets.empty());
     EXPECT_EQ(window.clearColors, Colors{kGreen});
     EXPECT_EQ(window.depthBuffer, 0);
@@ -55,104 +55,105 @@ TEST(Passes, OneTexturePassAndTheWindow) {
 
 TEST(Passes, BlendingIsForTheWindowOnly) {
     const auto draws = drawsOf(run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture\nSphere\n"));
-    EXPECT_EQ(draws.at(0).raster.blend, BlendMode::none);
-    EXPECT_EQ(draws.at(1).raster.blend, BlendMode::overOpaque);
+    EXPECT_FALSE(draws.at(0).raster.blend[0].isOn);
+    EXPECT_EQ(draws.at(1).raster.blend[0], base::kBlendOver);
 }
 
 TEST(Passes, ALaterClearStaysAStepWithItsOwnColour) {
     const Scene scene = run("Background 1 0 0\nSphere\nBackground 0 0 1\nClear\nSphere\nClear\n");
-    ASSERT_EQ(scene.passes.size(), 1U);
-    ASSERT_EQ(scene.passes[0].steps.size(), 4U);
-    EXPECT_EQ(std::get<Clear>(scene.passes[0].steps[1]).color, kBlue);
-    EXPECT_EQ(std::get<Clear>(scene.passes[0].steps[1]).place.line, 4);
-    EXPECT_EQ(scene.passes[0].clearColors, Colors{kRed});
+    ASSERT_EQ(scene.frame.passes.size(), 1U);
+    ASSERT_EQ(scene.frame.passes[0].steps.size(), 4U);
+    EXPECT_EQ(std::get<Clear>(scene.frame.passes[0].steps[1]).color, kBlue);
+    EXPECT_EQ(std::get<Clear>(scene.frame.passes[0].steps[1]).place.line, 4);
+    EXPECT_EQ(scene.frame.passes[0].clearColors, Colors{kRed});
 }
 
 TEST(Passes, ReturningToAListKeepsItsContent) {
     const Scene scene =
         run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture\nSphere\n"
             "RenderToTexture 6\nSphere\nRenderToTexture\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 4U);
+    ASSERT_EQ(scene.frame.passes.size(), 4U);
     for (const std::size_t again : {2U, 3U}) {
-        EXPECT_EQ(scene.passes[again].targets, scene.passes[again - 2].targets);
-        EXPECT_EQ(scene.passes[again].depthBuffer, scene.passes[again - 2].depthBuffer);
-        EXPECT_EQ(scene.passes[again].clearColors, Colors{std::nullopt});
-        EXPECT_FALSE(scene.passes[again].clearDepth);
+        EXPECT_EQ(scene.frame.passes[again].targets, scene.frame.passes[again - 2].targets);
+        EXPECT_EQ(scene.frame.passes[again].depthBuffer, scene.frame.passes[again - 2].depthBuffer);
+        EXPECT_EQ(scene.frame.passes[again].clearColors, Colors{std::nullopt});
+        EXPECT_FALSE(scene.frame.passes[again].clearDepth);
     }
 }
 
 TEST(Passes, AClearInAPassThatKeepsItsContentIsAStep) {
     const Scene scene =
         run("Texture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\nRenderToTexture\nClear\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 3U);
-    ASSERT_EQ(scene.passes[2].steps.size(), 2U);
-    EXPECT_TRUE(std::holds_alternative<Clear>(scene.passes[2].steps[0]));
+    ASSERT_EQ(scene.frame.passes.size(), 3U);
+    ASSERT_EQ(scene.frame.passes[2].steps.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<Clear>(scene.frame.passes[2].steps[0]));
 }
 
 TEST(Passes, EachTextureIsClearedOnceWhateverListItIsIn) {
     const Scene scene =
         run("Background 1 0 0\nTexture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6\nSphere\n"
             "Background 0 1 0\nRenderToTexture 6 7\nSphere\nRenderToTexture 7\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 4U);
-    EXPECT_EQ(scene.passes[1].clearColors, (Colors{std::nullopt, kGreen}));
-    EXPECT_TRUE(scene.passes[1].clearDepth) << "a list of units has its own depth buffer";
-    EXPECT_EQ(scene.passes[2].clearColors, Colors{std::nullopt});
-    EXPECT_TRUE(scene.passes[2].clearDepth);
-    EXPECT_NE(scene.passes[0].depthBuffer, scene.passes[1].depthBuffer);
-    EXPECT_NE(scene.passes[1].depthBuffer, scene.passes[2].depthBuffer);
+    ASSERT_EQ(scene.frame.passes.size(), 4U);
+    EXPECT_EQ(scene.frame.passes[1].clearColors, (Colors{std::nullopt, kGreen}));
+    EXPECT_TRUE(scene.frame.passes[1].clearDepth) << "a list of units has its own depth buffer";
+    EXPECT_EQ(scene.frame.passes[2].clearColors, Colors{std::nullopt});
+    EXPECT_TRUE(scene.frame.passes[2].clearDepth);
+    EXPECT_NE(scene.frame.passes[0].depthBuffer, scene.frame.passes[1].depthBuffer);
+    EXPECT_NE(scene.frame.passes[1].depthBuffer, scene.frame.passes[2].depthBuffer);
 }
 
 TEST(Passes, AClearIsAStepIfOnlyOneOfTheTargetsIsFresh) {
     const Scene scene = run(
         "Texture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6\nSphere\nRenderToTexture 6 7\nClear\nSphere\n");
-    EXPECT_EQ(scene.passes.at(1).steps.size(), 2U);
+    EXPECT_EQ(scene.frame.passes.at(1).steps.size(), 2U);
 }
 
 TEST(Passes, UnitsInAnotherOrderAreAnotherList) {
     const Scene scene =
         run("Texture2D 6 8 8\nTexture2D 7 8 8\nRenderToTexture 6 7\nSphere\nRenderToTexture 7 6\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 3U);
-    EXPECT_EQ(scene.passes[1].targets[0], scene.passes[0].targets[1]);
-    EXPECT_NE(scene.passes[1].depthBuffer, scene.passes[0].depthBuffer);
+    ASSERT_EQ(scene.frame.passes.size(), 3U);
+    EXPECT_EQ(scene.frame.passes[1].targets[0], scene.frame.passes[0].targets[1]);
+    EXPECT_NE(scene.frame.passes[1].depthBuffer, scene.frame.passes[0].depthBuffer);
 }
 
 TEST(Passes, ATargetThatNothingIsDrawnIntoMakesNoPass) {
     const Scene scene = run("Texture2D 6 8 8\nSphere\nRenderToTexture 6\nRenderToTexture\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 1U);
-    EXPECT_EQ(scene.passes[0].steps.size(), 2U);
+    ASSERT_EQ(scene.frame.passes.size(), 1U);
+    EXPECT_EQ(scene.frame.passes[0].steps.size(), 2U);
 }
 
 TEST(Passes, AClearAloneIsAPass) {
     const Scene scene =
         run("Background 1 0 0\nTexture2D 6 8 8\nRenderToTexture 6\nClear\nRenderToTexture\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 2U);
-    EXPECT_EQ(scene.passes[0].clearColors, Colors{kRed});
-    EXPECT_TRUE(scene.passes[0].steps.empty());
+    ASSERT_EQ(scene.frame.passes.size(), 2U);
+    EXPECT_EQ(scene.frame.passes[0].clearColors, Colors{kRed});
+    EXPECT_TRUE(scene.frame.passes[0].steps.empty());
 }
 
 TEST(Passes, TheWindowPassExistsAfterAFileThatEndsInATexture) {
     const Scene scene = run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nBackground 0 1 0\n");
-    ASSERT_EQ(scene.passes.size(), 2U);
-    EXPECT_TRUE(scene.passes[1].targets.empty());
-    EXPECT_EQ(scene.passes[1].clearColors, Colors{kGreen});
+    ASSERT_EQ(scene.frame.passes.size(), 2U);
+    EXPECT_TRUE(scene.frame.passes[1].targets.empty());
+    EXPECT_EQ(scene.frame.passes[1].clearColors, Colors{kGreen});
 }
 
 TEST(Passes, ANewTextureOnTheUnitIsANewTargetAndTheOldOneStaysCurrentUntilThen) {
     const Scene scene = run(
         "Texture2D 6 8 8\nRenderToTexture 6\nSphere\nTexture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 3U);
-    EXPECT_EQ(scene.passes[0].steps.size(), 2U);
-    EXPECT_NE(scene.passes[1].targets, scene.passes[0].targets);
-    EXPECT_TRUE(scene.passes[1].clearColors[0].has_value());
-    EXPECT_EQ(scene.passes[1].depthBuffer, scene.passes[0].depthBuffer) << "the same list of units";
-    EXPECT_FALSE(scene.passes[1].clearDepth);
+    ASSERT_EQ(scene.frame.passes.size(), 3U);
+    EXPECT_EQ(scene.frame.passes[0].steps.size(), 2U);
+    EXPECT_NE(scene.frame.passes[1].targets, scene.frame.passes[0].targets);
+    EXPECT_TRUE(scene.frame.passes[1].clearColors[0].has_value());
+    EXPECT_EQ(scene.frame.passes[1].depthBuffer, scene.frame.passes[0].depthBuffer)
+        << "the same list of units";
+    EXPECT_FALSE(scene.frame.passes[1].clearDepth);
 }
 
 TEST(Passes, ADepthBufferHasTheSizeOfItsTextures) {
     const Scene scene =
         run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nTexture2D 6 16 16\nRenderToTexture 6\nSphere\n");
-    EXPECT_NE(scene.passes.at(1).depthBuffer, scene.passes.at(0).depthBuffer);
-    EXPECT_TRUE(scene.passes.at(1).clearDepth);
+    EXPECT_NE(scene.frame.passes.at(1).depthBuffer, scene.frame.passes.at(0).depthBuffer);
+    EXPECT_TRUE(scene.frame.passes.at(1).clearDepth);
 }
 
 TEST(Passes, TargetsMustBeEmpty2DTexturesOfOneSize) {
@@ -174,14 +175,14 @@ TEST(Passes, TargetsMustBeEmpty2DTexturesOfOneSize) {
 
 TEST(Passes, AFaultyRenderToTextureKeepsTheTarget) {
     const Scene scene = run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture 9\nSphere\n");
-    ASSERT_EQ(scene.passes.size(), 2U);
-    EXPECT_EQ(scene.passes[0].steps.size(), 2U);
+    ASSERT_EQ(scene.frame.passes.size(), 2U);
+    EXPECT_EQ(scene.frame.passes[0].steps.size(), 2U);
 }
 
 TEST(Passes, FormatsOfTargetsMayDiffer) {
     const Scene scene = run("Texture2D 6 8 8\nTexture2D 7 8 8 RGBA32F\nRenderToTexture 6 7\nSphere\n");
     EXPECT_EQ(idsOf(scene.diagnostics), "");
-    EXPECT_EQ(scene.passes.at(0).targets.size(), 2U);
+    EXPECT_EQ(scene.frame.passes.at(0).targets.size(), 2U);
 }
 
 TEST(Passes, NeitherMatrixNorProjectionChangesWithTheTarget) {

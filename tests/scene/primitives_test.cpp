@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/shapes/primitive.h"
 #include "glib/command_table.h"
 #include "scene/state.h"
 #include "support.h"
@@ -57,7 +58,10 @@ const Expected kShapes[] = {
 TEST(Commands, EachHasAnAction) {
     for (const glib::CommandRow& row : glib::commandTable())
         EXPECT_NE(actionOf(row.id), nullptr) << row.name();
-    EXPECT_EQ(actionOf(static_cast<glib::CommandId>(glib::commandTable().size())), nullptr);
+    constexpr int kFirst = static_cast<int>(glib::CommandId::firstPrimitive);
+    EXPECT_EQ(
+        actionOf(static_cast<glib::CommandId>(kFirst + static_cast<int>(geometry::primitives().size()))),
+        nullptr);
 }
 
 TEST(Primitives, MeshesHaveTheSizesOfTheLanguage) {

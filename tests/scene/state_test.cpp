@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "support.h"
 
@@ -47,9 +48,22 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
     EXPECT_EQ(draw.timerPeriod, 10);
     EXPECT_EQ(scene.width, 600);
     EXPECT_EQ(scene.height, 600);
-    EXPECT_EQ(scene.passes.at(0).clearColors.at(0), glm::dvec4(18 / 255., 27 / 255., 33 / 255., 1));
+    EXPECT_EQ(scene.frame.passes.at(0).clearColors.at(0), glm::dvec4(18 / 255., 27 / 255., 33 / 255., 1));
     EXPECT_FALSE(scene.usesLookAt);
     EXPECT_TRUE(scene.diagnostics.empty());
+}
+
+TEST(DrawIds, AreDifferentWithinAScene) {
+    const std::string text =
+        "Sphere\n\nBox\nglBegin lines\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nSphere\nTeapot\n";
+    std::set<DrawId> ids;
+    for (const Draw& draw : drawsOf(run(text))) {
+        EXPECT_EQ(draw.id.line, draw.place.line);
+        EXPECT_EQ(draw.id.file, 0);
+        EXPECT_EQ(draw.id.counter, 0) << "one draw per line";
+        EXPECT_TRUE(ids.insert(draw.id).second);
+    }
+    EXPECT_EQ(ids.size(), 5U);
 }
 
 TEST(State, LaterStatementsNeverChangeEarlierDraws) {

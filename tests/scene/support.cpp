@@ -18,7 +18,7 @@ Scene run(std::string_view text, const std::filesystem::path& path, const Interp
 
 std::vector<Draw> drawsOf(const Scene& scene) {
     std::vector<Draw> draws;
-    for (const Pass& pass : scene.passes)
+    for (const Pass& pass : scene.frame.passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<Draw>(&step)) draws.push_back(*draw);
     return draws;

@@ -248,7 +248,7 @@ TEST(HomogeneousVertices, HaveFiniteFrames) {
 std::vector<ClipTriangle> clipTriangles(const std::string& text) {
     const scene::Scene scene = interpreted(text);
     const geometry::Mesh mesh = meshOf(text);
-    const scene::Draw& draw = std::get<scene::Draw>(scene.passes.at(0).steps.at(0));
+    const scene::Draw& draw = std::get<scene::Draw>(scene.frame.passes.at(0).steps.at(0));
     const glm::dmat4 matrix = scene::projectionMatrix(draw.projection, 1) * draw.modelView;
     const geometry::Attribute& positions = *mesh.attribute(geometry::kPosition);
     std::vector<ClipTriangle> triangles;

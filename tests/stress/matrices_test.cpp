@@ -19,8 +19,8 @@ const char* const kView =
 glm::dmat4 modelViewOf(const std::string& text) {
     const scene::Scene scene = interpreted(text + "\nSphere\n");
     EXPECT_FALSE(hasError(scene.diagnostics)) << stress::text(scene.diagnostics);
-    if (scene.passes.empty() || scene.passes[0].steps.empty()) return glm::dmat4(0.);
-    return std::get<scene::Draw>(scene.passes[0].steps[0]).modelView;
+    if (scene.frame.passes.empty() || scene.frame.passes[0].steps.empty()) return glm::dmat4(0.);
+    return std::get<scene::Draw>(scene.frame.passes[0].steps[0]).modelView;
 }
 
 double largest(const glm::dmat4& matrix) {

@@ -133,11 +133,11 @@ TEST(OutOfSight, APickedObjectIsTheSameWhateverIsLeftOutBeforeIt) {
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(32, 32);
     ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->line, 7);
+    EXPECT_EQ(session.picked()->draw.line, 7);
     EXPECT_EQ(session.picked()->ordinal, 1);
     ASSERT_TRUE(session.reload());
     ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->line, 7);
+    EXPECT_EQ(session.picked()->draw.line, 7);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ using view::Session;
 
 int lineAt(Session& session, int x, int y) {
     session.pickAt(x, y);
-    return session.picked() ? session.picked()->line : 0;
+    return session.picked() ? session.picked()->draw.line : 0;
 }
 
 TEST(Picking, FindsTheNearestObjectWhateverTheOrder) {

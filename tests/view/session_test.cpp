@@ -249,6 +249,8 @@ TEST(Transforms, OfAnObjectAreItsOwn) {
     EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{51, 102, 153}));
     view.objects.front().line = 5;
     EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{0, 0, 0}));
+    view.objects = {{DrawId{6, 0, 1}, translation(.2, .4, .6)}};
+    EXPECT_EQ(shownMatrix("uModelViewMatrix", view), (Color{0, 0, 0})) << "that line's second draw";
 }
 
 TEST(Transforms, SurviveTheTripThroughNumbers) {

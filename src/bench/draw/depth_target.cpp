@@ -52,8 +52,8 @@ Result<DepthTarget> DepthTarget::create(const gpu::Capabilities& capabilities, G
         gpu::Renderbuffer::color(capabilities, side, side, gpu::TexelFormat::rgba8);
     if (!color) return std::move(color.diagnostics);
     target.color_ = std::move(*color);
-    const std::array<gpu::ColorAttachment, 1> colors{&target.color_};
-    Result<gpu::Framebuffer> framebuffer = gpu::Framebuffer::create(colors, nullptr);
+    const std::array<gpu::Attachment, 1> colors{&target.color_};
+    Result<gpu::Framebuffer> framebuffer = gpu::Framebuffer::create(colors);
     if (!framebuffer) return std::move(framebuffer.diagnostics);
     target.framebuffer_ = std::move(*framebuffer);
 

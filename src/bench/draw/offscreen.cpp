@@ -7,16 +7,13 @@
 
 #include "gpu/context/errors.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/query.h"
 #include "gpu/object/readback.h"
 
 namespace glibra::bench {
 namespace {
 
 constexpr std::string_view kVersion = "#version 410 core\n";
-
-void deleteQueryName(GLuint name) {
-    glDeleteQueries(1, &name);
-}
 
 std::string logOf(const gpu::BuildOutcome& outcome) {
     std::string log;
@@ -122,9 +119,7 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     Result<gpu::Buffer> buffer =
         gpu::Buffer::create(vertexBytes * static_cast<std::size_t>(mostVertices), GL_STREAM_READ);
     if (!buffer) return std::move(buffer.diagnostics);
-    GLuint queries[2] = {0, 0};
-    glGenQueries(2, queries);
-    const gpu::Name<deleteQueryName> made(queries[0]), written(queries[1]);
+    const gpu::Query made(GL_PRIMITIVES_GENERATED), written(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
 
     gpu::clearErrors();
     const gpu::VertexArray none{{}};
@@ -132,17 +127,15 @@ Result<Captured> capture(const gpu::Capabilities& capabilities, const gpu::Progr
     program.use();  // before the feedback starts, which forbids it
     buffer->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
     glEnable(GL_RASTERIZER_DISCARD);
-    glBeginQuery(GL_PRIMITIVES_GENERATED, made.get());
-    glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, written.get());
+    made.begin();
+    written.begin();
     glBeginTransformFeedback(captures);
     glDrawArrays(primitive, 0, count);
     glEndTransformFeedback();
-    glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-    glEndQuery(GL_PRIMITIVES_GENERATED);
+    written.end();
+    made.end();
     glDisable(GL_RASTERIZER_DISCARD);
-    GLuint generated = 0, kept = 0;
-    glGetQueryObjectuiv(made.get(), GL_QUERY_RESULT, &generated);
-    glGetQueryObjectuiv(written.get(), GL_QUERY_RESULT, &kept);
+    const std::uint64_t generated = made.result(), kept = written.result();
 
     Captured result;
     result.primitives = static_cast<int>(kept);

@@ -73,6 +73,7 @@ void readSizes(Capabilities& driver) {
     driver.max2DTextureSide = integer(GL_MAX_TEXTURE_SIZE);
     driver.max1DTextureSide = driver.max2DTextureSide;
     driver.max3DTextureSide = integer(GL_MAX_3D_TEXTURE_SIZE);
+    driver.maxArrayLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     driver.maxCubeSide = integer(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     driver.maxRenderbufferSide = integer(GL_MAX_RENDERBUFFER_SIZE);
     std::array<GLint, 2> viewport{};
@@ -113,6 +114,20 @@ void readStages(Capabilities& driver) {
         driver.maxStorageBufferBindings = integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
 }
 
+void readCompute(Capabilities& driver) {
+    if (driver.atLeast(4, 2))
+        driver.maxAtomicCounterBindings = integer(GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS);
+    driver.compute = driver.atLeast(4, 3);
+    if (!driver.compute) return;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &driver.maxStorageBlockBytes);
+    for (GLuint axis = 0; axis < 3; ++axis) {
+        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, axis, &driver.maxComputeGroups.at(axis));
+        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_SIZE, axis, &driver.maxComputeLocalSize.at(axis));
+    }
+    driver.maxComputeInvocations = integer(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
+    driver.maxComputeSharedBytes = integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
+}
+
 void readRaster(Capabilities& driver) {
     std::array<GLfloat, 2> range{1, 1};
     glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
@@ -146,6 +161,7 @@ Capabilities readCapabilities(bool throughOsmesa) {
     readSizes(driver);
     readUnits(driver);
     readStages(driver);
+    readCompute(driver);
     readRaster(driver);
     driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
     driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");

@@ -2,6 +2,8 @@
 // What the driver can do, as numbers that are read once when a context is opened. Reading them needs no GL
 // call.
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,7 @@ struct Capabilities {
     int max2DTextureSide = 0;
     int max3DTextureSide = 0;
     int maxCubeSide = 0;
+    int maxArrayLayers = 256;
     int maxRenderbufferSide = 0;
     int maxViewportWidth = 0, maxViewportHeight = 0;
     int maxSamples = 1;  ///< of colour and depth renderbuffers
@@ -44,6 +47,14 @@ struct Capabilities {
     int maxUniformBlockBytes = 16384;
     int maxUniformBufferBindings = 0;
     int maxStorageBufferBindings = 0;  ///< 0 below GL 4.3
+    std::int64_t maxStorageBlockBytes = 0;
+    int maxAtomicCounterBindings = 0;  ///< 0 below GL 4.2
+
+    bool compute = false;                   ///< compute stages, storage buffers, indirect dispatches: GL 4.3
+    std::array<int, 3> maxComputeGroups{};  ///< per dispatch
+    std::array<int, 3> maxComputeLocalSize{};  ///< invocations per group, by axis
+    int maxComputeInvocations = 0;             ///< per group, all axes together
+    int maxComputeSharedBytes = 0;
 
     double minLineWidth = 1, maxLineWidth = 1;  ///< pixels, not antialiased
     bool wideLines = false;                     ///< false: a width above 1 is an error in this context

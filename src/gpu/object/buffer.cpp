@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "gpu/context/errors.h"
 
@@ -44,6 +45,27 @@ void Buffer::update(std::size_t offset, std::span<const std::byte> content) {
     glBindBuffer(kUploadTarget, id());
     glBufferSubData(kUploadTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
                     content.data());
+}
+
+void Buffer::clear(const Capabilities& capabilities) {
+    if (size_ == 0) return;
+    if (!capabilities.atLeast(4, 3)) return update(0, std::vector<std::byte>(size_));
+    glBindBuffer(kUploadTarget, id());
+    glClearBufferData(kUploadTarget, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+}
+
+void Buffer::copyFrom(const Buffer& other) {
+    glBindBuffer(GL_COPY_READ_BUFFER, other.id());
+    glBindBuffer(kUploadTarget, id());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, kUploadTarget, 0, 0,
+                        static_cast<GLsizeiptr>(std::min(size_, other.size_)));
+}
+
+void Buffer::read(std::size_t offset, std::span<std::byte> content) const {
+    if (offset >= size_) return;
+    glBindBuffer(GL_COPY_READ_BUFFER, id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
+                       static_cast<GLsizeiptr>(std::min(content.size(), size_ - offset)), content.data());
 }
 
 }  // namespace glibra::gpu

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "gpu/context/capabilities.h"
 #include "gpu/object/name.h"
 
 namespace glibra::gpu {
@@ -14,7 +15,8 @@ inline void deleteBuffer(GLuint name) {
     glDeleteBuffers(1, &name);
 }
 
-/// Device memory for vertices, indices and uniform blocks. Its size never changes.
+/// Device memory for vertices, indices, uniform and storage blocks, atomic counters and the arguments of
+/// indirect draws and dispatches. Its size never changes.
 class Buffer {
   public:
     /// `usage` is GL_STATIC_DRAW, GL_DYNAMIC_DRAW ... Reports draw-E05 if the device has no memory for it.
@@ -24,7 +26,14 @@ class Buffer {
 
     /// Overwrites a part. Bytes that would lie outside are ignored.
     void update(std::size_t offset, std::span<const std::byte> content);
-    /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER.
+    /// Sets all bytes to zero.
+    void clear(const Capabilities& capabilities);
+    /// Copies the other buffer's content, as much of it as fits.
+    void copyFrom(const Buffer& other);
+    /// Reads bytes from `offset` on. Waits for the device. Bytes that would lie outside are left as they are.
+    void read(std::size_t offset, std::span<std::byte> content) const;
+    /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER,
+    /// GL_SHADER_STORAGE_BUFFER, GL_ATOMIC_COUNTER_BUFFER.
     void bindBase(GLenum target, GLuint index) const { glBindBufferBase(target, index, id()); }
     void bind(GLenum target) const { glBindBuffer(target, id()); }
 

@@ -11,8 +11,6 @@
 namespace glibra::gpu {
 namespace {
 
-constexpr GLenum kDepthFormat = GL_DEPTH_COMPONENT24;
-
 const char* incompleteness(GLenum status) {
     switch (status) {
         case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
@@ -21,6 +19,8 @@ const char* incompleteness(GLenum status) {
             return "it has neither colour nor depth";
         case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
             return "their numbers of samples differ";
+        case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
+            return "some have layers and others have none";
         case GL_FRAMEBUFFER_UNSUPPORTED:
             return "the driver does not support this combination of formats";
         default:
@@ -29,18 +29,53 @@ const char* incompleteness(GLenum status) {
     return "it is incomplete";
 }
 
-void attach(GLenum point, const ColorAttachment& attachment) {
-    if (const auto* texture = std::get_if<const Texture*>(&attachment))
-        glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, *texture ? (*texture)->id() : 0, 0);
-    else if (const Renderbuffer* buffer = std::get<const Renderbuffer*>(attachment))
-        glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer->id());
-}
+struct Attach {
+    std::size_t index = 0;  ///< of the colour
+    void operator()(const TexturePart& part) const {
+        attachTexture(GL_DRAW_FRAMEBUFFER, attachmentPoint(part.texture->format(), index), part);
+    }
+    void operator()(const Texture* texture) const {
+        if (texture) (*this)(TexturePart{texture});
+    }
+    void operator()(const Renderbuffer* buffer) const {
+        if (buffer)
+            glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, attachmentPoint(buffer->format(), index),
+                                      GL_RENDERBUFFER, buffer->id());
+    }
+};
 
 }  // namespace
 
+GLenum attachmentPoint(TexelFormat format, std::size_t index) {
+    if (hasStencil(format)) return GL_DEPTH_STENCIL_ATTACHMENT;
+    return hasDepth(format) ? GL_DEPTH_ATTACHMENT : static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index);
+}
+
+void attachTexture(GLenum framebufferTarget, GLenum point, const TexturePart& part) {
+    const Texture& texture = *part.texture;
+    const int layer = part.layer.value_or(0);
+    if (part.isLayered()) return glFramebufferTexture(framebufferTarget, point, texture.id(), part.level);
+    switch (texture.shape()) {
+        case TextureShape::texture1D:
+            return glFramebufferTexture1D(framebufferTarget, point, GL_TEXTURE_1D, texture.id(), part.level);
+        case TextureShape::texture3D:
+        case TextureShape::array2D:
+            return glFramebufferTextureLayer(framebufferTarget, point, texture.id(), part.level, layer);
+        case TextureShape::cube:
+            return glFramebufferTexture2D(framebufferTarget, point,
+                                          GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(layer),
+                                          texture.id(), part.level);
+        case TextureShape::texture2D:
+        case TextureShape::multisampled:
+            return glFramebufferTexture2D(framebufferTarget, point, glTarget(texture.shape()), texture.id(),
+                                          part.level);
+    }
+}
+
 Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int width, int height,
-                                          GLenum format, std::size_t bytesPerPixel, int samples) {
-    const int used = std::clamp(samples, 1, std::max(1, capabilities.maxSamples));
+                                          TexelFormat format, int samples) {
+    const int most = isInteger(format) ? capabilities.maxIntegerSamples : capabilities.maxSamples;
+    const int used = std::clamp(samples, 1, std::max(1, most));
     std::string what = "a " + std::to_string(width) + " x " + std::to_string(height) + " target";
     if (used > 1) what += " of " + std::to_string(used) + " samples";
     const int widest = std::min(capabilities.maxRenderbufferSide, capabilities.maxViewportWidth);
@@ -50,19 +85,21 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
         return diagnose("gpu-E04", what + " is too large; this driver's limit is " + std::to_string(widest) +
                                        " x " + std::to_string(highest));
     const auto bytes = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
-                       bytesPerPixel * static_cast<std::uint64_t>(used);
+                       bytesPerTexel(format) * static_cast<std::uint64_t>(used);
     what += " (" + readableBytes(bytes) + ")";
 
     Renderbuffer made;
     GLuint name = 0;
     glGenRenderbuffers(1, &name);
     made.name_ = Name<deleteRenderbuffer>(name);
+    made.format_ = format;
     made.width_ = width;
     made.height_ = height;
     clearErrors();
     glBindRenderbuffer(GL_RENDERBUFFER, name);
     // 0 samples means not multisampled; some drivers make a multisampled buffer for 1.
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, used > 1 ? used : 0, format, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, used > 1 ? used : 0, internalFormat(format), width,
+                                     height);
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
     GLint given = 0;
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &given);
@@ -72,15 +109,15 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
 
 Result<Renderbuffer> Renderbuffer::color(const Capabilities& capabilities, int width, int height,
                                          TexelFormat format, int samples) {
-    return create(capabilities, width, height, internalFormat(format), bytesPerTexel(format), samples);
+    return create(capabilities, width, height, format, samples);
 }
 
-Result<Renderbuffer> Renderbuffer::depth(const Capabilities& capabilities, int width, int height,
-                                         int samples) {
-    return create(capabilities, width, height, kDepthFormat, 4, samples);
+Result<Renderbuffer> Renderbuffer::depth(const Capabilities& capabilities, int width, int height, int samples,
+                                         TexelFormat format) {
+    return create(capabilities, width, height, format, samples);
 }
 
-Result<Framebuffer> Framebuffer::create(std::span<const ColorAttachment> colors, const Renderbuffer* depth) {
+Result<Framebuffer> Framebuffer::create(std::span<const Attachment> colors, const Attachment& depth) {
     Framebuffer made;
     GLuint name = 0;
     glGenFramebuffers(1, &name);
@@ -88,13 +125,11 @@ Result<Framebuffer> Framebuffer::create(std::span<const ColorAttachment> colors,
     made.colorCount_ = static_cast<int>(colors.size());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
     std::vector<GLenum> outputs;
-    for (const ColorAttachment& each : colors) {
-        const auto point = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + outputs.size());
-        attach(point, each);
-        outputs.push_back(point);
+    for (const Attachment& each : colors) {
+        std::visit(Attach{outputs.size()}, each);
+        outputs.push_back(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + outputs.size()));
     }
-    if (depth)
-        glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth->id());
+    std::visit(Attach{}, depth);
     if (outputs.empty())
         glDrawBuffer(GL_NONE);
     else

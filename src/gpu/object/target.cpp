@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "gpu/format/number.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -27,7 +29,7 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
     target.depth_ = kept(std::move(*depth));
     target.storage_.push_back(kept(std::move(*color)));
 
-    const std::array<ColorAttachment, 1> drawn{target.storage_.back().get()};
+    const std::array<Attachment, 1> drawn{target.storage_.back().get()};
     auto framebuffer = Framebuffer::create(drawn, target.depth_.get());
     if (!framebuffer) return framebuffer.diagnostics;
     target.drawn_ = std::move(*framebuffer);
@@ -36,8 +38,8 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
     auto single = Renderbuffer::color(capabilities, width, height, format);
     if (!single) return single.diagnostics;
     target.storage_.push_back(kept(std::move(*single)));
-    const std::array<ColorAttachment, 1> readable{target.storage_.back().get()};
-    auto resolved = Framebuffer::create(readable, nullptr);
+    const std::array<Attachment, 1> readable{target.storage_.back().get()};
+    auto resolved = Framebuffer::create(readable);
     if (!resolved) return resolved.diagnostics;
     target.resolved_ = std::move(*resolved);
     return target;
@@ -59,8 +61,8 @@ Result<Target> Target::textures(const Capabilities& capabilities, std::span<cons
     target.width_ = size.width;
     target.height_ = size.height;
     target.format_ = textures.front()->format();
-    std::vector<ColorAttachment> direct;
-    std::vector<ColorAttachment> drawn;
+    std::vector<Attachment> direct;
+    std::vector<Attachment> drawn;
     for (const Texture* each : textures) {
         direct.emplace_back(each);
         if (samples <= 1) continue;
@@ -81,9 +83,74 @@ Result<Target> Target::textures(const Capabilities& capabilities, std::span<cons
     if (!framebuffer) return framebuffer.diagnostics;
     target.drawn_ = std::move(*framebuffer);
     if (drawn.empty()) return target;
-    auto resolved = Framebuffer::create(direct, nullptr);
+    auto resolved = Framebuffer::create(direct);
     if (!resolved) return resolved.diagnostics;
     target.resolved_ = std::move(*resolved);
+    return target;
+}
+
+Result<Target> Target::parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
+                             const std::optional<TexturePart>& depth, SharedDepth implicitDepth) {
+    if (colors.empty() && !depth) return diagnose("gpu-E05", "a render target needs at least one texture");
+    if (colors.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
+        return diagnose("gpu-E04", std::to_string(colors.size()) +
+                                       " colour targets; this driver's limit is " +
+                                       std::to_string(capabilities.maxDrawBuffers));
+    std::vector<TexturePart> all(colors.begin(), colors.end());
+    if (depth) all.push_back(*depth);
+    const TexturePart& first = all.front();
+    const TextureSize size = first.size();
+    for (const TexturePart& each : all)
+        if (each.size().width != size.width || each.size().height != size.height ||
+            each.isLayered() != first.isLayered() ||
+            (each.isLayered() && each.texture->layers(each.level) != first.texture->layers(first.level)) ||
+            each.texture->samples() != first.texture->samples())
+            return diagnose(
+                "gpu-E05",
+                "textures that are drawn into together must have the same size, layers and samples");
+    for (const TexturePart& each : colors) {
+        const TexelFormat format = each.texture->format();
+        if (hasDepth(format) || !useOf(capabilities, format).color)
+            return diagnose("gpu-E05", "this driver cannot draw colours into " + std::string(name(format)));
+    }
+    if (depth && !useOf(capabilities, depth->texture->format()).depth)
+        return diagnose("gpu-E05",
+                        "this driver cannot draw depth into " + std::string(name(depth->texture->format())));
+
+    Target target;
+    target.width_ = size.width;
+    target.height_ = size.height;
+    target.samples_ = first.texture->samples();
+    target.format_ = first.texture->format();
+    std::vector<Attachment> attachments;
+    for (const TexturePart& each : colors) {
+        attachments.emplace_back(each);
+        target.formats_.push_back(each.texture->format());
+    }
+    Attachment depthAttachment = kNothing;
+    if (depth) {
+        depthAttachment = *depth;
+    } else if (first.isLayered()) {
+        const bool isCube = first.texture->shape() == TextureShape::cube;
+        const int layers = first.texture->layers(first.level);
+        auto own = Texture::create(capabilities, {isCube ? TextureShape::cube : TextureShape::array2D,
+                                                  TexelFormat::depth24,
+                                                  {size.width, size.height, isCube ? 1 : layers}});
+        if (!own) return own.diagnostics;
+        target.layeredDepth_ = kept(std::move(*own));
+        depthAttachment = TexturePart{target.layeredDepth_.get()};
+    } else {
+        if (!implicitDepth) {
+            auto own = Renderbuffer::depth(capabilities, size.width, size.height, target.samples_);
+            if (!own) return own.diagnostics;
+            implicitDepth = kept(std::move(*own));
+        }
+        target.depth_ = std::move(implicitDepth);
+        depthAttachment = target.depth_.get();
+    }
+    auto framebuffer = Framebuffer::create(attachments, depthAttachment);
+    if (!framebuffer) return framebuffer.diagnostics;
+    target.drawn_ = std::move(*framebuffer);
     return target;
 }
 
@@ -96,9 +163,25 @@ void Target::clearColor(int index, const std::array<float, 4>& rgba) const {
     glClearBufferfv(GL_COLOR, index, rgba.data());
 }
 
-void Target::clearDepth() const {
-    constexpr GLfloat kFar = 1;
-    glClearBufferfv(GL_DEPTH, 0, &kFar);
+void Target::clearColorOfAnyFormat(int index, const std::array<double, 4>& rgba) const {
+    const auto position = static_cast<std::size_t>(index);
+    const TexelFormat format = position < formats_.size() ? formats_[position] : format_;
+    const auto converted = [&](auto convert) {
+        return std::array{convert(rgba[0]), convert(rgba[1]), convert(rgba[2]), convert(rgba[3])};
+    };
+    if (rowOf(format).kind == base::TexelClass::integer)
+        return glClearBufferiv(GL_COLOR, index, converted(toInt).data());
+    if (rowOf(format).kind == base::TexelClass::unsignedInteger)
+        return glClearBufferuiv(GL_COLOR, index, converted(toUnsigned).data());
+    clearColor(index, converted(toFloat));
+}
+
+void Target::clearDepth(float depth) const {
+    glClearBufferfv(GL_DEPTH, 0, &depth);
+}
+
+void Target::clearStencil(int value) const {
+    glClearBufferiv(GL_STENCIL, 0, &value);
 }
 
 void Target::resolve() const {

@@ -28,12 +28,22 @@ class Target {
     static Result<Target> textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
                                    int samples = 1, SharedDepth depth = {});
 
+    /// Makes a target of parts of textures, which must outlive it: colour output i goes to colors[i], depth
+    /// and stencil to `depth`. All have the same size and number of samples; layered and other parts do not
+    /// go together. With colours only, the target makes a depth buffer; a given one must fit. Nothing is
+    /// resolved. Reports gpu-E05 if they do not fit together.
+    static Result<Target> parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
+                                const std::optional<TexturePart>& depth, SharedDepth implicitDepth = {});
+
     /// Binds the target for drawing and sets the viewport to the whole of it.
     void bind() const;
     /// Clears a colour of the bound target, all samples. Only float formats keep values outside 0..1.
     void clearColor(int index, const std::array<float, 4>& rgba) const;
-    /// Clears the depth of the bound target to the far plane.
-    void clearDepth() const;
+    /// The same for any format: integers get the truncated values.
+    void clearColorOfAnyFormat(int index, const std::array<double, 4>& rgba) const;
+    /// Clears the depth of the bound target, by default to the far plane.
+    void clearDepth(float depth = 1) const;
+    void clearStencil(int value = 0) const;
     /// Averages the samples into what readable() reads; does nothing for one sample. Call bind() again before
     /// drawing more.
     void resolve() const;
@@ -51,6 +61,8 @@ class Target {
     // Framebuffers refer to renderbuffers by address, hence the pointers.
     std::vector<std::unique_ptr<const Renderbuffer>> storage_;
     SharedDepth depth_;
+    std::unique_ptr<const Texture> layeredDepth_;
+    std::vector<TexelFormat> formats_;  ///< of the colours
     Framebuffer drawn_;
     std::optional<Framebuffer> resolved_;
     int width_ = 0, height_ = 0, samples_ = 1;

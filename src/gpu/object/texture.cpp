@@ -1,9 +1,13 @@
 #include "gpu/object/texture.h"
 
+#include <algorithm>
+#include <bit>
 #include <string>
 #include <vector>
 
 #include "gpu/context/errors.h"
+#include "gpu/object/framebuffer.h"
+#include "gpu/state/raster_tracker.h"
 
 namespace glibra::gpu {
 namespace {
@@ -16,6 +20,8 @@ int largestSide(const Capabilities& capabilities, TextureShape shape) {
         case TextureShape::texture1D:
             return capabilities.max1DTextureSide;
         case TextureShape::texture2D:
+        case TextureShape::array2D:
+        case TextureShape::multisampled:
             return capabilities.max2DTextureSide;
         case TextureShape::texture3D:
             return capabilities.max3DTextureSide;
@@ -25,12 +31,14 @@ int largestSide(const Capabilities& capabilities, TextureShape shape) {
     return capabilities.maxCubeSide;
 }
 
-/// "a 256 x 128 texture (RGBA8)".
+/// "a 256 x 128 texture (rgba8)".
 std::string describe(TextureShape shape, TexelFormat format, TextureSize size) {
     std::string text = "a " + std::to_string(size.width);
     if (shape != TextureShape::texture1D) text += " x " + std::to_string(size.height);
     if (shape == TextureShape::texture3D) text += " x " + std::to_string(size.depth);
-    return text + (shape == TextureShape::cube ? " cube map (" : " texture (") + name(format) + ")";
+    if (shape == TextureShape::array2D) text += ", " + std::to_string(size.depth) + " layers";
+    return text + (shape == TextureShape::cube ? " cube map (" : " texture (") + std::string(name(format)) +
+           ")";
 }
 
 std::uint64_t texelCount(TextureShape shape, TextureSize size) {
@@ -39,66 +47,88 @@ std::uint64_t texelCount(TextureShape shape, TextureSize size) {
     return shape == TextureShape::cube ? 6 * count : count;
 }
 
-/// Allocates the texels; from GL 4.2 on as immutable storage.
-void allocate(bool immutable, TextureShape shape, TexelFormat format, TextureSize size) {
+/// Allocates one level by the calls of GL 4.1.
+void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int level) {
     const GLenum target = glTarget(shape);
-    const GLenum inside = internalFormat(format);
-    const auto loose = static_cast<GLint>(inside);
+    const auto inside = static_cast<GLint>(internalFormat(format));
+    const auto [layout, type] = nativeTransfer(format);
     switch (shape) {
         case TextureShape::texture1D:
-            if (immutable)
-                glTexStorage1D(target, 1, inside, size.width);
-            else
-                glTexImage1D(target, 0, loose, size.width, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            glTexImage1D(target, level, inside, size.width, 0, layout, type, nullptr);
             break;
         case TextureShape::texture2D:
-            if (immutable)
-                glTexStorage2D(target, 1, inside, size.width, size.height);
-            else
-                glTexImage2D(target, 0, loose, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                             nullptr);
+            glTexImage2D(target, level, inside, size.width, size.height, 0, layout, type, nullptr);
             break;
         case TextureShape::texture3D:
-            if (immutable)
-                glTexStorage3D(target, 1, inside, size.width, size.height, size.depth);
-            else
-                glTexImage3D(target, 0, loose, size.width, size.height, size.depth, 0, GL_RGBA,
-                             GL_UNSIGNED_BYTE, nullptr);
+        case TextureShape::array2D:
+            glTexImage3D(target, level, inside, size.width, size.height, size.depth, 0, layout, type,
+                         nullptr);
             break;
         case TextureShape::cube:
-            if (immutable) {
-                glTexStorage2D(target, 1, inside, size.width, size.height);
-                break;
-            }
             for (GLenum face = 0; face < 6; ++face)
-                glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, loose, size.width, size.height, 0,
-                             GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+                glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, inside, size.width, size.height, 0,
+                             layout, type, nullptr);
+            break;
+        case TextureShape::multisampled:
             break;
     }
 }
 
-void upload(TextureShape shape, TextureSize size, const Texels& texels) {
-    const GLenum format = glFormat(texels.components);
-    const GLenum type = glType(texels.type);
-    const std::byte* data = texels.data.data();
-    switch (shape) {
+/// Allocates the texels of the bound texture; from GL 4.2 on as immutable storage.
+void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
+    const GLenum target = glTarget(layout.shape);
+    const GLenum inside = internalFormat(layout.format);
+    const auto& [width, height, depth] = layout.size;
+    if (layout.shape == TextureShape::multisampled) {
+        // The sample positions are those of renderbuffers, which such textures are drawn together with.
+        if (capabilities.atLeast(4, 3))
+            glTexStorage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
+        else
+            glTexImage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
+        return;
+    }
+    if (!capabilities.atLeast(4, 2)) {
+        for (int level = 0; level < layout.levels; ++level)
+            allocateLevel(layout.shape, layout.format, sizeOfLevel(layout.shape, layout.size, level), level);
+        return;
+    }
+    switch (layout.shape) {
         case TextureShape::texture1D:
-            glTexSubImage1D(GL_TEXTURE_1D, 0, 0, size.width, format, type, data);
-            break;
-        case TextureShape::texture2D:
-            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, format, type, data);
+            glTexStorage1D(target, layout.levels, inside, width);
             break;
         case TextureShape::texture3D:
-            glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.width, size.height, size.depth, format, type,
-                            data);
+        case TextureShape::array2D:
+            glTexStorage3D(target, layout.levels, inside, width, height, depth);
             break;
-        case TextureShape::cube: {
-            const std::size_t face = texels.data.size() / 6;
+        default:
+            glTexStorage2D(target, layout.levels, inside, width, height);
+            break;
+    }
+}
+
+/// Fills a level of the bound texture. `faceBytes`: bytes of one face of a cube map.
+void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfer, const std::byte* data,
+               std::size_t faceBytes) {
+    const auto [format, type] = transfer;
+    switch (shape) {
+        case TextureShape::texture1D:
+            glTexSubImage1D(GL_TEXTURE_1D, level, 0, size.width, format, type, data);
+            break;
+        case TextureShape::texture2D:
+            glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, size.width, size.height, format, type, data);
+            break;
+        case TextureShape::texture3D:
+        case TextureShape::array2D:
+            glTexSubImage3D(glTarget(shape), level, 0, 0, 0, size.width, size.height, size.depth, format,
+                            type, data);
+            break;
+        case TextureShape::cube:
             for (GLenum i = 0; i < 6; ++i)
-                glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, 0, 0, size.width, size.height, format,
-                                type, data + i * face);
+                glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, level, 0, 0, size.width, size.height,
+                                format, type, data + i * faceBytes);
             break;
-        }
+        case TextureShape::multisampled:
+            break;
     }
 }
 
@@ -108,10 +138,65 @@ GLint glWrap(Wrap wrap) {
             return GL_REPEAT;
         case Wrap::clampToEdge:
             return GL_CLAMP_TO_EDGE;
+        case Wrap::clampToBorder:
+            return GL_CLAMP_TO_BORDER;
         case Wrap::mirroredRepeat:
             break;
     }
     return GL_MIRRORED_REPEAT;
+}
+
+/// Calls `with` for a framebuffer with that layer of that texture attached, for drawing or reading.
+template <class Use>
+void withAttached(GLenum framebufferTarget, const Texture& texture, int level, int layer, Use&& use) {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    const Name<deleteFramebuffer> framebuffer(name);
+    glBindFramebuffer(framebufferTarget, name);
+    attachTexture(framebufferTarget, attachmentPoint(texture.format(), 0), {&texture, level, layer});
+    use();
+}
+
+/// Puts back the framebuffers that were bound.
+class FramebufferBindings {
+  public:
+    FramebufferBindings() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+    }
+    FramebufferBindings(const FramebufferBindings&) = delete;
+    FramebufferBindings& operator=(const FramebufferBindings&) = delete;
+    ~FramebufferBindings() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+    }
+
+  private:
+    GLint drawn_ = 0, read_ = 0;
+};
+
+/// Clears colour 0, or depth and stencil, of the bound framebuffer to zero.
+void clearAttached(TexelFormat format) {
+    constexpr std::array<GLfloat, 4> kZeros{};
+    constexpr std::array<GLint, 4> kIntegers{};
+    constexpr std::array<GLuint, 4> kUnsigned{};
+    switch (rowOf(format).kind) {
+        case base::TexelClass::integer:
+            return glClearBufferiv(GL_COLOR, 0, kIntegers.data());
+        case base::TexelClass::unsignedInteger:
+            return glClearBufferuiv(GL_COLOR, 0, kUnsigned.data());
+        case base::TexelClass::depth:
+            return glClearBufferfv(GL_DEPTH, 0, kZeros.data());
+        case base::TexelClass::depthStencil:
+            return glClearBufferfi(GL_DEPTH_STENCIL, 0, 0, 0);
+        default:
+            return glClearBufferfv(GL_COLOR, 0, kZeros.data());
+    }
+}
+
+GLbitfield maskOf(TexelFormat format) {
+    if (hasStencil(format)) return GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    return hasDepth(format) ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT;
 }
 
 }  // namespace
@@ -124,105 +209,190 @@ GLenum glTarget(TextureShape shape) {
             return GL_TEXTURE_2D;
         case TextureShape::texture3D:
             return GL_TEXTURE_3D;
+        case TextureShape::array2D:
+            return GL_TEXTURE_2D_ARRAY;
+        case TextureShape::multisampled:
+            return GL_TEXTURE_2D_MULTISAMPLE;
         case TextureShape::cube:
             break;
     }
     return GL_TEXTURE_CUBE_MAP;
 }
 
-Result<Texture> Texture::make(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
-                              TextureSize size) {
+TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
+    const auto smaller = [&](int side) { return std::max(1, side >> std::min(level, 30)); };
+    return {smaller(size.width), smaller(size.height),
+            shape == TextureShape::array2D ? size.depth : smaller(size.depth)};
+}
+
+int mostLevels(TextureShape shape, TextureSize size) {
+    if (shape == TextureShape::multisampled) return 1;
+    const int depth = shape == TextureShape::texture3D ? size.depth : 1;
+    return static_cast<int>(
+        std::bit_width(static_cast<unsigned>(std::max({1, size.width, size.height, depth}))));
+}
+
+Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout layout) {
+    TextureSize& size = layout.size;
+    const TextureShape shape = layout.shape;
     if (shape == TextureShape::texture1D) size.height = 1;
-    if (shape != TextureShape::texture3D) size.depth = 1;
-    const std::string what = describe(shape, format, size);
+    if (shape != TextureShape::texture3D && shape != TextureShape::array2D) size.depth = 1;
+    if (shape != TextureShape::multisampled) layout.samples = 1;
+    const std::string what = describe(shape, layout.format, size);
     const int largest = largestSide(capabilities, shape);
     if (size.width < 1 || size.height < 1 || size.depth < 1)
         return diagnose("gpu-E04", what + " has no texels");
     if (shape == TextureShape::cube && size.width != size.height)
         return diagnose("gpu-E04", what + " is not square");
-    if (size.width > largest || size.height > largest || size.depth > largest)
-        return diagnose("gpu-E04", what + " is too large; this driver's limit is " + std::to_string(largest) +
-                                       " per side");
+    if (shape == TextureShape::texture3D && hasDepth(layout.format))
+        return diagnose("gpu-E04", what + ": depth formats need 1D, 2D, array or cube textures");
+    const bool isDeep =
+        shape == TextureShape::array2D ? size.depth > capabilities.maxArrayLayers : size.depth > largest;
+    if (size.width > largest || size.height > largest || isDeep)
+        return diagnose("gpu-E04",
+                        what + " is too large; this driver's limit is " + std::to_string(largest) +
+                            " per side" +
+                            (shape == TextureShape::array2D
+                                 ? " and " + std::to_string(capabilities.maxArrayLayers) + " layers"
+                                 : ""));
+    const int most = mostLevels(shape, size);
+    if (layout.levels < 1 || layout.levels > most)
+        return diagnose("gpu-E04", what + " has 1 to " + std::to_string(most) + " levels, not " +
+                                       std::to_string(layout.levels));
+    if (shape == TextureShape::multisampled) {
+        const int samples = useOf(capabilities, layout.format).samples;
+        if (samples < 2)
+            return diagnose("gpu-E04", what + ": this driver has no multisampled textures of that format");
+        layout.samples = std::clamp(layout.samples, 2, samples);
+    }
 
     Texture texture;
     GLuint name = 0;
     glGenTextures(1, &name);
     texture.name_ = Name<deleteTexture>(name);
     texture.shape_ = shape;
-    texture.format_ = format;
+    texture.format_ = layout.format;
     texture.size_ = size;
+    texture.levels_ = layout.levels;
     clearErrors();
     glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape), name);
-    allocate(capabilities.atLeast(4, 2), shape, format, size);
-    // A texture without mipmaps is complete only with this setting; the sampler sets the filtering.
-    glTexParameteri(glTarget(shape), GL_TEXTURE_MAX_LEVEL, 0);
+    const GLenum target = glTarget(shape);
+    glBindTexture(target, name);
+    allocate(capabilities, layout);
+    if (shape == TextureShape::multisampled) {
+        GLint samples = 0;
+        glGetTexLevelParameteriv(target, 0, GL_TEXTURE_SAMPLES, &samples);
+        texture.samples_ = std::max(1, samples);
+    } else {
+        // A texture is complete only if all levels up to this one exist; the sampler sets the filtering.
+        glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, layout.levels - 1);
+    }
     if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
     return texture;
 }
 
 Result<Texture> Texture::create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                 TextureSize size, const Texels& texels) {
-    Result<Texture> made = make(capabilities, shape, format, size);
+    Result<Texture> made = make(capabilities, {shape, format, size});
     if (!made) return made;
-    const std::uint64_t needed =
-        texelCount(shape, made->size_) * static_cast<std::uint64_t>(texels.components) * bytesOf(texels.type);
-    if (texels.components < 1 || texels.components > 4 || needed != texels.data.size())
-        return diagnose("gpu-E03", describe(shape, format, made->size_) + " takes " + std::to_string(needed) +
-                                       " bytes of texels, not " + std::to_string(texels.data.size()));
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    upload(shape, made->size_, texels);
-    if (const GLenum code = takeError(); code != GL_NO_ERROR)
-        return allocationError(code, describe(shape, format, made->size_));
+    Diagnostics problems = made->upload(0, texels);
+    if (!problems.empty()) return problems;
     return made;
 }
 
 Result<Texture> Texture::create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                 TextureSize size) {
-    Result<Texture> made = make(capabilities, shape, format, size);
-    if (made) made->clear();
+    return create(capabilities, {shape, format, size});
+}
+
+Result<Texture> Texture::create(const Capabilities& capabilities, const TextureLayout& layout) {
+    Result<Texture> made = make(capabilities, layout);
+    if (!made) return made;
+    clearErrors();
+    made->clear(capabilities);
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return allocationError(code, describe(made->shape_, made->format_, made->size_));
     return made;
 }
 
-void Texture::clear() {
-    // glClearTexImage needs GL 4.4. A framebuffer clears layer by layer in every version, and reads no
-    // memory.
-    GLuint framebuffer = 0;
-    GLint drawnBefore = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawnBefore);
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    const std::array<GLfloat, 4> nothing{};
-    const auto clearAttached = [&] {
-        glDrawBuffer(GL_COLOR_ATTACHMENT0);
-        glClearBufferfv(GL_COLOR, 0, nothing.data());
-    };
-    switch (shape_) {
-        case TextureShape::texture1D:
-            glFramebufferTexture1D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_1D, id(), 0);
-            clearAttached();
-            break;
-        case TextureShape::texture2D:
-            glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id(), 0);
-            clearAttached();
-            break;
-        case TextureShape::texture3D:
-            for (int layer = 0; layer < size_.depth; ++layer) {
-                glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, id(), 0, layer);
-                clearAttached();
-            }
-            break;
-        case TextureShape::cube:
-            for (GLenum face = 0; face < 6; ++face) {
-                glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
-                                       GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, id(), 0);
-                clearAttached();
-            }
-            break;
+Diagnostics Texture::upload(int level, const Texels& texels) {
+    const TextureSize size = sizeOfLevel(shape_, size_, level);
+    const std::uint64_t needed =
+        texelCount(shape_, size) * static_cast<std::uint64_t>(texels.components) * bytesOf(texels.type);
+    if (level < 0 || level >= levels_ || texels.components < 1 || texels.components > 4 ||
+        needed != texels.data.size() || shape_ == TextureShape::multisampled)
+        return {diagnose("gpu-E03", describe(shape_, format_, size) + " takes " + std::to_string(needed) +
+                                        " bytes of texels, not " + std::to_string(texels.data.size()))};
+    clearErrors();
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(shape_), id());
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    fillLevel(shape_, size, level, {glFormat(texels.components, format_), glType(texels.type)},
+              texels.data.data(), texels.data.size() / 6);
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return {allocationError(code, describe(shape_, format_, size))};
+    return {};
+}
+
+void Texture::clear(const Capabilities& capabilities) {
+    const FormatUse use = useOf(capabilities, format_);
+    if (use.color || use.depth) {
+        // A framebuffer clears layer by layer in every version, and reads no memory.
+        const FramebufferBindings bindings;
+        for (int level = 0; level < levels_; ++level)
+            for (int layer = 0; layer < layers(level); ++layer)
+                withAttached(GL_DRAW_FRAMEBUFFER, *this, level, layer, [&] {
+                    glDrawBuffer(hasDepth(format_) ? GL_NONE : GL_COLOR_ATTACHMENT0);
+                    clearAttached(format_);
+                });
+        return;
     }
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawnBefore));
-    glDeleteFramebuffers(1, &framebuffer);
+    if (shape_ == TextureShape::multisampled) return;
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(shape_), id());
+    for (int level = 0; level < levels_; ++level) {
+        const TextureSize size = sizeOfLevel(shape_, size_, level);
+        const std::vector<std::byte> zeros(texelCount(shape_, size) * bytesPerTexel(format_));
+        fillLevel(shape_, size, level, nativeTransfer(format_), zeros.data(), zeros.size() / 6);
+    }
+}
+
+void Texture::generateMipmaps() {
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(shape_), id());
+    glGenerateMipmap(glTarget(shape_));
+}
+
+Result<std::vector<std::byte>> Texture::read(int level, int components, TexelType type) const {
+    const TextureSize size = sizeOfLevel(shape_, size_, level);
+    if (level < 0 || level >= levels_ || components < 1 || components > 4 ||
+        shape_ == TextureShape::multisampled)
+        return diagnose("gpu-E03", describe(shape_, format_, size) + " cannot be read as level " +
+                                       std::to_string(level) + " with " + std::to_string(components) +
+                                       " components");
+    std::vector<std::byte> texels(texelCount(shape_, size) * static_cast<std::size_t>(components) *
+                                  bytesOf(type));
+    clearErrors();
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(shape_), id());
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const GLenum format = glFormat(components, format_);
+    if (shape_ == TextureShape::cube)
+        for (GLenum face = 0; face < 6; ++face)
+            glGetTexImage(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, format, glType(type),
+                          texels.data() + face * (texels.size() / 6));
+    else
+        glGetTexImage(glTarget(shape_), level, format, glType(type), texels.data());
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return allocationError(code, "reading " + describe(shape_, format_, size));
+    return texels;
+}
+
+int Texture::layers(int level) const {
+    if (shape_ == TextureShape::cube) return 6;
+    return sizeOfLevel(shape_, size_, level).depth;
 }
 
 void Texture::setSwizzle(const std::array<GLint, 4>& components) {
@@ -236,6 +406,40 @@ void Texture::bind(int unit) const {
     glBindTexture(glTarget(shape_), id());
 }
 
+void Texture::bindImage(int unit, int level, std::optional<int> layer, GLenum access) const {
+    glBindImageTexture(static_cast<GLuint>(unit), id(), level, layer ? GL_FALSE : GL_TRUE, layer.value_or(0),
+                       access, internalFormat(format_));
+}
+
+Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to) {
+    if (from.shape() != to.shape() || from.format() != to.format() || from.size() != to.size() ||
+        from.levels() != to.levels() || from.samples() != to.samples())
+        return {diagnose("gpu-E03", describe(from.shape(), from.format(), from.size()) +
+                                        " cannot be copied to " +
+                                        describe(to.shape(), to.format(), to.size()))};
+    clearErrors();
+    const FramebufferBindings bindings;
+    for (int level = 0; level < from.levels(); ++level) {
+        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
+        if (capabilities.atLeast(4, 3)) {
+            const GLenum target = glTarget(from.shape());
+            glCopyImageSubData(from.id(), target, level, 0, 0, 0, to.id(), target, level, 0, 0, 0, size.width,
+                               size.height, from.layers(level));
+            continue;
+        }
+        for (int layer = 0; layer < from.layers(level); ++layer)
+            withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
+                withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
+                    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
+                                      maskOf(from.format()), GL_NEAREST);
+                });
+            });
+    }
+    if (const GLenum code = takeError(); code != GL_NO_ERROR)
+        return {allocationError(code, "copying " + describe(from.shape(), from.format(), from.size()))};
+    return {};
+}
+
 Sampler::Sampler(const Sampling& sampling) {
     GLuint name = 0;
     glGenSamplers(1, &name);
@@ -247,6 +451,11 @@ Sampler::Sampler(const Sampling& sampling) {
     glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));
     if (sampling.anisotropy > 1)
         glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
+    if (sampling.border != std::array<float, 4>{})
+        glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, sampling.border.data());
+    if (!sampling.compare) return;
+    glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, static_cast<GLint>(glFunction(*sampling.compare)));
 }
 
 }  // namespace glibra::gpu

@@ -7,8 +7,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "base/raster_state.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
 #include "gpu/object/name.h"
@@ -22,23 +25,40 @@ inline void deleteSampler(GLuint name) {
     glDeleteSamplers(1, &name);
 }
 
-enum class TextureShape { texture1D, texture2D, texture3D, cube };
+/// `array2D`: layers of 2D textures. `multisampled`: 2D without levels, drawn into and read by texelFetch.
+enum class TextureShape { texture1D, texture2D, texture3D, cube, array2D, multisampled };
 
-/// GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP.
+/// GL_TEXTURE_1D and so on.
 GLenum glTarget(TextureShape shape);
 
-/// Size in texels; an unused dimension is 1. A cube map has width = height.
+/// Size in texels; an unused dimension is 1. A cube map has width = height. The depth of an array is its
+/// number of layers.
 struct TextureSize {
     int width = 1, height = 1, depth = 1;
     friend bool operator==(const TextureSize&, const TextureSize&) = default;
 };
 
+/// The size of a mipmap level, 0 being the largest. Layers of an array do not become fewer.
+TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level);
+/// Levels down to one texel.
+int mostLevels(TextureShape shape, TextureSize size);
+
 /// Texels in memory, tightly packed: the components of a texel, then s, t, p; t = 0 first. A cube map has six
-/// faces in the order +x -x +y -y +z -z, each with GL's first row first.
+/// faces in the order +x -x +y -y +z -z, each with GL's first row first. Textures of integers take integers
+/// only. A depth texture takes one component.
 struct Texels {
     std::span<const std::byte> data;
     int components = 4;  ///< 1..4; missing ones read as 0 (green, blue) and 1 (alpha)
     TexelType type = TexelType::u8;
+};
+
+/// The storage of a texture.
+struct TextureLayout {
+    TextureShape shape = TextureShape::texture2D;
+    TexelFormat format = TexelFormat::rgba8;
+    TextureSize size{};
+    int levels = 1;   ///< 1..mostLevels
+    int samples = 1;  ///< of `multisampled`; the driver may give more
 };
 
 class Texture {
@@ -50,6 +70,17 @@ class Texture {
     /// Makes a texture whose texels are all (0, 0, 0, 0).
     static Result<Texture> create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                   TextureSize size);
+    /// The same with levels or samples. Samples start as zero where the driver can draw into the format.
+    static Result<Texture> create(const Capabilities& capabilities, const TextureLayout& layout);
+
+    /// Replaces a whole level. Reports gpu-E03 for the wrong number of bytes. Not for multisampled textures.
+    Diagnostics upload(int level, const Texels& texels);
+    /// Sets all texels of all levels to zero.
+    void clear(const Capabilities& capabilities);
+    /// Makes all levels from level 0. Only for formats that can be filtered and drawn into.
+    void generateMipmaps();
+    /// Reads a whole level, laid out like Texels. Formats with stencil give their depth.
+    [[nodiscard]] Result<std::vector<std::byte>> read(int level, int components, TexelType type) const;
 
     /// Sets what each component reads when sampled: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE.
     void setSwizzle(const std::array<GLint, 4>& components);
@@ -57,23 +88,32 @@ class Texture {
     /// Binds the texture to a texture image unit of the context (not a unit of the scene language). create()
     /// and setSwizzle() use unit 0 and leave their texture bound there.
     void bind(int unit) const;
+    /// Binds a level to an image unit (GL 4.2), with all layers or faces or only one of them. `access` is
+    /// GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE.
+    void bindImage(int unit, int level, std::optional<int> layer, GLenum access) const;
 
     [[nodiscard]] GLuint id() const { return name_.get(); }
     [[nodiscard]] TextureShape shape() const { return shape_; }
     [[nodiscard]] TexelFormat format() const { return format_; }
     [[nodiscard]] TextureSize size() const { return size_; }
+    [[nodiscard]] int levels() const { return levels_; }
+    [[nodiscard]] int samples() const { return samples_; }
+    /// Layers that a framebuffer can select: 6 for a cube map, the depth at that level for 3D, 1 for 2D.
+    [[nodiscard]] int layers(int level = 0) const;
 
   private:
-    static Result<Texture> make(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
-                                TextureSize size);
-    void clear();
+    static Result<Texture> make(const Capabilities& capabilities, TextureLayout layout);
     Name<deleteTexture> name_;
     TextureShape shape_ = TextureShape::texture2D;
     TexelFormat format_ = TexelFormat::rgba8;
     TextureSize size_;
+    int levels_ = 1, samples_ = 1;
 };
 
-enum class Wrap { repeat, clampToEdge, mirroredRepeat };
+/// Copies all texels between textures with equal layouts. Reports gpu-E03 for unequal ones.
+Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to);
+
+enum class Wrap { repeat, clampToEdge, mirroredRepeat, clampToBorder };
 
 /// How texels are filtered and wrapped. The default is linear without mipmaps.
 struct Sampling {
@@ -81,6 +121,9 @@ struct Sampling {
     GLenum minify = GL_LINEAR;
     GLenum magnify = GL_LINEAR;
     float anisotropy = 1;
+    std::array<float, 4> border{};  ///< what clampToBorder reads outside
+    /// For sampler2DShadow and its like: 1 if (reference compared with texel) holds, else 0.
+    std::optional<base::Comparison> compare{};
 };
 
 class Sampler {

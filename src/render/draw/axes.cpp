@@ -54,7 +54,7 @@ std::vector<Vertex> vertices() {
 /// The projection of the last draw into the window.
 scene::Projection lastProjection(const scene::Scene& scene) {
     scene::Projection projection;
-    for (const scene::Pass& pass : scene.passes) {
+    for (const scene::Pass& pass : scene.frame.passes) {
         if (!pass.targets.empty()) continue;
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step)) projection = draw->projection;

@@ -25,25 +25,6 @@ std::array<float, 4> asFloats(const glm::dvec4& color) {
             static_cast<float>(color.a)};
 }
 
-GLenum imageFormat(gpu::TexelFormat format) {
-    return gpu::internalFormat(format);
-}
-
-/// A line without antialiasing is a whole number of pixels wide. Half-way values are rounded to even by one
-/// driver version and up by another; the smallest larger float makes all of them round up.
-double roundedUpAtHalf(double lineWidth) {
-    return lineWidth - std::floor(lineWidth) == 0.5
-               ? std::nextafter(static_cast<float>(lineWidth), std::numeric_limits<float>::max())
-               : lineWidth;
-}
-
-void enable(GLenum capability, bool on) {
-    if (on)
-        glEnable(capability);
-    else
-        glDisable(capability);
-}
-
 bool writesImages(const plan::PlannedDraw& planned) {
     return std::any_of(planned.textures.begin(), planned.textures.end(),
                        [](const plan::TextureUse& use) { return use.isImage; });
@@ -65,8 +46,7 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& pla
       device_(device),
       stats_(stats),
       states_(plan.programs.size()),
-      // Earlier drawing may have left any of them enabled.
-      clipDistances_(context.capabilities().maxClipDistances) {}
+      raster_(context.capabilities()) {}
 
 void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;
@@ -74,7 +54,7 @@ void FrameDrawer::skipOpaqueBlending() {
     for (const plan::PlannedPass& pass : plan_.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || !pass.pass->targets.empty()) continue;
+            if (!draw || !plan_.passOf(pass).targets.empty()) continue;
             const BuiltProgram* own = ownProgramOf(*draw);
             if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw->program).second)
                 continue;
@@ -86,7 +66,7 @@ void FrameDrawer::skipOpaqueBlending() {
 bool FrameDrawer::texturesComeFirst() const {
     bool windowSeen = false;
     for (const plan::PlannedPass& pass : plan_.passes) {
-        if (pass.pass->targets.empty())
+        if (plan_.passOf(pass).targets.empty())
             windowSeen = true;
         else if (windowSeen)
             return false;
@@ -95,13 +75,24 @@ bool FrameDrawer::texturesComeFirst() const {
 }
 
 Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
-    Diagnostics diagnostics;
     frame_ = &frame;
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_TRUE);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    forgetState();
+    Diagnostics diagnostics = drawPasses(window, frame);
+    // Others that draw with this context expect the state in which a pass begins.
+    raster_.limitTo({});
+    raster_.apply({});
+    raster_.limitTo(limit_);
+    return diagnostics;
+}
+
+void FrameDrawer::forgetState() {
+    raster_.forget();
+    clipDistances_.reset();
+    patchVertices_.reset();
+}
+
+Diagnostics FrameDrawer::drawPasses(const gpu::Target& window, const Frame& frame) {
+    Diagnostics diagnostics;
     std::size_t drawsBefore = 0;  // in the passes before this one
     std::size_t texturePass = 0;
     for (const plan::PlannedPass& pass : plan_.passes) {
@@ -109,11 +100,11 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
         drawsBefore += static_cast<std::size_t>(
             std::count_if(pass.steps.begin(), pass.steps.end(),
                           [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
-        const bool isWindow = pass.pass->targets.empty();
+        const bool isWindow = plan_.passOf(pass).targets.empty();
         if (!isWindow && !frame.texturePasses) continue;
         const gpu::Target* target = &window;
         if (!isWindow) {
-            Result<const gpu::Target*> made = device_.target(*pass.pass);
+            Result<const gpu::Target*> made = device_.target(plan_.passOf(pass));
             append(diagnostics, std::move(made.diagnostics));
             if (!made) return diagnostics;
             target = *made;
@@ -128,7 +119,7 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
                 append(diagnostics, drawOne(*draw, *target, isWindow));
                 ++drawIndex;
             } else {
-                clear(*target, *std::get<const scene::Clear*>(step), isWindow);
+                clear(*target, plan_.clearOf(std::get<plan::PlannedClear>(step)), isWindow);
             }
         }
         stats_.add("passes", 1);
@@ -136,16 +127,20 @@ Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
     return diagnostics;
 }
 
-void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const {
-    context_.debugLog().setPlace(pass.pass->place);
+void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) {
+    context_.debugLog().setPlace(plan_.passOf(pass).place);
     target.bind();
-    for (std::size_t i = 0; i < pass.pass->clearColors.size(); ++i)
-        if (const auto& color = pass.pass->clearColors[i])
-            target.clearColor(static_cast<int>(i), asFloats(clearColor(*color, pass.pass->targets.empty())));
-    if (pass.pass->clearDepth) target.clearDepth();
+    raster_.targetBound(target.width(), target.height());
+    raster_.openForClears();
+    for (std::size_t i = 0; i < plan_.passOf(pass).clearColors.size(); ++i)
+        if (const auto& color = plan_.passOf(pass).clearColors[i])
+            target.clearColor(static_cast<int>(i),
+                              asFloats(clearColor(*color, plan_.passOf(pass).targets.empty())));
+    if (plan_.passOf(pass).clearDepth) target.clearDepth();
 }
 
-void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const {
+void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) {
+    raster_.openForClears();
     const int colors = target.readable().colorCount();
     for (int i = 0; i < colors; ++i) target.clearColor(i, asFloats(clearColor(clear.color, isWindow)));
     target.clearDepth();
@@ -163,10 +158,30 @@ void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
     state.blocks.clear();
 }
 
+bool FrameDrawer::isCurrent(plan::PlannedProgramIndex program, const BuiltProgram& built) const {
+    if (built.initialValues.empty()) return true;
+    const auto current = current_.find(&built);
+    return current != current_.end() && current->second == program;
+}
+
+void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {
+    if (built.initialValues.empty()) return;
+    current_[&built] = program;
+    std::set<std::pair<plan::UniformIndex, int>> given;
+    for (const plan::UniformBinding& each : plan_.programs[program].values)
+        given.emplace(each.uniform, each.firstElement);
+    for (const InitialValue& each : built.initialValues)
+        if (!given.contains({each.uniform, each.element}))
+            gpu::setUniform(*built.program, at(built.interface.uniforms, each.uniform), each.values,
+                            each.element);
+}
+
 void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built) {
     ProgramState& state = states_[program];
-    if (state.literalsSet) return;
+    if (state.literalsSet && isCurrent(program, built)) return;
     state.literalsSet = true;
+    resetUniforms(program, built);
+    state.blocks.clear();
     std::vector<std::vector<std::byte>> blocks;
     for (const base::UniformBlock& each : built.interface.blocks)
         blocks.emplace_back(static_cast<std::size_t>(each.bytes));
@@ -256,7 +271,7 @@ void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProg
         if (!texture) texture = &device_.emptyTexture(use.target);
         if (use.isImage) {
             glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0,
-                               GL_READ_WRITE, imageFormat(texture->format()));
+                               GL_READ_WRITE, gpu::internalFormat(texture->format()));
         } else {
             texture->bind(use.driverUnit);
             device_.sampler(use.clamp).bind(use.driverUnit);
@@ -266,46 +281,50 @@ void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProg
     }
 }
 
-void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built,
                             Diagnostics& diagnostics) {
-    const scene::RasterState& raster = planned.draw->raster;
+    scene::RasterState raster = plan_.drawOf(planned).raster;
+    if (!blendsOpaque_ && built.interface.facts.isOpaque)
+        for (base::Blend& each : raster.blend)
+            if (each == base::kBlendOver) each.isOn = false;
     const gpu::Capabilities& capabilities = context_.capabilities();
-    const bool changesNothing = !blendsOpaque_ && built.interface.facts.isOpaque;
-    enable(GL_BLEND, isWindow && raster.blend == scene::BlendMode::overOpaque && !changesNothing);
     const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
-    const double width = std::clamp(roundedUpAtHalf(raster.lineWidth), capabilities.minLineWidth, widest);
     if (raster.lineWidth > widest && !lineWidthReported_) {
         lineWidthReported_ = true;
         diagnostics.push_back(
             diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
-                     planned.draw->place));
+                     plan_.drawOf(planned).place));
     }
-    glLineWidth(static_cast<float>(width));
-    const bool sizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
-    enable(GL_PROGRAM_POINT_SIZE, sizeFromShader);
-    if (!sizeFromShader)
-        glPointSize(static_cast<float>(
-            std::clamp(raster.pointSize, capabilities.minPointSize, capabilities.maxPointSize)));
+    raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
+    if (wireframe_) raster.polygon = base::PolygonMode::line;
+    raster_.apply(raster);
+
     const int distances = built.interface.facts.clipDistances;
-    for (int i = 0; i < std::max(distances, clipDistances_); ++i)
-        enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i), i < distances);
+    const int before = clipDistances_.value_or(0);
+    // Earlier drawing may have left any of them enabled.
+    const int after = clipDistances_.value_or(capabilities.maxClipDistances);
+    for (int i = before; i < distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
+    for (int i = distances; i < after; ++i) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     clipDistances_ = distances;
-    if (planned.submission.topology == geometry::Topology::patches)
+    if (planned.submission.topology == geometry::Topology::patches &&
+        patchVertices_ != planned.submission.patchVertices) {
+        patchVertices_ = planned.submission.patchVertices;
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
+    }
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                               const gpu::Target& target, bool isWindow) const {
-    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(planned.draw->shape) : nullptr;
+    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(plan_.drawOf(planned).shape) : nullptr;
     if (!bounds || writesImages(planned)) return false;
     const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
                         shift_ != glm::dvec2(0.0)};
     const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
-    DrawView drawView = drawViewOf(*planned.draw, planned.submission.topology, frame_->view,
+    DrawView drawView = drawViewOf(plan_.drawOf(planned), planned.submission.topology, frame_->view,
                                    isWindow ? window : texture, context_.capabilities());
     if (wireframe_ && drawView.filled) {
         drawView.filled = false;
-        drawView.reach = planned.draw->raster.lineWidth / 2 + 1;
+        drawView.reach = plan_.drawOf(planned).raster.lineWidth / 2 + 1;
     }
     return sightOf(placed(*bounds, built.interface.facts.placement), drawView) != Sight::possible;
 }
@@ -337,7 +356,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     Diagnostics diagnostics;
     const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
     if (!mesh) return diagnostics;
-    const scene::Draw& draw = *planned.draw;
+    const scene::Draw& draw = plan_.drawOf(planned);
     const BuiltProgram* drawnWith = programOf(planned);
     if (drawnWith == nullptr) return diagnostics;
     const BuiltProgram& built = *drawnWith;
@@ -363,13 +382,14 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
         blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
     setConstantInputs(planned, built, facts.color);
     bindTextures(planned, built);
-    setRaster(planned, built, isWindow, diagnostics);
+    setRaster(planned, built, diagnostics);
     device_.vertexArray(planned.mesh, planned.program, built).bind();
-    if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     if (hook_) hook_(planned, isWindow, true);
     submit(planned);
-    if (hook_) hook_(planned, isWindow, false);
-    if (wireframe_) glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (hook_) {
+        hook_(planned, isWindow, false);
+        forgetState();
+    }
     if (writesImages(planned)) glMemoryBarrier(GL_ALL_BARRIER_BITS);
     stats_.add("draws", 1);
     stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount));

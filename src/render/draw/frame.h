@@ -5,10 +5,13 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
+#include "gpu/state/raster_tracker.h"
 #include "plan/frame_plan.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"
@@ -42,9 +45,16 @@ class FrameDrawer {
     /// Draws one frame into `window`, which has the size of the frame's tile.
     Diagnostics draw(const gpu::Target& window, const Frame& frame);
 
+    /// Draws and clears only these pixels of every target.
+    void limitTo(const std::optional<gpu::PixelRectangle>& pixels) {
+        limit_ = pixels;
+        raster_.limitTo(pixels);
+    }
     /// Draws triangles as their edges.
     void setWireframe(bool on) { wireframe_ = on; }
-    /// Called before (`begins`) and after the GL call of every draw, while its program and state are bound.
+    [[nodiscard]] bool isWireframe() const { return wireframe_; }
+    /// Called before (`begins`) and after the GL call of every draw, while its program and state are bound. A
+    /// hook may change the state; the next draw sets all of it.
     using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
     void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
     /// Draws with programs that did not link use this one, in magenta. Without it they are left out.
@@ -85,11 +95,19 @@ class FrameDrawer {
     };
 
     [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
-    void beginPass(const plan::PlannedPass& pass, const gpu::Target& target) const;
-    void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) const;
+    Diagnostics drawPasses(const gpu::Target& window, const Frame& frame);
+    /// Nothing is known about the context's state.
+    void forgetState();
+    void beginPass(const plan::PlannedPass& pass, const gpu::Target& target);
+    void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow);
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
     void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
+    /// True if the GL program holds the literals of this planned program, and not those of another one.
+    [[nodiscard]] bool isCurrent(plan::PlannedProgramIndex program, const BuiltProgram& built) const;
+    /// Gives uniforms without a literal the values that they had after linking, if other planned programs may
+    /// have changed them.
+    void resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built);
     [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                    const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect) const;
@@ -99,8 +117,7 @@ class FrameDrawer {
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                            const glm::dvec4& color) const;
     void bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built);
-    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
-                   Diagnostics& diagnostics);
+    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, Diagnostics& diagnostics);
 
     const gpu::Context& context_;
     const plan::FramePlan& plan_;
@@ -108,6 +125,8 @@ class FrameDrawer {
     DeviceScene& device_;
     Stats& stats_;
     scene::List<ProgramState, plan::PlannedProgram> states_;
+    /// Whose literals a GL program holds, if several planned programs use it.
+    std::map<const BuiltProgram*, plan::PlannedProgramIndex> current_;
     const Frame* frame_ = nullptr;  ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;
@@ -119,7 +138,10 @@ class FrameDrawer {
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
     Tile texture_;                           ///< the whole target of the current pass into a texture
     glm::dvec2 textureShift_{0.0};           ///< of that pass
-    int clipDistances_;                      ///< clip distances below this index may be enabled
+    gpu::RasterTracker raster_;
+    std::optional<gpu::PixelRectangle> limit_;
+    std::optional<int> clipDistances_;  ///< those below this index are enabled; nothing: not known
+    std::optional<int> patchVertices_;  ///< as set; nothing: not known
     bool lineWidthReported_ = false;
 };
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "gpu/object/timer.h"
+#include "gpu/object/query.h"
 
 namespace glibra::render {
 namespace {
@@ -59,20 +59,15 @@ class PrimitiveCount {
         GLint program = 0;
         glGetIntegerv(GL_CURRENT_PROGRAM, &program);
         glGetProgramiv(static_cast<GLuint>(program), GL_GEOMETRY_SHADER_INVOCATIONS, &invocations_);
-        GLuint name = 0;
-        glGenQueries(1, &name);
-        query_ = gpu::Name<gpu::deleteQuery>(name);
     }
-    void begin() const { glBeginQuery(GL_GEOMETRY_SHADER_INVOCATIONS, query_.get()); }
+    void begin() const { query_.begin(); }
     [[nodiscard]] GLint end() const {
-        glEndQuery(GL_GEOMETRY_SHADER_INVOCATIONS);
-        GLuint64 count = 0;
-        glGetQueryObjectui64v(query_.get(), GL_QUERY_RESULT, &count);
-        return static_cast<GLint>(count) / std::max(1, invocations_);
+        query_.end();
+        return static_cast<GLint>(query_.result()) / std::max(1, invocations_);
     }
 
   private:
-    gpu::Name<gpu::deleteQuery> query_;
+    gpu::Query query_{GL_GEOMETRY_SHADER_INVOCATIONS};
     GLint invocations_ = 1;  ///< per primitive
 };
 

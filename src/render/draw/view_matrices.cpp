@@ -71,7 +71,7 @@ glm::dmat4 ViewMatrices::modelView(const scene::Draw& draw) const {
         matrix = scene::translation({0, 0, -eyeDistance_}) * matrix;
     if (state_.eye != kIdentity) matrix = asMatrix(state_.eye) * matrix;
     for (const ViewState::Object& each : state_.objects)
-        if (each.line == draw.place.line) matrix = matrix * asMatrix(each.matrix);
+        if (each.draw() == draw.id) matrix = matrix * asMatrix(each.matrix);
     return matrix;
 }
 

@@ -69,15 +69,16 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
                         double framesPerSecond, int most) {
     most = std::min(most, frames);
     Stats stats;
-    const Result<scene::Scene> scene = interpretFile(path, options, stats);
-    if (!scene || hasError(scene.diagnostics)) return 1;
-    if (!options.skip) return most;
+    const Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
+    if (!interpreted || hasError(interpreted.diagnostics)) return 1;
+    if (!options.skip || interpreted->changesWithTime()) return most;
+    const scene::Scene* scene = &interpreted->scene;
     std::set<double> periods;
     TimerSearch search(*scene, options);
     scene::List<bool, scene::Program> readsTimer;
     readsTimer.reserve(scene->programs.size());
     for (const scene::Program& each : scene->programs) readsTimer.push_back(search.isReadBy(each));
-    for (const scene::Pass& pass : scene->passes)
+    for (const scene::Pass& pass : scene->frame.passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step))
                 if (draw->program && readsTimer[draw->program]) periods.insert(draw->timerPeriod);

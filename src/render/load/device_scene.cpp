@@ -38,7 +38,7 @@ const scene::Draw* drawOf(const plan::FramePlan& plan, plan::PlannedMeshIndex pl
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step); draw && draw->mesh == planned)
-                return draw->draw;
+                return &plan.drawOf(*draw);
     return nullptr;
 }
 
@@ -93,6 +93,21 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
 
 }  // namespace
 
+void DeviceScene::beginMoment() {
+    keptMeshes_.clear();
+    keptDeviceMeshes_.clear();
+    for (auto& [shape, made] : meshes_)
+        if (!made.key.empty() && made.mesh) keptMeshes_.try_emplace(made.key, std::move(made.mesh));
+    for (const plan::PlannedMeshIndex i : deviceMeshes_.indices())
+        if (deviceMeshes_[i] && !deviceMeshKeys_[i].empty())
+            keptDeviceMeshes_.try_emplace(deviceMeshKeys_[i], deviceMeshes_[i]);
+    meshes_.clear();
+    bounds_.clear();
+    deviceMeshes_.clear();
+    deviceMeshKeys_.clear();
+    vertexArrays_.clear();
+}
+
 Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs) {
     Diagnostics diagnostics;
     deviceMeshes_.resize(plan.meshes.size());
@@ -111,6 +126,7 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
 
 std::shared_ptr<const geometry::Mesh> DeviceScene::earlierMesh(const std::string& key) {
     if (key.empty()) return nullptr;
+    if (const auto kept = keptMeshes_.find(key); kept != keptMeshes_.end()) return kept->second;
     if (previous_)
         for (const auto& [shape, made] : previous_->meshes_)
             if (made.key == key && made.mesh) return made.mesh;
@@ -185,6 +201,7 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
                                                                  const plan::FramePlan& plan,
                                                                  plan::PlannedMeshIndex planned) {
     if (key.empty()) return nullptr;
+    if (const auto kept = keptDeviceMeshes_.find(key); kept != keptDeviceMeshes_.end()) return kept->second;
     if (previous_)
         for (const plan::PlannedMeshIndex i : previous_->deviceMeshes_.indices())
             if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key)

@@ -50,6 +50,9 @@ class DeviceScene {
     /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
     /// unchanged meshes and textures.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
+    /// Call it after the scene has been interpreted for another moment, before prepare(): shapes may have
+    /// other indices, textures have not. Meshes that both moments have stay on the device.
+    void beginMoment();
     /// Makes all meshes and textures of the plan. Errors name the scene line that needs them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
 
@@ -116,6 +119,8 @@ class DeviceScene {
     SharedParts* shared_;
     bool sharesTextures_;
     DeviceScene* previous_ = nullptr;
+    std::map<std::string, std::shared_ptr<const geometry::Mesh>> keptMeshes_;  ///< of the last moment, by key
+    std::map<std::string, std::shared_ptr<const DeviceMesh>> keptDeviceMeshes_;
     std::map<scene::ShapeIndex, MadeMesh> meshes_;
     std::map<scene::ShapeIndex, VertexBox> bounds_;
     scene::List<std::string, plan::PlannedMesh> deviceMeshKeys_;

@@ -43,20 +43,6 @@ int dimensionsOf(scene::TextureTarget target) {
     return 2;
 }
 
-gpu::TexelFormat formatOf(scene::TexelFormat format) {
-    switch (format) {
-        case scene::TexelFormat::rgba16f:
-            return gpu::TexelFormat::rgba16f;
-        case scene::TexelFormat::rgba32f:
-            return gpu::TexelFormat::rgba32f;
-        case scene::TexelFormat::r32f:
-            return gpu::TexelFormat::r32f;
-        case scene::TexelFormat::rgba8:
-            break;
-    }
-    return gpu::TexelFormat::rgba8;
-}
-
 gpu::TexelFormat formatOf(image::Component type) {
     switch (type) {
         case image::Component::u8:
@@ -222,7 +208,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
     const gpu::Capabilities& capabilities = context_.capabilities();
     const gpu::TextureShape shape = shapeOf(texture.target);
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source))
-        return gpu::Texture::create(capabilities, shape, formatOf(empty->format),
+        return gpu::Texture::create(capabilities, shape, empty->format,
                                     {empty->width, empty->height, empty->depth});
 
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {

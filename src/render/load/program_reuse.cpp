@@ -30,7 +30,7 @@ std::string keyOf(const glsl::ProgramRequest& asked) {
 ProgramLibrary::~ProgramLibrary() {
     if (!shared_) return;
     for (auto& [variant, built] : programs_)
-        if (built->program && !built->key.empty() && !built->isLastGood)
+        if (built->program && !built->key.empty() && !built->isLastGood && built->initialValues.empty())
             shared_->programs.add(built->key,
                                   SharedProgram{std::move(*built->program), std::move(built->interface),
                                                 std::move(built->remarks)},
@@ -119,6 +119,7 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
     std::string key;
     for (const glsl::TranslatedStage& each : translated.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.source + '\0';
+    if (scene_.isModern) key += "with initial values\n";
     // A value that was set stays in the program. A uniform that loses its tag must get its initial value
     // back.
     if (variant.program) {

@@ -8,6 +8,7 @@
 
 #include "glsl/emit/log.h"
 #include "gpu/object/reflection.h"
+#include "gpu/object/uniform.h"
 #include "image/file.h"
 #include "render/load/gl_names.h"
 #include "scene/file_lookup.h"
@@ -63,6 +64,21 @@ std::string userName(const std::string& emitted, const glsl::TranslatedProgram& 
     return name;
 }
 
+/// The values of all uniforms of the default block, which no draw has set yet.
+std::vector<InitialValue> initialValues(const BuiltProgram& built) {
+    std::vector<InitialValue> values;
+    for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i) {
+        const base::ActiveUniform& uniform = built.interface.uniforms[i];
+        const bool isOpaque =
+            uniform.type.base == base::BaseType::sampler || uniform.type.base == base::BaseType::image;
+        if (uniform.block >= 0 || isOpaque) continue;
+        for (int element = 0; element < std::max(1, uniform.arraySize); ++element)
+            values.push_back(
+                {plan::UniformIndex(i), element, gpu::getUniform(*built.program, uniform, element)});
+    }
+    return values;
+}
+
 }  // namespace
 
 ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& scene,
@@ -104,7 +120,8 @@ const ProgramLibrary::SourceFile& ProgramLibrary::sourceFile(scene::FileIndex fi
     const scene::FileReference& reference = scene_.files[file];
     source.diagnostics = reference.remarks;
     source.path = reference.path.string();
-    if (reference.path.empty()) return source;
+    if (reference.text) source.text = reference.text;
+    if (reference.path.empty() || reference.text) return source;
     stats_.add("files read", 1);
     auto bytes = image::readFile(reference.path, {reference.name, reference.place}, kLargestSource);
     append(source.diagnostics, std::move(bytes.diagnostics));
@@ -214,8 +231,10 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
             // A copy: the earlier library's plan may still be read.
             static_cast<base::ActiveResources&>(built.interface) = earlier->interface;
             built.remarks = std::move(earlier->remarks);
-        } else if (!borrow(variant, built)) {
+            built.initialValues = std::move(earlier->initialValues);
+        } else if (scene_.isModern || !borrow(variant, built)) {
             if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
+            if (scene_.isModern && built.program) built.initialValues = initialValues(built);
         }
         append(diagnostics, built.remarks);
     }
@@ -228,6 +247,7 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
         built.interface.facts.diagnostics = std::move(diagnostics);
         built.key = std::move(earlier->key);
         built.remarks = std::move(earlier->remarks);
+        built.initialValues = std::move(earlier->initialValues);
         built.isLastGood = true;
         return;
     }

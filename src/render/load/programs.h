@@ -27,6 +27,13 @@ namespace glibra::render {
 /// The largest shader file, in bytes (language, 11).
 inline constexpr std::uint64_t kLargestSource = 4ULL << 20;
 
+/// The value of an element of a uniform after linking.
+struct InitialValue {
+    plan::UniformIndex uniform{};
+    int element = 0;
+    std::vector<double> values;
+};
+
 /// A program of the driver and what it reads.
 struct BuiltProgram {
     std::optional<gpu::Program> program;  ///< nothing if it failed to translate, compile or link
@@ -34,6 +41,8 @@ struct BuiltProgram {
     std::string key;          ///< from translated sources and tags; programs with equal keys are equal
     Diagnostics remarks;      ///< the compiler's diagnostics of those sources
     bool isLastGood = false;  ///< the current sources fail; this program is of an earlier state
+    std::vector<InitialValue>
+        initialValues;  ///< if draws of the scene set values of their own; otherwise empty
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 

@@ -72,7 +72,7 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
                        const RenderOptions& options) {
     Stats stats;
     CheckResult result;
-    Result<scene::Scene> interpreted = interpretFile(path, options, stats);
+    Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.

@@ -50,8 +50,13 @@ void removeRepeats(Diagnostics& diagnostics) {
 
 }  // namespace
 
-Result<scene::Scene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
-                                   Stats& stats) {
+bool InterpretedScene::changesWithTime() const {
+    using expression::Depends;
+    return source && any(source->depends() & (Depends::time | Depends::frame | Depends::tick));
+}
+
+Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const RenderOptions& options,
+                                       Stats& stats) {
     stats.add("files read", 1);
     Result<std::string> text = readScene(path);
     if (!text) return std::move(text.diagnostics);
@@ -61,11 +66,23 @@ Result<scene::Scene> interpretFile(const std::filesystem::path& path, const Rend
         script = glib::parse(*text, path.string());
     }
     const StageTimer timer(stats, "interpret");
-    scene::Scene scene = scene::interpret(script, {options.libraryRoots});
     Diagnostics diagnostics = std::move(script.diagnostics);
-    append(diagnostics, std::move(scene.diagnostics));
-    scene.diagnostics.clear();
-    return {std::move(scene), std::move(diagnostics)};
+    script.diagnostics.clear();
+    InterpretedScene result;
+    result.inputs.width = options.width;
+    result.inputs.height = options.height;
+    if (script.isModern)
+        for (const std::string& each : options.set)
+            if (Result<plan::Override> given = plan::parseOverride(each); given && given->program.empty())
+                result.inputs.variables[given->name] = std::move(given->values);
+    const bool isModern = script.isModern;
+    auto source = std::make_shared<scene::Interpretation>(std::move(script),
+                                                          scene::InterpretOptions{options.libraryRoots});
+    result.scene = source->at(result.inputs);
+    if (isModern) result.source = std::move(source);
+    append(diagnostics, std::move(result.scene.diagnostics));
+    result.scene.diagnostics.clear();
+    return {std::move(result), std::move(diagnostics)};
 }
 
 Result<std::vector<plan::Override>> parseOverrides(const std::vector<std::string>& set) {

@@ -74,13 +74,18 @@ class Search {
                                                 steps.begin(), steps.end(), [](const auto& step) {
                                                     return std::holds_alternative<plan::PlannedDraw>(step);
                                                 }));
-            const std::vector<scene::TextureIndex>& textures = plan.passes[pass].pass->targets;
+            const std::vector<scene::TextureIndex>& textures = plan.passOf(plan.passes[pass]).targets;
             if (first < end && textures.empty()) all.push_back({pass, 0, first, end});
             for (std::size_t i = 0; first < end && i < textures.size(); ++i)
                 if (isFloat(textures[i])) all.push_back({pass, static_cast<int>(i), first, end});
             first = end;
         }
         return all;
+    }
+
+    [[nodiscard]] const std::vector<scene::TextureIndex>& targetsOf(std::size_t pass) const {
+        const plan::FramePlan& plan = renderer_.plan();
+        return plan.passOf(plan.passes[pass]).targets;
     }
 
     [[nodiscard]] bool isFloat(scene::TextureIndex texture) const {
@@ -115,14 +120,14 @@ class Search {
             halve(where, middle, between, high, after);
             return;
         }
-        const std::vector<scene::TextureIndex>& textures = renderer_.plan().passes[where.pass].pass->targets;
+        const std::vector<scene::TextureIndex>& textures = targetsOf(where.pass);
         added.draw = draws_[low];
         if (!textures.empty()) added.texture = textures[static_cast<std::size_t>(where.color)];
         found_.push_back(added);
     }
 
     [[nodiscard]] int widthOf(const Searched& where) const {
-        const std::vector<scene::TextureIndex>& textures = renderer_.plan().passes[where.pass].pass->targets;
+        const std::vector<scene::TextureIndex>& textures = targetsOf(where.pass);
         if (textures.empty()) return renderer_.width();
         const scene::Texture& texture = renderer_.scene().textures[textures.front()];
         return std::get<scene::EmptySource>(texture.source).width;
@@ -135,10 +140,10 @@ class Search {
 };
 
 /// "Sphere draws NaN or infinity into 12 pixels of texture unit 6, the first at 3, 4".
-std::string describe(const Found& found, const scene::Scene& scene,
+std::string describe(const Found& found, const scene::Draw& draw, const scene::Scene& scene,
                      const std::map<scene::TextureIndex, int>& lines) {
-    std::string text = fmt::format("{} leaves NaN or infinity in {} pixel{}", found.draw->draw->word,
-                                   found.pixels, found.pixels == 1 ? "" : "s");
+    std::string text = fmt::format("{} leaves NaN or infinity in {} pixel{}", draw.word, found.pixels,
+                                   found.pixels == 1 ? "" : "s");
     if (found.texture) text += fmt::format(" of the texture of unit {}", scene.textures[found.texture].unit);
     text += fmt::format(", the first at {}, {}", found.x, found.y);
     for (const plan::TextureUse& use : found.draw->textures)
@@ -147,9 +152,9 @@ std::string describe(const Found& found, const scene::Scene& scene,
     return text;
 }
 
-std::string describe(const LostPrimitives& lost) {
-    return fmt::format("{}: gl_Position is NaN or infinite in {} of {} {}, which {} lost",
-                       lost.draw->draw->word, glib::groupedText(static_cast<long long>(lost.lost)),
+std::string describe(const LostPrimitives& lost, const scene::Draw& draw) {
+    return fmt::format("{}: gl_Position is NaN or infinite in {} of {} {}, which {} lost", draw.word,
+                       glib::groupedText(static_cast<long long>(lost.lost)),
                        glib::groupedText(static_cast<long long>(lost.all)), lost.kind,
                        lost.lost == 1 ? "is" : "are");
 }
@@ -178,16 +183,19 @@ Diagnostics NanSearch::at(double time) {
     Diagnostics diagnostics;
     std::map<scene::TextureIndex, int> lines;  // texture -> scene line of the first draw that broke it
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const Place& place = found[i].draw->draw->place;
-        const std::string text = describe(found[i], renderer_.scene(), lines);
+        const scene::Draw& draw = renderer_.plan().drawOf(*found[i].draw);
+        const Place& place = draw.place;
+        const std::string text = describe(found[i], draw, renderer_.scene(), lines);
         if (found[i].texture) lines.emplace(found[i].texture, place.line);
         diagnostics.push_back(diagnose("draw-W06", countingRest(text, i, found.size()), place));
         if (i + 1 == kMostNamed) break;
     }
     const std::vector<LostPrimitives> lost = positions_.search(renderer_, time, *stats_);
-    for (std::size_t i = 0; i < std::min(lost.size(), kMostNamed); ++i)
+    for (std::size_t i = 0; i < std::min(lost.size(), kMostNamed); ++i) {
+        const scene::Draw& draw = renderer_.plan().drawOf(*lost[i].draw);
         diagnostics.push_back(
-            diagnose("draw-W09", countingRest(describe(lost[i]), i, lost.size()), lost[i].draw->draw->place));
+            diagnose("draw-W09", countingRest(describe(lost[i], draw), i, lost.size()), draw.place));
+    }
     applyStrict(diagnostics, strict_);
     return diagnostics;
 }

@@ -8,6 +8,7 @@
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
+#include "gpu/object/query.h"
 #include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
@@ -49,24 +50,17 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
         .program;
 }
 
-void deleteQueryName(GLuint name) {
-    glDeleteQueries(1, &name);
-}
-
 /// Draws one patch from the bound vertex array and index buffer, and reads its captured vertices.
 budget::Patch capture(int firstIndex, int indices, GLenum primitives, const gpu::Buffer& buffer) {
-    GLuint query = 0;
-    glGenQueries(1, &query);
-    const gpu::Name<deleteQueryName> written(query);
-    glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, written.get());
+    const gpu::Query written(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    written.begin();
     glBeginTransformFeedback(primitives);
     glDrawElements(GL_PATCHES, indices, GL_UNSIGNED_INT,
                    // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
                    reinterpret_cast<const void*>(static_cast<std::size_t>(firstIndex) * sizeof(GLuint)));
     glEndTransformFeedback();
-    glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-    GLuint count = 0;
-    glGetQueryObjectuiv(written.get(), GL_QUERY_RESULT, &count);
+    written.end();
+    const auto count = static_cast<std::size_t>(written.result());
     budget::Patch patch{primitives == GL_LINES ? 2U : 3U, {}};
     std::vector<float> floats(count * patch.corners * kFloats);
     buffer.bind(GL_TRANSFORM_FEEDBACK_BUFFER);
@@ -103,7 +97,7 @@ struct PatchProbe::State {
 /// Loads the scene at the first call. False if that fails.
 bool PatchProbe::State::prepare() {
     if (renderer) return true;
-    Result<SceneRenderer> made = SceneRenderer::of(context, scene, options, stats, &parts);
+    Result<SceneRenderer> made = SceneRenderer::of(context, {scene, nullptr, {}}, options, stats, &parts);
     const int level = context.capabilities().maxTessellationLevel;
     // Two triangles per square of the finest grid. Lines need less.
     const auto bytes = static_cast<std::size_t>(level + 1) * static_cast<std::size_t>(level + 1) * 6 *
@@ -164,10 +158,10 @@ std::optional<std::vector<budget::Patch>> PatchProbe::patches(std::size_t pass, 
                                                               std::span<const budget::LevelValue> values) {
     if (!state_->prepare()) return std::nullopt;
     SceneRenderer& renderer = *state_->renderer;
-    const auto& wanted = std::get<scene::Draw>(renderer.scene().passes.at(pass).steps.at(step));
+    const scene::StepIndex wanted{pass, step};
     std::optional<std::vector<budget::Patch>> captured;
     renderer.drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
-        if (begins && draw.draw == &wanted) captured = state_->capture(draw, values);
+        if (begins && draw.step == wanted) captured = state_->capture(draw, values);
     });
     const Result<image::Image> drawn = renderer.draw(state_->options.time, state_->stats);
     renderer.drawer().setDrawHook({});

@@ -34,7 +34,7 @@ std::optional<budget::ContourShifts> PictureProbe::shift(const budget::Choice& f
         budget::apply(choice, chosen);
         probe.options.samples = choice.samples;
         Result<SceneRenderer> renderer =
-            SceneRenderer::of(context, std::move(chosen), probe.options, stats, parts);
+            SceneRenderer::of(context, {std::move(chosen), nullptr, {}}, probe.options, stats, parts);
         if (!renderer) return std::move(renderer.diagnostics);
         renderer->setView(view);
         return renderer->draw(options.time, stats);

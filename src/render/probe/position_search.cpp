@@ -7,8 +7,8 @@
 
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
+#include "gpu/object/query.h"
 #include "gpu/object/reflection.h"
-#include "gpu/object/timer.h"
 #include "render/draw/frame.h"
 #include "render/load/derived_program.h"
 #include "render/load/gl_names.h"
@@ -56,15 +56,11 @@ std::optional<gpu::Program> capturing(const gpu::Capabilities& capabilities, con
 /// The count of a query around `work`.
 template <class Work>
 GLuint counted(GLenum what, const Work& work) {
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    const gpu::Name<gpu::deleteQuery> query(name);
-    glBeginQuery(what, query.get());
+    const gpu::Query query(what);
+    query.begin();
     work();
-    glEndQuery(what);
-    GLuint count = 0;
-    glGetQueryObjectuiv(query.get(), GL_QUERY_RESULT, &count);
-    return count;
+    query.end();
+    return static_cast<GLuint>(query.result());
 }
 
 /// The number of captured primitives with a component that is not finite.

@@ -61,7 +61,8 @@ constexpr OptionRow kRows[] = {
      "size of the picture in pixels instead of the scene's WindowSize"},
     {"time", "time", TimeValue{kTo<&Options::time>, -1e9, 1e9}, "seconds since the start of the scene"},
     {"set", "set", UniformsValue{kTo<&Options::set>},
-     "give a uniform variable a value, as uKd=.5 or uColor=1,.5,0; may be repeated"},
+     "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
+     "repeated"},
     {"view", "view", oneOf<&Options::view>(kViewWords),
      "auto moves the eye out of the objects of the scene, glman leaves it where it is"},
     {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, 64}, "samples per pixel"},

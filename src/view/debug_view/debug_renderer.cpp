@@ -97,10 +97,10 @@ const DebugRenderer::Drawn& DebugRenderer::drawn(const plan::PlannedDraw& draw, 
         const char* why = kind == DebugView::coordinates && hasStagesAfterVertices(*built)
                               ? "its stages pass no vST to the fragment stage"
                               : "the driver cannot link its stages with those of the debug view";
-        remarks_.push_back(diagnose(
-            "view-W01",
-            fmt::format("{} is left out of the debug view '{}': {}", draw.draw->word, nameOf(kind), why),
-            draw.draw->place));
+        remarks_.push_back(diagnose("view-W01",
+                                    fmt::format("{} is left out of the debug view '{}': {}",
+                                                scene_.plan().drawOf(draw).word, nameOf(kind), why),
+                                    scene_.plan().drawOf(draw).place));
     }
     return entry->second;
 }
@@ -109,8 +109,8 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     const DebugProgram& program = *with.program;
     const render::ViewMatrices& view = scene_.view();
     const double aspect = static_cast<double>(width_) / height_;
-    const glm::dmat4 projection = view.projection(draw.draw->projection, aspect);
-    const glm::dmat4 modelView = view.modelView(*draw.draw);
+    const glm::dmat4 projection = view.projection(scene_.plan().drawOf(draw).projection, aspect);
+    const glm::dmat4 modelView = view.modelView(scene_.plan().drawOf(draw));
     const glm::dmat4 inverse = scene::inverseOrZero(projection);
     const glm::dmat4 both = projection * modelView;
     const glm::dmat3 normals = scene::normalMatrix(modelView);
@@ -131,7 +131,7 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
             gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, {0, 0, 0, 1});
     for (const base::ActiveInput& input : program.resources.inputs) {
         if (input.location < 0 || sceneAttribute(input.name) != geometry::kColor) continue;
-        const glm::dvec4& color = draw.draw->color;
+        const glm::dvec4& color = scene_.plan().drawOf(draw).color;
         gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type,
                                   {color.r, color.g, color.b, color.a});
     }
@@ -178,8 +178,8 @@ Diagnostics DebugRenderer::show(const gpu::Target& picture, DebugView kind) cons
         gpu::Texture::create(context_.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
                              {numbers_.width, numbers_.height, 1}, {std::as_bytes(std::span(bytes)), 4});
     if (!colors) return colors.diagnostics;
-    const std::array<gpu::ColorAttachment, 1> attachment{&*colors};
-    const Result<gpu::Framebuffer> source = gpu::Framebuffer::create(attachment, nullptr);
+    const std::array<gpu::Attachment, 1> attachment{&*colors};
+    const Result<gpu::Framebuffer> source = gpu::Framebuffer::create(attachment);
     if (!source) return source.diagnostics;
     picture.bind();
     source->bindForReading();

@@ -41,8 +41,7 @@ const char* word(scene::TextureTarget target) {
 }  // namespace
 
 int sliceCount(const gpu::Texture& texture) {
-    if (texture.shape() == gpu::TextureShape::cube) return 6;
-    return texture.shape() == gpu::TextureShape::texture3D ? texture.size().depth : 1;
+    return texture.layers();
 }
 
 TexelImage texelsOf(const gpu::Texture& texture, int slice) {
@@ -51,21 +50,7 @@ TexelImage texelsOf(const gpu::Texture& texture, int slice) {
     glGenFramebuffers(1, &name);
     const gpu::Name<gpu::deleteFramebuffer> framebuffer(name);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, name);
-    const auto face = static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + slice);
-    switch (texture.shape()) {
-        case gpu::TextureShape::texture1D:
-            glFramebufferTexture1D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_1D, texture.id(), 0);
-            break;
-        case gpu::TextureShape::texture2D:
-            glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
-            break;
-        case gpu::TextureShape::texture3D:
-            glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture.id(), 0, slice);
-            break;
-        case gpu::TextureShape::cube:
-            glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face, texture.id(), 0);
-            break;
-    }
+    gpu::attachTexture(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, {&texture, 0, slice});
     const gpu::TextureSize size = texture.size();
     TexelImage image = readBound(size.width, size.height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);

@@ -47,7 +47,7 @@ std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
 Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs) {
     std::vector<Replacement> replacements;
     for (const Knob& each : knobs) {
-        if (!each.isChanged()) continue;
+        if (!each.isChanged() || !each.words.empty()) continue;
         const auto begin = offsetOf(text, each.place);
         const auto end = begin ? valueEnd(text, *begin) : std::nullopt;
         if (!end)

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "glib/command_table.h"
+#include "glib/modern/statement_table.h"
 #include "glib/text.h"
 
 namespace glibra::view {
@@ -37,7 +38,8 @@ bool isType(std::string_view word) {
 
 SyntaxKind kindOf(std::string_view word, CodeLanguage language, bool isFirst) {
     if (language == CodeLanguage::glib)
-        return isFirst && glib::findCommand(word) ? SyntaxKind::keyword : SyntaxKind::plain;
+        return isFirst && (glib::findCommand(word) || glib::findStatement(word)) ? SyntaxKind::keyword
+                                                                                 : SyntaxKind::plain;
     if (std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end()) return SyntaxKind::keyword;
     if (isType(word)) return SyntaxKind::type;
     if (word.starts_with("gl_")) return SyntaxKind::builtin;

@@ -30,6 +30,11 @@ bool sameValues(const std::vector<double>& values) {
 }  // namespace
 
 std::string valueText(const Knob& knob) {
+    if (!knob.words.empty()) {  // the file cannot state which of the words is chosen
+        std::string words;
+        for (const std::string& each : knob.words) words += (words.empty() ? "<" : " ") + each;
+        return words + ">";
+    }
     switch (knob.form) {
         case glib::UniformForm::range:
             if (knob.widget == Widget::checkBox) return knob.current.front() != 0 ? "<true>" : "<false>";
@@ -55,16 +60,23 @@ std::string pairText(const Knob& knob) {
 }
 
 std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs) {
-    std::string text = "Program " + scene.programs[program].name;
+    std::string text;
+    if (!program) {
+        for (const Knob& each : knobs)
+            if (!each.program) text += "Let " + pairText(each) + "\n";
+        return text;
+    }
+    text = "Program " + scene.programs[program].name;
     for (const Knob& each : knobs)
         if (each.program == program) text += " \\\n    " + pairText(each);
     return text + "\n";
 }
 
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs) {
-    const bool isShared = knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
-                              return each.tag == knob.tag && each.program != knob.program;
-                          });
+    const bool isShared =
+        knob.program && (knob.isShared || std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
+                             return each.tag == knob.tag && each.program != knob.program;
+                         }));
     std::string name = knob.tag;
     if (isShared) name = fmt::format("{}:{}", scene.programs[knob.program].place.line, name);
     if (knob.widget == Widget::checkBox) return name + (knob.current.front() != 0 ? "=true" : "=false");

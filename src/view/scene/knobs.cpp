@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::view {
 namespace {
+
+/// Empty for variables, which belong to no program.
+std::string nameOf(const scene::Scene& scene, scene::ProgramIndex program) {
+    return program ? scene.programs[program].name : std::string();
+}
 
 /// "Dots", or "Dots (2)" for the second of that name.
 std::string titleOf(const scene::Scene& scene, scene::ProgramIndex program) {
@@ -104,6 +110,35 @@ void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, plan::Plan
             }
 }
 
+/// The control of a variable.
+Knob knobOf(const scene::Variable& variable) {
+    Knob knob;
+    knob.title = "Variables";
+    knob.tag = variable.name;
+    knob.form = variable.form;
+    knob.written = variable.written;
+    const bool isRange = variable.form == glib::UniformForm::range;
+    knob.initial = isRange ? std::vector<double>{variable.written[1]} : variable.written;
+    knob.current = variable.current;
+    knob.place = variable.place;
+    knob.type.base = variable.form == glib::UniformForm::truth ? plan::BaseType::boolean
+                     : variable.words.empty()                  ? plan::BaseType::floating
+                                                               : plan::BaseType::integer;
+    knob.type.rows = static_cast<int>(knob.initial.size());
+    knob.declaration = "variable " + variable.name;
+    knob.words = variable.words;
+    if (isRange) {
+        knob.widget = Widget::slider;
+        knob.minimum = variable.written[0];
+        knob.maximum = variable.written[2];
+    } else if (variable.form == glib::UniformForm::truth) {
+        knob.widget = Widget::checkBox;
+    } else if (variable.form == glib::UniformForm::color) {
+        knob.widget = Widget::color;
+    }
+    return knob;
+}
+
 bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
     return !plan::UniformNames(*program.interface).find(tag).empty();
 }
@@ -123,7 +158,10 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan
             });
     std::stable_sort(knobs.begin(), knobs.end(),
                      [](const Knob& a, const Knob& b) { return a.program < b.program; });
-    return knobs;
+    std::vector<Knob> all;
+    for (const scene::Variable& each : scene.variables) all.push_back(knobOf(each));
+    all.insert(all.end(), std::make_move_iterator(knobs.begin()), std::make_move_iterator(knobs.end()));
+    return all;
 }
 
 std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan) {
@@ -138,7 +176,7 @@ std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& 
 
 void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
     for (const Knob& each : knobs) {
-        const std::tuple key(each.program, scene.programs[each.program].name, each.tag);
+        const std::tuple key(each.program, nameOf(scene, each.program), each.tag);
         if (each.isChanged())
             values_[key] = {each.form, each.written, each.current};
         else
@@ -148,7 +186,7 @@ void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {
 
 void KeptValues::restore(const scene::Scene& scene, std::span<Knob> knobs) const {
     for (Knob& each : knobs) {
-        const auto found = values_.find({each.program, scene.programs[each.program].name, each.tag});
+        const auto found = values_.find({each.program, nameOf(scene, each.program), each.tag});
         if (found == values_.end()) continue;
         const Kept& kept = found->second;
         if (kept.form == each.form && kept.written == each.written &&

@@ -21,8 +21,8 @@ enum class Widget {
 };
 
 struct Knob {
-    scene::ProgramIndex program{};
-    std::string title;  ///< the program's name; numbered if several programs have that name
+    scene::ProgramIndex program{};  ///< none: a variable of the scene
+    std::string title;              ///< the program's name; numbered if several programs have that name
     std::string tag;
     plan::ValueType type;  ///< of one element
     Widget widget = Widget::numbers;
@@ -40,6 +40,7 @@ struct Knob {
         std::size_t value = 0;  ///< index into PlannedProgram::values
     };
     std::vector<Binding> bindings;
+    std::vector<std::string> words;  ///< of a variable that is a choice; the value counts them from 0
 
     [[nodiscard]] bool isInteger() const {
         return type.base == plan::BaseType::integer || type.base == plan::BaseType::unsignedInteger;
@@ -73,7 +74,7 @@ class KeptValues {
 std::string valueText(const Knob& knob);
 /// "uKd <0 0.25 1>": the knob's tag and value.
 std::string pairText(const Knob& knob);
-/// A Program statement with all knobs of that program.
+/// A Program statement with all knobs of that program; for none, the Let statements of all variables.
 std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs);
 /// An argument for `--set`: "uKd=0.25", or "8:uKd=0.25" with the line of the Program command if another
 /// program has the uniform too. The numbers are the shortest text that reads back as the same value.

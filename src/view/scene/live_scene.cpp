@@ -1,6 +1,7 @@
 #include "view/scene/live_scene.h"
 
 #include <algorithm>
+#include <map>
 #include <new>
 #include <set>
 #include <utility>
@@ -27,15 +28,19 @@ bool hasTangents(const plan::PlannedMesh& mesh) {
 
 /// The members are in order of dependence: later ones refer to earlier ones.
 struct LiveScene::State {
-    State(gpu::Context& usedContext, RenderOptions usedOptions, scene::Scene interpreted)
+    State(gpu::Context& usedContext, RenderOptions usedOptions, render::InterpretedScene interpreted)
         : context(usedContext),
           options(std::move(usedOptions)),
-          scene(std::move(interpreted)),
+          source(std::move(interpreted.source)),
+          inputs(std::move(interpreted.inputs)),
+          scene(std::move(interpreted.scene)),
           programs(context, scene, options, false, loadStats),
           device(context, scene, loadStats) {}
 
     gpu::Context& context;
     RenderOptions options;
+    std::shared_ptr<scene::Interpretation> source;  ///< null: the scene is the same for all inputs
+    scene::FrameInputs inputs;                      ///< of `scene`
     scene::Scene scene;
     render::Stats loadStats, drawStats;
     render::ProgramLibrary programs;
@@ -50,7 +55,14 @@ struct LiveScene::State {
     bool isViewSet = false;     ///< `view` is the view of the last frame
     double setEyeDistance = 0;  ///< the eyeDistance in `view`
 
+    std::map<std::string, std::vector<double>, std::less<>> variables;  ///< as the user set them
+    std::vector<Knob> changedKnobs;  ///< of programs, set by the user; a new plan does not know them
+    bool drawsOutOfSight = false;
+
     Diagnostics prepare(State* previous);
+    Diagnostics makePlan();
+    void applyKnobs();
+    bool moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics);
     void prepareFallback();
     int measuredLoopLimit();
     void placeEye(double aspect, Diagnostics& diagnostics);
@@ -61,6 +73,48 @@ Diagnostics LiveScene::State::prepare(State* previous) {
         programs.inherit(previous->programs);
         device.inherit(previous->device);
     }
+    Diagnostics diagnostics = makePlan();
+    programs.forgetPrevious();
+    return diagnostics;
+}
+
+/// Interprets the scene for other inputs, if it depends on what has changed.
+bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics) {
+    using expression::Depends;
+    if (!source || wanted == inputs) return false;
+    const Depends depends = source->depends();
+    const auto changes = [&](Depends on, auto... member) {
+        return any(depends & on) && ((wanted.*member != inputs.*member) || ...);
+    };
+    using Inputs = scene::FrameInputs;
+    const bool isOther = changes(Depends::time | Depends::frame | Depends::tick, &Inputs::time) ||
+                         changes(Depends::window | Depends::camera, &Inputs::width, &Inputs::height) ||
+                         changes(Depends::mouse, &Inputs::mouseX, &Inputs::mouseY, &Inputs::isMouseDown) ||
+                         wanted.variables != inputs.variables;
+    inputs = wanted;
+    if (!isOther) return false;
+    scene = source->at(inputs);
+    append(diagnostics, std::move(scene.diagnostics));
+    scene.diagnostics.clear();
+    device.beginMoment();
+    append(diagnostics, makePlan());
+    applyKnobs();
+    isViewSet = false;
+    return true;
+}
+
+/// Writes the values that the user has set into the plan, whose indices may be new.
+void LiveScene::State::applyKnobs() {
+    if (changedKnobs.empty()) return;
+    for (Knob& knob : knobsOf(scene, plan))
+        for (const Knob& each : changedKnobs) {
+            if (each.program != knob.program || each.tag != knob.tag) continue;
+            knob.current = each.current;
+            for (const plan::PlannedProgramIndex program : apply(knob, plan)) drawer->forgetLiterals(program);
+        }
+}
+
+Diagnostics LiveScene::State::makePlan() {
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.loopLimit = [this] { return measuredLoopLimit(); };
@@ -70,14 +124,15 @@ Diagnostics LiveScene::State::prepare(State* previous) {
             return programs.interfaceOf(variant);
         },
         [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
-    programs.forgetPrevious();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     for (const plan::PlannedMesh& each : plan.meshes)
         device.bounds(each.shape, hasTangents(each), &diagnostics);
     append(diagnostics, device.prepare(plan, programs));
+    const bool isWireframe = drawer && drawer->isWireframe();
     drawer.emplace(context, plan, programs, device, drawStats);
-    drawer->cullToTile(kSamples);
+    drawer->setWireframe(isWireframe);
+    drawer->cullToTile(drawsOutOfSight ? 0 : kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
     return diagnostics;
@@ -117,7 +172,7 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
     Loading loading;
     try {
         render::Stats stats;
-        Result<scene::Scene> interpreted = render::interpretFile(path, options, stats);
+        Result<render::InterpretedScene> interpreted = render::interpretFile(path, options, stats);
         loading.diagnostics = std::move(interpreted.diagnostics);
         if (!interpreted) return loading;
         auto state = std::make_unique<State>(context, options, std::move(*interpreted));
@@ -143,6 +198,9 @@ std::vector<Knob> LiveScene::knobs() const {
 }
 
 bool LiveScene::isAnimated() const {
+    using expression::Depends;
+    if (state_->source && any(state_->source->depends() & (Depends::time | Depends::frame | Depends::tick)))
+        return true;
     for (const plan::PlannedProgram& program : state_->plan.programs)
         for (const plan::UniformBinding& each : program.values)
             if (const auto* supplied = std::get_if<plan::Supplied>(&each.value))
@@ -183,12 +241,25 @@ const render::Stats& LiveScene::drawStats() const {
 }
 
 void LiveScene::drawOutOfSight(bool on) {
+    state_->drawsOutOfSight = on;
     state_->drawer->cullToTile(on ? 0 : kSamples);
 }
 
 void LiveScene::setValue(const Knob& knob) {
-    for (const plan::PlannedProgramIndex program : apply(knob, state_->plan))
-        state_->drawer->forgetLiterals(program);
+    State& state = *state_;
+    if (!knob.program) {
+        state.variables[knob.tag] = knob.current;
+        return;
+    }
+    if (!state.source) {
+        for (const plan::PlannedProgramIndex program : apply(knob, state.plan))
+            state.drawer->forgetLiterals(program);
+        return;
+    }
+    std::erase_if(state.changedKnobs,
+                  [&](const Knob& each) { return each.program == knob.program && each.tag == knob.tag; });
+    state.changedKnobs.push_back(knob);
+    state.applyKnobs();
 }
 
 Diagnostics LiveScene::longLoops() {
@@ -199,9 +270,20 @@ Diagnostics LiveScene::longLoops() {
     return diagnostics;
 }
 
+bool LiveScene::moveTo(int width, int height, double time, Diagnostics& diagnostics) {
+    if (!state_->source) return false;
+    scene::FrameInputs wanted = state_->inputs;
+    wanted.time = time;
+    wanted.width = width;
+    wanted.height = height;
+    for (const auto& [name, values] : state_->variables) wanted.variables[name] = values;
+    return state_->moveTo(wanted, diagnostics);
+}
+
 Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, double time, bool axes) {
     State& state = *state_;
     Diagnostics diagnostics;
+    moveTo(target.width(), target.height(), time, diagnostics);
     const double aspect = static_cast<double>(target.width()) / target.height();
     state.placeEye(aspect, diagnostics);
     // Setting a view copies the transforms of objects, which allocates memory. An unchanged view is not set

@@ -11,7 +11,7 @@
 namespace glibra::view {
 
 struct Picked {
-    int line = 0;           ///< of the scene, counted from 1
+    DrawId draw;
     int ordinal = 0;        ///< index among the scene's draws into the window, counted from 0
     std::string word;       ///< the command
     glm::dvec3 eye{0.0};    ///< the object's point at the pixel, in eye space with all transforms

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "gpu/object/name.h"
-#include "gpu/object/timer.h"
+#include "gpu/object/query.h"
 
 namespace glibra::view {
 namespace {
@@ -33,11 +33,12 @@ int passOf(const plan::FramePlan& plan, const plan::PlannedDraw& draw) {
 std::vector<PassCost> passesOf(const LiveScene& live) {
     std::vector<PassCost> passes;
     for (const plan::PlannedPass& each : live.plan().passes) {
-        PassCost pass{"window", each.pass->place.line, 0};
+        PassCost pass{"window", live.plan().passOf(each).place.line, 0};
         std::string units;
-        for (const scene::TextureIndex target : each.pass->targets)
+        for (const scene::TextureIndex target : live.plan().passOf(each).targets)
             units += (units.empty() ? "" : ", ") + std::to_string(live.scene().textures[target].unit);
-        if (!units.empty()) pass.target = (each.pass->targets.size() > 1 ? "units " : "unit ") + units;
+        if (!units.empty())
+            pass.target = (live.plan().passOf(each).targets.size() > 1 ? "units " : "unit ") + units;
         passes.push_back(std::move(pass));
     }
     return passes;
@@ -45,19 +46,21 @@ std::vector<PassCost> passesOf(const LiveScene& live) {
 
 /// Draws one frame with a timer around every draw, and adds the times to `draws`.
 void timeDraws(Session& session, std::vector<DrawCost>& draws) {
-    std::vector<gpu::Timer> timers;
+    std::vector<gpu::Query> timers;
     std::vector<DrawCost> found;
     session.live().drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
-        if (!begins) return timers.back().stop();
-        found.push_back({draw.draw->word, draw.draw->place.line, passOf(session.live().plan(), draw), 0});
-        timers.emplace_back().start();
+        if (!begins) return timers.back().end();
+        const plan::FramePlan& plan = session.live().plan();
+        const scene::Draw& drawn = plan.drawOf(draw);
+        found.push_back({drawn.word, drawn.place.line, passOf(plan, draw), 0});
+        timers.emplace_back(GL_TIME_ELAPSED).begin();
     });
     drawOnce(session);
     session.live().drawer().setDrawHook({});
     if (draws.empty()) draws = found;
     constexpr double kNanosecondsInMillisecond = 1e6;
     for (std::size_t i = 0; i < timers.size() && i < draws.size(); ++i)
-        draws[i].milliseconds += static_cast<double>(timers[i].nanoseconds()) / kNanosecondsInMillisecond;
+        draws[i].milliseconds += static_cast<double>(timers[i].result()) / kNanosecondsInMillisecond;
 }
 
 std::optional<PipelineCounts> countOnce(Session& session, const gpu::Capabilities& capabilities) {

@@ -17,7 +17,7 @@ constexpr int kLargestSide = 16384;
 /// The draws into the window, in order.
 std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene) {
     std::vector<const scene::Draw*> draws;
-    for (const scene::Pass& pass : scene.passes) {
+    for (const scene::Pass& pass : scene.frame.passes) {
         if (!pass.targets.empty()) continue;
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step)) draws.push_back(draw);
@@ -34,8 +34,8 @@ std::vector<ViewState::Object> moved(const std::vector<ViewState::Object>& objec
     std::vector<ViewState::Object> result;
     for (const ViewState::Object& each : objects)
         for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
-            if (before[i]->place.line == each.line && before[i]->word == after[i]->word) {
-                result.push_back({after[i]->place.line, each.matrix});
+            if (before[i]->id == each.draw() && before[i]->word == after[i]->word) {
+                result.push_back({after[i]->id, each.matrix});
                 break;
             }
     return result;
@@ -52,7 +52,7 @@ void addOnce(Diagnostics& diagnostics, Diagnostic added) {
     if (diagnostics.size() < kMostDiagnostics) diagnostics.push_back(std::move(added));
 }
 
-Matrix* matrixOfMode(ViewState& view, TransformMode mode, int pickedLine) {
+Matrix* matrixOfMode(ViewState& view, TransformMode mode, const DrawId& picked) {
     switch (mode) {
         case TransformMode::scene:
             return &view.scene;
@@ -63,10 +63,10 @@ Matrix* matrixOfMode(ViewState& view, TransformMode mode, int pickedLine) {
         case TransformMode::object:
             break;
     }
-    if (pickedLine == 0) return nullptr;
+    if (picked.line == 0) return nullptr;
     for (ViewState::Object& each : view.objects)
-        if (each.line == pickedLine) return &each.matrix;
-    return &view.objects.emplace_back(ViewState::Object{pickedLine, kIdentity}).matrix;
+        if (each.draw() == picked) return &each.matrix;
+    return &view.objects.emplace_back(ViewState::Object{picked, kIdentity}).matrix;
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());
         const auto ordinal = static_cast<std::size_t>(picked_->ordinal);
         if (sameScene && ordinal < draws.size() && draws[ordinal]->word == picked_->word)
-            picked_->line = draws[ordinal]->place.line;
+            picked_->draw = draws[ordinal]->id;
         else
             picked_.reset();
     }
@@ -204,13 +204,13 @@ void Session::resetTransforms() {
 
 Matrix Session::transform(TransformMode mode) const {
     ViewState view = view_;
-    const Matrix* matrix = matrixOfMode(view, mode, picked_ ? picked_->line : 0);
+    const Matrix* matrix = matrixOfMode(view, mode, picked_ ? picked_->draw : DrawId());
     return matrix ? *matrix : kIdentity;
 }
 
 void Session::setTransform(TransformMode mode, const Matrix& matrix) {
     ViewState view = view_;
-    Matrix* changed = matrixOfMode(view, mode, picked_ ? picked_->line : 0);
+    Matrix* changed = matrixOfMode(view, mode, picked_ ? picked_->draw : DrawId());
     if (!changed || !scene::isFinite(render::asMatrix(matrix))) return;
     *changed = matrix;
     std::erase_if(view.objects, [](const ViewState::Object& each) { return each.matrix == kIdentity; });
@@ -220,7 +220,7 @@ void Session::setTransform(TransformMode mode, const Matrix& matrix) {
 const scene::Draw* Session::pickedDraw() const {
     if (!picked_ || !live_) return nullptr;
     for (const scene::Draw* each : windowDraws(live_->scene()))
-        if (each->place.line == picked_->line) return each;
+        if (each->id == picked_->draw) return each;
     return nullptr;
 }
 
@@ -230,7 +230,7 @@ Surroundings Session::surroundings(TransformMode mode) const {
     if (mode == TransformMode::eye) without.eye = kIdentity;
     if (mode == TransformMode::object)
         std::erase_if(without.objects,
-                      [&](const ViewState::Object& each) { return each.line == picked_->line; });
+                      [&](const ViewState::Object& each) { return each.draw() == picked_->draw; });
     const render::ViewMatrices view(without, live_->scene().view, live_->eyeDistance());
     const scene::Draw* draw = pickedDraw();
     if (mode != TransformMode::object || !draw) {
@@ -307,8 +307,11 @@ void Session::resize(int width, int height) {
 
 Diagnostics Session::drawShown() {
     if (debugView_ == DebugView::picture) return live_->draw(*target_, view_, clock_.time(), axes_);
+    Diagnostics diagnostics;
+    if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
     if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
-    return debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_});
+    append(diagnostics, debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_}));
+    return diagnostics;
 }
 
 bool Session::drawIfNeeded() {

@@ -85,7 +85,7 @@ nlohmann::ordered_json stateOf(const Session& session) {
               {"knobs", knobsJson(session)},
               {"messages", messages}};
     if (const auto& picked = session.picked())
-        json["picked"] = {{"line", picked->line},
+        json["picked"] = {{"line", picked->draw.line},
                           {"word", picked->word},
                           {"eye", {picked->eye.x, picked->eye.y, picked->eye.z}}};
     return json;

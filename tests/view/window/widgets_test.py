@@ -43,6 +43,31 @@ class Widgets(WindowTest):
         window.wait(lambda s: all(k["current"] == k["initial"] for k in s["knobs"]))
         self.assertShows(window, scene)
 
+    def test_variables_change_the_scene(self):
+        scene = self.files / "variables.glib"
+        at = ("--time", "1.25")
+        window = self.open(scene, "--size", "320x240", "--paused", *at)
+        self.assertShows(window, scene, *at)
+        window.drag_widget("uniform/Variables/size", 0.4, 0.9)
+        window.wait_knob("size", lambda v: v[0] > 0.7)
+        self.assertShows(window, scene, *at, *self.set_of(window))
+        window.click("uniform/Variables/high")
+        window.wait_knob("high", lambda v: v == [0])
+        self.assertShows(window, scene, *at, *self.set_of(window))
+        window.click("uniforms/reset")
+        window.wait(lambda s: all(k["current"] == k["initial"] for k in s["knobs"]))
+        self.assertShows(window, scene, *at)
+
+    def test_a_scene_that_changes_with_time_shows_every_moment(self):
+        scene = self.files / "variables.glib"
+        window = self.open(scene, "--size", "240x600")
+        window.wait(lambda s: s["time"] > 0.5)
+        window.key("space")
+        moments = [window.settle()["time"]]
+        window.drag_widget("time/scrub", 0.2, 0.75)
+        window.wait(lambda s: s["time"] != moments[0] and s["waiting"])
+        self.assertShows(window, scene, "--time", repr(window.settle()["time"]))
+
     def test_a_double_click_takes_a_value_past_the_range(self):
         scene = self.files / "kinds.glib"
         window = self.open(scene, "--size", "200x560")

@@ -34,6 +34,28 @@ void main() {
     c.rgb = .5 * c.rgb + .2 * uRgb + .1 * uRgba.rgb * uRgba.a + vec3(uVector, uArray[0] + uArray[2]) * .1;
 }
 """
+VARIABLES = """# Variables of every kind that has a control, a group, a repetition, and the time.
+Background .1 .1 .15
+Camera eye LookAt 0 1 8  0 0 0  0 1 0  Perspective 40 .1 100
+Let size <.2 .5 1>
+Let shape <ball cube>
+Let high <true>
+Let tint {.9 .5 .2}
+
+Group body x 0
+    Translate (x) (high ? sin(time) : 0) 0
+    Color (tint)
+    When (shape == ball)
+        Sphere (size)
+    Else
+        Box (2*size)
+    EndWhen
+EndGroup
+
+Repeat 3
+    Draw body x (2*i - 2)
+EndRepeat
+"""
 MOVING = """WindowSize 200 200
 Ortho -1 1 -1 1
 Vertex a.vert
@@ -58,6 +80,7 @@ class WindowTest(unittest.TestCase):
         self.files = pathlib.Path(self.folder.name)
         (self.files / "kinds.glib").write_text(ALL_KINDS)
         (self.files / "moving.glib").write_text(MOVING)
+        (self.files / "variables.glib").write_text(VARIABLES)
         (self.files / "a.vert").write_text(VERTEX)
         (self.files / "a.frag").write_text(FRAGMENT)
         (self.files / "moving.frag").write_text(MOVING_FRAGMENT)

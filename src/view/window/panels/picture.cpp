@@ -45,10 +45,10 @@ bool project(const Ui& ui, const glm::dmat4& projection, const glm::dvec3& eye, 
 void cursor(const Ui& ui, ImDrawList& list) {
     const Picked& picked = *ui.session.picked();
     const scene::Draw* draw = nullptr;
-    for (const scene::Pass& pass : ui.session.live().scene().passes)
+    for (const scene::Pass& pass : ui.session.live().scene().frame.passes)
         for (const auto& step : pass.steps)
             if (const auto* each = std::get_if<scene::Draw>(&step))
-                if (pass.targets.empty() && each->place.line == picked.line) draw = each;
+                if (pass.targets.empty() && each->id == picked.draw) draw = each;
     if (!draw) return;
     const render::ViewMatrices& view = ui.session.live().view();
     const glm::dmat4 projection = view.projection(draw->projection, ui.picture[2] / ui.picture[3]);
@@ -71,8 +71,8 @@ void cursor(const Ui& ui, ImDrawList& list) {
             list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.scale);
     }
     constexpr int kMostShown = 200;
-    const std::string line = sourceLine({ui.session.path().string(), picked.line, 1});
-    const std::string text = fmt::format("line {}: {}", picked.line, excerpt(line, 1, kMostShown).text);
+    const std::string line = sourceLine({ui.session.path().string(), picked.draw.line, 1});
+    const std::string text = fmt::format("line {}: {}", picked.draw.line, excerpt(line, 1, kMostShown).text);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at(centre.x + 12 * ui.scale, centre.y + 12 * ui.scale);
     list.AddRectFilled({at.x - 4, at.y - 2}, {at.x + size.x + 4, at.y + size.y + 2}, IM_COL32(0, 0, 0, 170),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "view/edit/save_values.h"
@@ -62,7 +63,13 @@ void slider(Ui& ui, const Part& part) {
     if (!ui.typing.empty() && ui.typing == nameOf(knob, part.component)) return entry(ui, part);
     double value = knob.current[part.component];
     bool changed = false;
-    if (knob.isInteger()) {
+    if (!knob.words.empty()) {
+        int word = shownInteger(value);
+        std::string items;  // ended by zero bytes
+        for (const std::string& each : knob.words) items += each + '\0';
+        changed = ImGui::Combo("##slider", &word, items.c_str());
+        value = word;
+    } else if (knob.isInteger()) {
         int integer = shownInteger(value);
         changed = ImGui::SliderInt("##slider", &integer, static_cast<int>(std::ceil(knob.minimum)),
                                    static_cast<int>(std::floor(knob.maximum)));
@@ -72,6 +79,10 @@ void slider(Ui& ui, const Part& part) {
                                       kNumberFormat);
     }
     markPart(ui, part);
+    if (!knob.words.empty()) {
+        if (changed) setPart(ui, part, value);
+        return;
+    }
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (ImGui::IsItemActivated() && !isSecondClick) ui.valuesBeforeClick = knob.current;
     if (ImGui::IsItemHovered() && isSecondClick) {
@@ -210,9 +221,9 @@ void section(Ui& ui, scene::ProgramIndex program) {
     for (std::size_t i = 0; i < knobs.size(); ++i)
         if (knobs[i].program == program) row(ui, i);
     ImGui::EndTable();
-    if (ImGui::SmallButton("Copy Program line"))
+    if (ImGui::SmallButton(program ? "Copy Program line" : "Copy Let lines"))
         ImGui::SetClipboardText(programLine(ui.session.live().scene(), program, knobs).c_str());
-    mark(ui, "copy/{}", program.position());
+    mark(ui, "copy/{}", program ? std::to_string(program.position()) : "variables");
 }
 
 }  // namespace
@@ -244,12 +255,13 @@ void uniformsPanel(Ui& ui) {
     ImGui::Checkbox("Labels", &ui.showLabels);
     mark(ui, "uniforms/labels");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the values over the picture (L)");
-    scene::ProgramIndex last;
+    std::optional<scene::ProgramIndex> drawn;
     for (const Knob& first : knobs) {
-        if (first.program == last) continue;
-        last = first.program;
-        ImGui::PushID(static_cast<int>(last.position()));
-        const char* state = ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
+        const scene::ProgramIndex last = first.program;
+        if (last == drawn) continue;
+        drawn = last;
+        ImGui::PushID(last ? static_cast<int>(last.position()) : -1);
+        const char* state = last && ui.session.live().showsEarlierProgram(last) ? " (last good version)" : "";
         ImGui::SetNextItemOpen(true, ImGuiCond_Once);
         if (ImGui::TreeNodeEx("program", ImGuiTreeNodeFlags_SpanAvailWidth, "%s%s", first.title.c_str(),
                               state)) {

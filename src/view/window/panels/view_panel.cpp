@@ -46,7 +46,7 @@ void numbers(Ui& ui) {
             ImGui::TextDisabled("Click an object in the picture first.");
             return;
         }
-        ImGui::Text("%s, line %d", picked->word.c_str(), picked->line);
+        ImGui::Text("%s, line %d", picked->word.c_str(), picked->draw.line);
     }
     Similarity now = similarityOf(render::asMatrix(ui.session.transform(ui.mode)));
     bool changed = drag(ui, "Translate", &now.translation.x, 3, .01F);

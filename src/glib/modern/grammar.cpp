@@ -1,0 +1,291 @@
+#include "glib/modern/grammar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace glibra::glib {
+namespace {
+
+using Kind = SyntaxNode::Kind;
+
+constexpr std::size_t kMostShownWords = 7;
+constexpr std::string_view kRepeats = "...";
+
+constexpr std::pair<std::string_view, ValueType> kTypes[] = {
+    {"number", ValueType::number},
+    {"name", ValueType::name},
+    {"array", ValueType::array},
+    {"object", ValueType::object},
+    {"word", ValueType::word},
+    {"file", ValueType::file},
+    {"program", ValueType::program},
+    {"key", ValueType::key},
+    {"any", ValueType::any},
+    {"constant", ValueType::constant},
+    {"expression", ValueType::expression},
+    {"list", ValueType::list},
+    {"words", ValueType::words},
+    {"color", ValueType::color},
+    {"components", ValueType::components},
+};
+
+/// Replaces every $name by its fragment.
+std::string expanded(std::string_view syntax) {
+    std::string text;
+    for (std::size_t at = 0; at < syntax.size();) {
+        if (syntax[at] != '$') {
+            text += syntax[at++];
+            continue;
+        }
+        std::size_t end = at + 1;
+        while (end < syntax.size() && syntax[end] >= 'a' && syntax[end] <= 'z') ++end;
+        const std::string_view fragment = syntaxFragment(syntax.substr(at + 1, end - at - 1));
+        assert(!fragment.empty());
+        text += expanded(fragment);
+        at = end;
+    }
+    return text;
+}
+
+std::vector<std::string> split(std::string_view list) {
+    std::vector<std::string> words;
+    while (true) {
+        const std::size_t comma = list.find(',');
+        words.emplace_back(list.substr(0, comma));
+        if (comma == std::string_view::npos) return words;
+        list.remove_prefix(comma + 1);
+    }
+}
+
+std::size_t readCount(std::string_view digits) {
+    std::size_t count = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    return count;
+}
+
+class Compiler {
+  public:
+    explicit Compiler(std::string_view text) : text_(text) {}
+
+    SyntaxNode compile() {
+        SyntaxNode root = alternatives(Kind::choice);
+        assert(at_ >= text_.size());
+        return root;
+    }
+
+  private:
+    void skipBlanks() {
+        while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    }
+    bool take(std::string_view expected) {
+        if (!text_.substr(at_).starts_with(expected)) return false;
+        at_ += expected.size();
+        return true;
+    }
+
+    /// a | b | c up to a closing bracket. One sequence alone is that sequence, except in a set.
+    SyntaxNode alternatives(Kind kind) {
+        SyntaxNode node;
+        node.kind = kind;
+        do node.children.push_back(sequence());
+        while (take("|"));
+        if (kind == Kind::choice && node.children.size() == 1) return std::move(node.children.front());
+        return node;
+    }
+
+    SyntaxNode sequence() {
+        SyntaxNode node;
+        for (skipBlanks(); at_ < text_.size(); skipBlanks()) {
+            if (std::string_view("|)]}").find(text_[at_]) != std::string_view::npos) break;
+            node.children.push_back(item());
+        }
+        return node;
+    }
+
+    SyntaxNode item() {
+        SyntaxNode node;
+        if (take("(")) {
+            node = alternatives(Kind::choice);
+            take(")");
+        } else if (take("[")) {
+            node.kind = Kind::optional;
+            node.children.push_back(alternatives(Kind::choice));
+            take("]");
+        } else if (take("{")) {
+            node = alternatives(Kind::set);
+            take("}");
+            node.needsOne = take("+");
+        } else {
+            node = word();
+        }
+        if (take(kRepeats)) node.repeats = true;
+        return node;
+    }
+
+    SyntaxNode word() {
+        std::size_t end = std::min(text_.find_first_of(" |()[]{}", at_), text_.size());
+        if (const std::size_t dots = text_.find(kRepeats, at_); dots < end) end = dots;
+        const std::string_view all = text_.substr(at_, end - at_);
+        at_ = end;
+        const std::size_t colon = all.find(':');
+        if (colon != std::string_view::npos) return value(all.substr(0, colon), all.substr(colon + 1));
+        SyntaxNode node;
+        if (all.starts_with("pairs")) {
+            node.kind = Kind::pairs;
+            node.needsOne = all.ends_with('+');
+            return node;
+        }
+        node.kind = Kind::key;
+        const std::size_t point = all.find('.');
+        node.text = all.substr(0, point);
+        if (point == std::string_view::npos) return node;
+        node.hasNumberSuffix = all.substr(point + 1) == "#";
+        if (!node.hasNumberSuffix) node.words = split(all.substr(point + 1));
+        return node;
+    }
+
+    static SyntaxNode value(std::string_view name, std::string_view type) {
+        SyntaxNode node;
+        node.kind = Kind::value;
+        node.text = name;
+        const std::size_t count = type.find_first_of("*+");
+        if (count != std::string_view::npos) {
+            node.most = readCount(type.substr(count + 1));
+            node.least = type[count] == '*' ? node.most : 1;
+        }
+        const auto* known = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const auto& each) {
+            return each.first == type.substr(0, count);
+        });
+        if (known != std::end(kTypes)) {
+            node.type = known->second;
+        } else {
+            node.type = ValueType::oneOf;
+            node.words = split(type);
+        }
+        return node;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+/// Sets isSkippable and isChosen, and collects the keys.
+void finish(SyntaxNode& node, bool isSkippable, bool isChosen, std::vector<std::string>& keys) {
+    node.isSkippable = isSkippable;
+    node.isChosen = isChosen;
+    if (node.kind == Kind::key && std::find(keys.begin(), keys.end(), node.text) == keys.end())
+        keys.push_back(node.text);
+    const bool skips = isSkippable || node.kind == Kind::optional || node.kind == Kind::set;
+    for (SyntaxNode& each : node.children) finish(each, skips, isChosen || node.kind == Kind::choice, keys);
+}
+
+std::string joined(const SyntaxNode& node, std::string_view between);
+
+std::string shown(const SyntaxNode& node) {
+    std::string text;
+    switch (node.kind) {
+        case Kind::key:
+            text = node.text;
+            if (node.hasNumberSuffix) text += "[.n]";
+            if (!node.words.empty()) text += fmt::format("[.{}]", fmt::join(node.words, "|."));
+            break;
+        case Kind::value:
+            if (node.type == ValueType::oneOf && node.words.size() <= kMostShownWords)
+                text = fmt::format("{}", fmt::join(node.words, "|"));
+            else
+                text = node.text;
+            if (node.type == ValueType::array) text += "[count]";
+            if (node.type == ValueType::expression) text = "(" + text + ")";
+            if (node.most > 1)
+                text += fmt::format("{}{}", node.least < node.most ? " up to x" : " x", node.most);
+            break;
+        case Kind::sequence:
+            text = joined(node, " ");
+            break;
+        case Kind::choice:
+            text = "(" + joined(node, " | ") + ")";
+            break;
+        case Kind::optional:
+            text = "[" + joined(node, " ") + "]";
+            break;
+        case Kind::set:
+            text = "{" + joined(node, " | ") + "}";
+            break;
+        case Kind::pairs:
+            text = node.needsOne ? "tag value ..." : "[tag value]...";
+            break;
+    }
+    if (node.repeats) text += " ...";
+    return text;
+}
+
+std::string joined(const SyntaxNode& node, std::string_view between) {
+    std::string text;
+    for (const SyntaxNode& each : node.children) {
+        const std::string piece = shown(each);
+        if (piece.empty()) continue;
+        if (!text.empty()) text += between;
+        text += piece;
+    }
+    return text;
+}
+
+template <class Visit>
+void forEachNode(const SyntaxNode& node, const Visit& visit) {
+    visit(node);
+    for (const SyntaxNode& each : node.children) forEachNode(each, visit);
+}
+
+}  // namespace
+
+const Syntax& syntaxOf(const StatementRow& row) {
+    static const auto kAll = [] {
+        std::map<CommandId, Syntax> all;
+        for (const StatementRow& each : statementTable()) {
+            Syntax syntax;
+            syntax.root = Compiler(expanded(each.syntax)).compile();
+            finish(syntax.root, false, false, syntax.keys);
+            all.emplace(each.id, std::move(syntax));
+        }
+        return all;
+    }();
+    return kAll.at(row.id);
+}
+
+std::vector<WordList> wordLists(const StatementRow& row) {
+    std::vector<WordList> lists;
+    forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {
+        if (node.type != ValueType::oneOf || node.words.size() <= kMostShownWords) return;
+        if (std::none_of(lists.begin(), lists.end(), [&](const WordList& each) {
+                return each.name == node.text && each.words == node.words;
+            }))
+            lists.push_back({node.text, node.words});
+    });
+    return lists;
+}
+
+std::vector<std::string> wordsOf(const StatementRow& row) {
+    std::vector<std::string> words;
+    const auto add = [&](const std::string& word) {
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    };
+    forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {
+        if (node.kind == Kind::key) add(node.text);
+        if (node.kind == Kind::value)
+            for (const std::string& each : node.words) add(each);
+    });
+    return words;
+}
+
+std::string usage(const StatementRow& row) {
+    const std::string arguments = shown(syntaxOf(row).root);
+    return arguments.empty() ? std::string(row.name) : fmt::format("{} {}", row.name, arguments);
+}
+
+}  // namespace glibra::glib

@@ -1,0 +1,208 @@
+#include "glib/modern/read_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "glib/arguments.h"
+#include "glib/bracket_group.h"
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+using Kind = Value::Kind;
+
+class PieceReader {
+  public:
+    PieceReader(std::span<const Token> tokens, MessageLog& log) : tokens_(tokens), log_(log) {}
+
+    std::optional<std::vector<Piece>> read() {
+        std::vector<Piece> pieces;
+        while (at_ < tokens_.size()) {
+            const bool isJoined = at_ > 0 && tokens_[at_ - 1].end == tokens_[at_].begin;
+            std::optional<Value> value = tokens_[at_].kind == TokenKind::open ? readGroup() : readSingle();
+            if (!value) return std::nullopt;
+            pieces.push_back({std::move(*value), isJoined});
+        }
+        return pieces;
+    }
+
+  private:
+    std::nullopt_t refuse(const char* id, std::string message, Position position) {
+        log_.report(id, std::move(message), position);
+        return std::nullopt;
+    }
+
+    static Value valueOf(const Token& token, Kind kind) {
+        Value value;
+        value.kind = kind;
+        value.text = token.text;
+        value.position = token.position;
+        value.begin = token.begin;
+        value.end = token.end;
+        return value;
+    }
+
+    std::optional<Value> readSingle() {
+        const Token& token = tokens_[at_++];
+        if (++values_ > kMostValues)
+            return refuse("glib-E15",
+                          fmt::format("more than {} values in a statement",
+                                      groupedText(static_cast<long long>(kMostValues))),
+                          token.position);
+        switch (token.kind) {
+            case TokenKind::number:
+                if (isCompleteNumber(token.text)) return readNumberToken(token);
+                break;
+            case TokenKind::quoted:
+                return valueOf(token, Kind::text);
+            case TokenKind::expression:
+                return readExpression(token);
+            case TokenKind::open:
+                return refuse(
+                    "glib-E20",
+                    token.text == "("
+                        ? std::string("'(' is not closed on this line")
+                        : fmt::format("'{}' inside brackets; brackets cannot be nested", token.text),
+                    token.position);
+            case TokenKind::close:
+                return refuse("glib-E20", fmt::format("'{}' closes nothing", token.text), token.position);
+            case TokenKind::word:
+                break;
+        }
+        Value word = valueOf(token, token.truth() ? Kind::truth : Kind::word);
+        word.number = token.truth() == true ? 1 : 0;
+        return word;
+    }
+
+    std::optional<Value> readNumberToken(const Token& token) {
+        const std::size_t errors = log_.errorCount();
+        Value value = valueOf(token, Kind::number);
+        value.number = readNumber(token, log_).value;
+        value.text.clear();
+        if (log_.errorCount() > errors) return std::nullopt;
+        return value;
+    }
+
+    std::optional<Value> readExpression(const Token& token) {
+        if (token.text.size() > kLongestExpression)
+            return refuse("glib-E15",
+                          fmt::format("expression of {} bytes; the limit is {}",
+                                      groupedText(static_cast<long long>(token.text.size())),
+                                      groupedText(static_cast<long long>(kLongestExpression))),
+                          token.position);
+        if (const std::size_t depth = depthOf(token.text) + 1; depth > kDeepestParentheses)
+            return refuse("glib-E15",
+                          fmt::format("parentheses {} deep; the limit is {}",
+                                      groupedText(static_cast<long long>(depth)), kDeepestParentheses),
+                          token.position);
+        if (token.text.find_first_not_of(" \t") == std::string_view::npos)
+            return refuse("glib-E20", "an expression is missing between '(' and ')'", token.position);
+        return valueOf(token, Kind::expression);
+    }
+
+    std::optional<Value> readGroup() {
+        const Token& open = tokens_[at_];
+        if (open.text == "(") return readSingle();  // it is not closed on its line
+        ++at_;
+        Value group = valueOf(open, open.text == "<"   ? Kind::range
+                                    : open.text == "{" ? Kind::color
+                                                       : Kind::list);
+        group.text.clear();
+        while (at_ < tokens_.size() && tokens_[at_].kind != TokenKind::close) {
+            std::optional<Value> item = readSingle();
+            if (!item) return std::nullopt;
+            group.items.push_back(std::move(*item));
+        }
+        if (at_ == tokens_.size())
+            return refuse("glib-E20", fmt::format("'{}' is not closed", open.text), open.position);
+        const Token& close = tokens_[at_++];
+        if (!bracketsMatch(open.text, close.text))
+            return refuse("glib-E20", fmt::format("'{}' closed by '{}'", open.text, close.text),
+                          close.position);
+        group.end = close.end;
+        return checked(std::move(group));
+    }
+
+    static bool isNumeric(const Value& value) {
+        return value.kind == Kind::number || value.kind == Kind::expression;
+    }
+    static bool allNumeric(const Value& group) {
+        return std::all_of(group.items.begin(), group.items.end(), isNumeric);
+    }
+    static bool hasExpression(const Value& group) {
+        return std::any_of(group.items.begin(), group.items.end(),
+                           [](const Value& each) { return each.kind == Kind::expression; });
+    }
+
+    std::optional<Value> checked(Value group) {
+        for (const Value& each : group.items)
+            if (each.kind == Kind::text)
+                return refuse("glib-E20", "a text in quotes cannot stand in brackets", each.position);
+        if (group.items.empty())
+            return refuse("glib-E20", "a value is missing between the brackets", group.position);
+        switch (group.kind) {
+            case Kind::range:
+                return checkedRange(std::move(group));
+            case Kind::color:
+                return checkedColor(std::move(group));
+            default:
+                return checkedList(std::move(group));
+        }
+    }
+
+    std::optional<Value> checkedRange(Value range) {
+        if (range.items.size() == 1 && range.items.front().kind == Kind::truth) {
+            range.kind = Kind::truth;
+            range.number = range.items.front().number;
+            range.items.clear();
+            return range;
+        }
+        const bool isChoice = std::all_of(range.items.begin(), range.items.end(),
+                                          [](const Value& each) { return each.kind == Kind::word; });
+        if (isChoice || (allNumeric(range) && range.items.size() == 3)) return range;
+        return refuse("glib-E20", "< > needs three numbers (min cur max), or words, or true or false",
+                      range.position);
+    }
+
+    std::optional<Value> checkedColor(Value color) {
+        const std::size_t count = color.items.size();
+        const bool fits = count == 3 || count == 4 || (hasExpression(color) && count < 3);
+        if (fits && allNumeric(color)) return color;
+        return refuse("glib-E20", "{ } needs 3 or 4 numbers", color.position);
+    }
+
+    /// `[6 of (...)]` becomes a count and one item.
+    std::optional<Value> checkedList(Value list) {
+        if (list.items.size() < 2 || list.items[1].kind != Kind::word || !sameWord(list.items[1].text, "of"))
+            return list;
+        if (list.items.size() != 3 || !isNumeric(list.items[0]) || !isNumeric(list.items[2]))
+            return refuse("glib-E20", "expected [COUNT of (EXPRESSION)]", list.position);
+        list.count = {std::move(list.items[0])};
+        list.items = {std::move(list.items[2])};
+        return list;
+    }
+
+    std::span<const Token> tokens_;
+    MessageLog& log_;
+    std::size_t at_ = 0;
+    std::size_t values_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log) {
+    return PieceReader(tokens, log).read();
+}
+
+bool isIdentifier(std::string_view text) {
+    if (text.empty() || (!isLetter(text.front()) && text.front() != '_')) return false;
+    return std::all_of(text.begin(), text.end(),
+                       [](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+}  // namespace glibra::glib

@@ -1,0 +1,359 @@
+#include "glib/modern/statement_table.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "glib/command_table.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+using Id = CommandId;
+
+struct Fragment {
+    std::string_view name;
+    std::string_view text;
+};
+
+/// The words are GL's, in lower case and without their prefix.
+constexpr Fragment kFragments[] = {
+    {"compare", "never,less,lequal,equal,gequal,greater,notequal,always"},
+    {"factor",
+     "zero,one,src_color,one_minus_src_color,dst_color,one_minus_dst_color,src_alpha,one_minus_src_alpha,"
+     "dst_alpha,one_minus_dst_alpha,constant_color,one_minus_constant_color,constant_alpha,"
+     "one_minus_constant_alpha,src_alpha_saturate"},
+    {"equation", "add,subtract,reverse_subtract,min,max"},
+    {"operation", "keep,zero,replace,incr,incr_wrap,decr,decr_wrap,invert"},
+    {"mask", "none,r,g,b,a,rg,rb,ra,gb,ga,ba,rgb,rga,rba,gba,rgba"},
+    {"switch", "on,off"},
+    {"lens", "(Perspective lens:number*3 [aspect ratio:number] | Ortho box:number*6 | Frustum box:number*6)"},
+    {"filter",
+     "(nearest | linear | mipmap | nearest_mipmap_nearest | linear_mipmap_nearest | nearest_mipmap_linear | "
+     "linear_mipmap_linear)"},
+    {"wrap", "(repeat | mirror | clamp | border [color:components])..."},
+    {"sampling", "$filter | aniso limit:number | $wrap"},
+    {"options",
+     "{$sampling | flip | srgb | samples count:number | levels count:number | generate | history}"},
+    {"blending",
+     "(source:$factor destination:$factor [equation:$equation] [alpha source:$factor destination:$factor "
+     "[equation:$equation]] | mode:off,alpha,add,multiply,premultiplied)"},
+    {"tolerance", "{within tolerance:number | of target:object}"},
+};
+
+constexpr StatementRow kRows[] = {
+    // Variables and structure
+    {.id = Id::let,
+     .name = "Let",
+     .syntax = "name:array value:constant",
+     .summary = "a variable: a slider, a choice, a number, a list or an expression",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::set,
+     .name = "Set",
+     .syntax = "pairs+",
+     .summary = "uniform variables of the following draws of the scope"},
+    {.id = Id::material,
+     .name = "Material",
+     .syntax = "preset:word",
+     .summary = "sets material.* to a preset"},
+    {.id = Id::group,
+     .name = "Group",
+     .syntax = "[name:name pairs]",
+     .summary = "statements that Draw repeats; without a name a scope in place",
+     .role = BlockRole::opens,
+     .standing = Standing::anywhere},
+    {.id = Id::endGroup,
+     .name = "EndGroup",
+     .summary = "ends a Group",
+     .role = BlockRole::closes,
+     .opener = Id::group},
+    {.id = Id::draw,
+     .name = "Draw",
+     .syntax = "group:name pairs",
+     .summary = "runs the statements of a group"},
+    {.id = Id::repeat,
+     .name = "Repeat",
+     .syntax = "(count:number | words:words) [as counter:name]",
+     .summary = "runs statements several times, or once per word",
+     .role = BlockRole::opens},
+    {.id = Id::endRepeat,
+     .name = "EndRepeat",
+     .summary = "ends a Repeat",
+     .role = BlockRole::closes,
+     .opener = Id::repeat},
+    {.id = Id::when,
+     .name = "When",
+     .syntax = "condition:number",
+     .summary = "runs statements if the condition holds",
+     .role = BlockRole::opens},
+    {.id = Id::elseBranch,
+     .name = "Else",
+     .summary = "the statements for a When that does not hold",
+     .role = BlockRole::divides,
+     .opener = Id::when},
+    {.id = Id::endWhen,
+     .name = "EndWhen",
+     .summary = "ends a When",
+     .role = BlockRole::closes,
+     .opener = Id::when},
+    {.id = Id::include,
+     .name = "Include",
+     .syntax = "file:file",
+     .summary = "the statements of another scene file"},
+    {.id = Id::vertex,
+     .name = "Vertex",
+     .syntax = "inline",
+     .summary = "a vertex shader in the script, up to EndVertex",
+     .standing = Standing::declaration},
+    {.id = Id::tessControl,
+     .name = "TessControl",
+     .syntax = "inline",
+     .summary = "a tessellation control shader in the script, up to EndTessControl",
+     .standing = Standing::declaration},
+    {.id = Id::tessEvaluation,
+     .name = "TessEvaluation",
+     .syntax = "inline",
+     .summary = "a tessellation evaluation shader in the script, up to EndTessEvaluation",
+     .standing = Standing::declaration},
+    {.id = Id::geometry,
+     .name = "Geometry",
+     .syntax = "inline",
+     .summary = "a geometry shader in the script, up to EndGeometry",
+     .standing = Standing::declaration},
+    {.id = Id::fragment,
+     .name = "Fragment",
+     .syntax = "inline",
+     .summary = "a fragment shader in the script, up to EndFragment",
+     .standing = Standing::declaration},
+    {.id = Id::program,
+     .name = "Program",
+     .syntax = "name:program pairs",
+     .summary = "a program whose tags are expressions or name textures, buffers and variables",
+     .standing = Standing::declaration},
+    {.id = Id::use,
+     .name = "Use",
+     .syntax = "program:program",
+     .summary = "makes an earlier program current"},
+    {.id = Id::key,
+     .name = "Key",
+     .syntax = "key:key (restart | variable:name values:any...)",
+     .summary = "a key of the keyboard that sets or cycles a variable, or restarts",
+     .standing = Standing::declaration},
+    {.id = Id::fps,
+     .name = "Fps",
+     .syntax = "rate:number",
+     .summary = "frames per second, for the number of the frame",
+     .standing = Standing::declaration},
+    // Cameras
+    {.id = Id::camera,
+     .name = "Camera",
+     .syntax = "name:array (LookAt view:number*9 $lens | At place:number*3 Axes axes:number*9 $lens | "
+               "Reflect camera:object plane:number*4 [clip] | Shift camera:object offset:number*3 | "
+               "Face face:number place:number*3 range:number*2 | view:expression projection:expression)",
+     .summary = "a view and a projection with a name",
+     .declaresName = true},
+    // Textures and targets
+    {.id = Id::namedTexture1D,
+     .name = "Texture1D",
+     .syntax = "name:name (size:number format:word | file:file) $options",
+     .summary = "a 1D texture with a name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::namedTexture2D,
+     .name = "Texture2D",
+     .syntax = "name:name (size:number*2 format:word | file:file) $options",
+     .summary = "a 2D texture with a name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::namedTexture3D,
+     .name = "Texture3D",
+     .syntax = "name:name (size:number*3 format:word | file:file) $options",
+     .summary = "a 3D texture with a name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::textureArray,
+     .name = "Texture2DArray",
+     .syntax = "name:name (size:number*3 format:word | file:file) $options",
+     .summary = "layers of 2D textures with a name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::namedCubeMap,
+     .name = "CubeMap",
+     .syntax = "name:name (size:number format:word | faces:file*6 | picture:file) $options",
+     .summary = "a cube map with a name, from six files, a panorama, a cross, or empty",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::sampler,
+     .name = "Sampler",
+     .syntax = "name:name {$sampling}+",
+     .summary = "filters and wrap modes with a name, for texture.name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::pass,
+     .name = "Pass",
+     .syntax = "targets:object... {from camera:object | (clear [color:color] {depth value:number | stencil "
+               "value:number} | keep [part:color,depth,stencil]...)}",
+     .summary = "draws into the window or into parts of textures",
+     .role = BlockRole::opens,
+     .standing = Standing::notInPass},
+    {.id = Id::endPass,
+     .name = "EndPass",
+     .summary = "ends a Pass",
+     .role = BlockRole::closes,
+     .opener = Id::pass},
+    {.id = Id::fill,
+     .name = "Fill",
+     .syntax = "target:object with program:program pairs",
+     .summary = "fills a target with one full-screen triangle",
+     .standing = Standing::notInPass},
+    {.id = Id::clearParts,
+     .name = "Clear",
+     .syntax = "(part:color,depth,stencil... | object:object)",
+     .summary = "clears parts of the current target, or a texture or buffer"},
+    {.id = Id::viewport,
+     .name = "Viewport",
+     .syntax = "area:number*4",
+     .summary = "where the picture goes, in fractions of the target: x y width height"},
+    {.id = Id::scissor,
+     .name = "Scissor",
+     .syntax = "area:number*4",
+     .summary = "the only pixels that change, in fractions of the target: x y width height"},
+    // State and draws
+    {.id = Id::state,
+     .name = "State",
+     .syntax =
+         "(default | {cull faces:off,back,front,both | front winding:ccw,cw | polygon "
+         "mode:fill,line,point | offset values:number*2 | depth test:off,$compare | depthwrite "
+         "on:$switch | depthrange range:number*2 | depthclamp on:$switch | blend.# $blending | "
+         "blendcolor color:number*4 | stencil.front,back test:$compare reference:number [mask:number] | "
+         "stencilop.front,back fail:$operation depthfail:$operation pass:$operation | "
+         "stencilwrite.front,back mask:number | mark value:number | where value:number | write "
+         "components:$mask | provoking vertex:first,last | samples on:$switch | alphatocoverage "
+         "on:$switch}+)",
+     .summary = "how fragments are tested, blended and written, until the scope ends"},
+    {.id = Id::instances,
+     .name = "Instances",
+     .syntax = "(from buffer:object | count:number)",
+     .summary = "how often each following shape is drawn"},
+    {.id = Id::vertices,
+     .name = "Vertices",
+     .syntax = "topology:$topology (from buffer:object | count:number)",
+     .summary = "draws vertices without data"},
+    {.id = Id::attribute,
+     .name = "Attribute",
+     .syntax = "name:name (as role:word | values:number+4 | buffer:object [per instance])",
+     .summary = "a vertex input: values, a role, or a buffer"},
+    {.id = Id::tessLevels,
+     .name = "TessLevels",
+     .syntax = "levels:number*6",
+     .summary = "four outer and two inner levels for programs without a control stage"},
+    // Buffers and compute
+    {.id = Id::buffer,
+     .name = "Buffer",
+     .syntax = "name:name ([type:word] size:number [values:list | value:expression | file:file] | type:word "
+               "(values:list | file:file)) [history]",
+     .summary = "a buffer with a name",
+     .standing = Standing::declaration,
+     .declaresName = true},
+    {.id = Id::compute,
+     .name = "Compute",
+     .syntax = "(inline | file:file)",
+     .summary = "the compute shader of the next Program; in the script up to EndCompute",
+     .standing = Standing::declaration},
+    {.id = Id::dispatch,
+     .name = "Dispatch",
+     .syntax = "program:program (over (size:number+3 | object:object) | from buffer:object | "
+               "groups:number*3) [tiles count:number]",
+     .summary = "runs a compute program"},
+    {.id = Id::once,
+     .name = "Once",
+     .summary = "statements that run at the start, and when a variable that they read changes",
+     .role = BlockRole::opens,
+     .standing = Standing::outermost},
+    {.id = Id::endOnce,
+     .name = "EndOnce",
+     .summary = "ends a Once",
+     .role = BlockRole::closes,
+     .opener = Id::once},
+    {.id = Id::step,
+     .name = "Step",
+     .syntax = "rate:number",
+     .summary = "statements that run `rate` times per second of scene time",
+     .role = BlockRole::opens,
+     .standing = Standing::outermost},
+    {.id = Id::endStep,
+     .name = "EndStep",
+     .summary = "ends a Step",
+     .role = BlockRole::closes,
+     .opener = Id::step},
+    // Checks
+    {.id = Id::expect,
+     .name = "Expect",
+     .syntax =
+         "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
+         "$tolerance | count color:components number:number $tolerance | buffer name:object (at "
+         "index:number values:list | values:list) {within tolerance:number} | range name:object "
+         "bounds:number*2 | same a:object b:object | different a:object b:object | finite name:object | "
+         "primitives count:number | samples count:number | error id:word | condition:expression) [at "
+         "seconds:number]",
+     .summary = "a check of the picture, a buffer, a count or a condition"},
+};
+
+/// The rows whose words begin with a letter, for a quick answer to words that are none.
+const StatementRow* rowOf(std::string_view word) {
+    static const auto kByFirstLetter = [] {
+        std::array<std::vector<const StatementRow*>, 26> lists;
+        for (const StatementRow& row : kRows)
+            lists.at(static_cast<std::size_t>(lower(row.name[0]) - 'a')).push_back(&row);
+        return lists;
+    }();
+    if (word.empty() || !isLetter(word[0])) return nullptr;
+    for (const StatementRow* row : kByFirstLetter.at(static_cast<std::size_t>(lower(word[0]) - 'a')))
+        if (sameWord(row->name, word)) return row;
+    return nullptr;
+}
+
+}  // namespace
+
+bool StatementRow::sharesWord() const {
+    return findCommand(name) != nullptr;
+}
+
+std::span<const StatementRow> statementTable() {
+    return kRows;
+}
+
+const StatementRow* findStatement(std::string_view word) {
+    const StatementRow* row = rowOf(word);
+    return row != nullptr && !row->sharesWord() ? row : nullptr;
+}
+
+const StatementRow* modernFormOf(std::string_view word) {
+    const StatementRow* row = rowOf(word);
+    return row != nullptr && row->sharesWord() ? row : nullptr;
+}
+
+const StatementRow* statementOf(CommandId id) {
+    for (const StatementRow& row : kRows)
+        if (row.id == id) return &row;
+    return nullptr;
+}
+
+std::string_view syntaxFragment(std::string_view name) {
+    if (name == "topology") {
+        static const std::string kTopologies = [] {
+            std::string all;
+            for (const std::string_view each : findCommand("glBegin")->words)
+                all.append(all.empty() ? "" : ",").append(each);
+            return all;
+        }();
+        return kTopologies;
+    }
+    for (const Fragment& each : kFragments)
+        if (each.name == name) return each.text;
+    return {};
+}
+
+}  // namespace glibra::glib

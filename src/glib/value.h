@@ -1,0 +1,61 @@
+#pragma once
+// The arguments of modern statements, as written. Nothing is evaluated here: an expression is its text.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "glib/position.h"
+
+namespace glibra::glib {
+
+struct NamePart;
+
+/// One value.
+struct Value {
+    enum class Kind {
+        number,      ///< `number`
+        word,        ///< `text`; `path` if it names an object
+        text,        ///< quoted; `text` is without the quotes
+        truth,       ///< `number` is 1 or 0
+        expression,  ///< ( ... ); `text` is without the outer parentheses, byte for byte
+        range,       ///< <min cur max> or <word word ...>; `items`
+        color,       ///< {r g b} or {r g b a}; `items`
+        list,        ///< [...]; `items`, or one item and `count`
+    };
+    Kind kind = Kind::number;
+    double number = 0;
+    std::string text;
+    std::vector<Value> items;    ///< numbers, words and expressions
+    std::vector<Value> count;    ///< [6 of (...)]: the value before `of`; otherwise empty
+    std::vector<NamePart> path;  ///< slice[i].level(2) has two parts
+    Position position;           ///< of the first byte, which is the bracket of a bracketed value
+    std::size_t begin = 0;       ///< byte range in the file, with brackets and quotes
+    std::size_t end = 0;
+};
+
+/// One part of a name: a word between points. `index` is empty or has the one value of its [k] or (k), which
+/// is a number or an expression.
+struct NamePart {
+    std::string name;
+    std::vector<Value> index;
+};
+
+/// A key of a statement, or a tag, with the values after it.
+struct KeyedValues {
+    std::string key;     ///< a key as the table of statements spells it; a tag as written, without blanks
+    std::string suffix;  ///< the part of a key after its point: "1" of blend.1
+    std::vector<NamePart> path;  ///< the parts of a tag, if it has a point or a subscript
+    Position position;
+    std::vector<Value> values;
+};
+
+/// The place of a byte of an expression's text.
+inline Position placeIn(const Value& expression, std::size_t offset) {
+    return {expression.position.line, expression.position.column + 1 + static_cast<int>(offset)};
+}
+
+/// The value as a scene writes it; reading it again gives an equal value.
+std::string written(const Value& value);
+
+}  // namespace glibra::glib

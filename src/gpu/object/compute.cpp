@@ -1,0 +1,34 @@
+#include "gpu/object/compute.h"
+
+#include <algorithm>
+
+namespace glibra::gpu {
+
+std::array<int, 3> localSizeOf(const Program& program) {
+    std::array<GLint, 3> size{1, 1, 1};
+    glGetProgramiv(program.id(), GL_COMPUTE_WORK_GROUP_SIZE, size.data());
+    return size;
+}
+
+std::array<GLuint, 3> groupsOver(const std::array<GLuint, 3>& invocations,
+                                 const std::array<int, 3>& localSize) {
+    std::array<GLuint, 3> groups{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto size = static_cast<GLuint>(std::max(1, localSize[axis]));
+        groups[axis] = invocations[axis] / size + (invocations[axis] % size != 0 ? 1 : 0);
+    }
+    return groups;
+}
+
+void dispatch(const Program& program, const std::array<GLuint, 3>& groups) {
+    program.use();
+    glDispatchCompute(groups[0], groups[1], groups[2]);
+}
+
+void dispatchFrom(const Program& program, const Buffer& groups, std::size_t offset) {
+    program.use();
+    groups.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,163 @@
+#include "scene/modern/environment.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "expression/name_table.h"
+
+namespace glibra::scene {
+namespace {
+
+using expression::Depends;
+using expression::Symbol;
+using expression::Type;
+
+Symbol symbolOf(Type type, Depends depends, std::size_t count = 0) {
+    Symbol symbol;
+    symbol.type = type;
+    symbol.depends = depends;
+    symbol.count = static_cast<std::uint32_t>(count);
+    return symbol;
+}
+
+Symbol record(std::string what, std::size_t count = 0) {
+    Symbol symbol = symbolOf(Type::record(), Depends::nothing, count);
+    symbol.what = std::move(what);
+    return symbol;
+}
+
+std::span<const double> componentsOf(const glm::dmat4& matrix) {
+    return {&matrix[0][0], 16};
+}
+std::span<const double> componentsOf(const glm::dvec3& vector) {
+    return {&vector[0], 3};
+}
+
+}  // namespace
+
+Environment::Environment() {
+    for (const expression::NameRow& each : expression::sceneNames())
+        declare(each.path, symbolOf(each.type, each.depends));
+    declareCamera("camera");
+    declareCamera("eye");
+}
+
+Environment::Slot Environment::add(const Symbol& symbol) {
+    const auto slot = static_cast<Slot>(variables_.size());
+    Variable variable;
+    variable.symbol = symbol;
+    variable.symbol.slot = slot;
+    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
+    variable.components.resize(elements * symbol.type.size());
+    variable.has.resize(elements);
+    variables_.push_back(std::move(variable));
+    return slot;
+}
+
+std::optional<Environment::Slot> Environment::declare(std::string_view path, const Symbol& symbol) {
+    if (const auto known = slots_.find(path); known != slots_.end()) {
+        Symbol& earlier = variables_[known->second].symbol;
+        if (earlier.type != symbol.type || earlier.count != symbol.count || earlier.what != symbol.what)
+            return std::nullopt;
+        earlier.depends = earlier.depends | symbol.depends;
+        earlier.words = symbol.words;
+        return known->second;
+    }
+    return slots_[std::string(path)] = add(symbol);
+}
+
+void Environment::declareCamera(std::string_view name, std::size_t count) {
+    const std::string camera(name);
+    declare(camera, record("camera", count));
+    declare(camera + ".prev", record("camera", count));
+    for (const expression::NameRow& each : expression::cameraFields())
+        for (const char* moment : {".", ".prev."})
+            declare(camera + moment + std::string(each.path), symbolOf(each.type, each.depends, count));
+}
+
+void Environment::set(Slot slot, std::span<const double> components, std::size_t element) {
+    Variable& variable = variables_.at(slot);
+    const std::size_t size = variable.symbol.type.size();
+    if (element >= variable.has.size() || components.size() < size) return;
+    std::copy_n(components.begin(), size,
+                variable.components.begin() + static_cast<std::ptrdiff_t>(element * size));
+    variable.has[element] = true;
+}
+
+void Environment::set(std::string_view path, std::span<const double> components, std::size_t element) {
+    if (const auto known = slots_.find(path); known != slots_.end()) set(known->second, components, element);
+}
+
+void Environment::setCamera(std::string_view name, const CameraValues& values, std::size_t element) {
+    const std::string prefix = std::string(name) + ".";
+    const glm::dmat4 viewProjection = values.viewProjection(), inverse = values.inverseView(),
+                     shadow = values.shadow();
+    const glm::dvec3 position = values.position(), direction = values.direction();
+    set(prefix + "view", componentsOf(values.view), element);
+    set(prefix + "projection", componentsOf(values.projection), element);
+    set(prefix + "viewProjection", componentsOf(viewProjection), element);
+    set(prefix + "inverseView", componentsOf(inverse), element);
+    set(prefix + "shadow", componentsOf(shadow), element);
+    set(prefix + "position", componentsOf(position), element);
+    set(prefix + "direction", componentsOf(direction), element);
+    const std::array numbers{std::pair{"near", values.near}, std::pair{"far", values.far},
+                             std::pair{"fov", values.fieldOfView}, std::pair{"aspect", values.aspect}};
+    for (const auto& [field, number] : numbers) set(prefix + field, {&number, 1}, element);
+}
+
+void Environment::forgetValues() {
+    for (Variable& each : variables_) std::fill(each.has.begin(), each.has.end(), false);
+}
+
+void Environment::endScope() {
+    scoped_.resize(scopes_.back());
+    scopes_.pop_back();
+}
+
+Environment::Slot Environment::declareScoped(const void* owner, std::string_view name, const Symbol& symbol) {
+    const auto [known, isNew] = scopedSlots_.try_emplace({owner, std::string(name)}, 0);
+    if (isNew) known->second = add(symbol);
+    scoped_.emplace_back(std::string(name), known->second);
+    return known->second;
+}
+
+std::optional<Symbol> Environment::find(std::string_view path) const {
+    for (auto each = scoped_.rbegin(); each != scoped_.rend(); ++each)
+        if (each->first == path) return variables_[each->second].symbol;
+    const auto known = slots_.find(path);
+    return known != slots_.end() ? std::optional(variables_[known->second].symbol) : std::nullopt;
+}
+
+std::vector<std::string> Environment::known(std::string_view path) const {
+    std::set<std::string> names;
+    const std::string prefix = path.empty() ? std::string() : std::string(path) + ".";
+    const auto consider = [&](std::string_view name) {
+        if (!name.starts_with(prefix)) return;
+        const std::string_view rest = name.substr(prefix.size());
+        names.emplace(rest.substr(0, rest.find('.')));
+    };
+    for (const auto& [name, slot] : slots_) consider(name);
+    for (const auto& [name, slot] : scoped_) consider(name);
+    return {names.begin(), names.end()};
+}
+
+const double* Environment::find(std::uint32_t slot, std::size_t element) const {
+    const Variable& variable = variables_.at(slot);
+    if (element >= variable.has.size() || !variable.has[element]) return nullptr;
+    return &variable.components[element * variable.symbol.type.size()];
+}
+
+std::vector<double> Environment::save(Slot slot) const {
+    const Variable& variable = variables_.at(slot);
+    return variable.has[0] ? variable.components : std::vector<double>();
+}
+
+void Environment::restore(Slot slot, std::vector<double> values) {
+    Variable& variable = variables_.at(slot);
+    std::fill(variable.has.begin(), variable.has.end(), !values.empty());
+    if (!values.empty()) variable.components = std::move(values);
+}
+
+}  // namespace glibra::scene

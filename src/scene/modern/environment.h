@@ -1,0 +1,71 @@
+#pragma once
+// The names that the expressions of a scene may use, and their values while it is interpreted (language, 12).
+//
+// Every name has a slot, which it keeps for as long as the script is loaded: expressions are read once and
+// evaluated for many frames.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "expression/names.h"
+#include "scene/camera.h"
+
+namespace glibra::scene {
+
+class Environment final : public expression::Names, public expression::Values {
+  public:
+    using Slot = std::uint32_t;
+
+    /// Declares the names that every scene has (expression::sceneNames) and the cameras `camera` and `eye`.
+    /// They have no values until they are set.
+    Environment();
+
+    /// Declares a name, or returns the slot that it has; nothing if it is declared with another type or
+    /// count.
+    std::optional<Slot> declare(std::string_view path, const expression::Symbol& symbol);
+    /// Declares the fields of a camera: NAME.view and so on, and NAME.prev.view.
+    void declareCamera(std::string_view name, std::size_t count = 0);
+
+    void set(Slot slot, std::span<const double> components, std::size_t element = 0);
+    void set(std::string_view path, std::span<const double> components, std::size_t element = 0);
+    void setNumber(std::string_view path, double number) { set(path, {&number, 1}); }
+    void setCamera(std::string_view name, const CameraValues& values, std::size_t element = 0);
+    /// Forgets all values, before a frame is interpreted.
+    void forgetValues();
+
+    /// Makes a name mean something else until endScope(): parameters of groups and counters of repetitions.
+    /// `owner` tells the declarations of one name apart; equal owners get the same slot.
+    void beginScope() { scopes_.push_back(scoped_.size()); }
+    void endScope();
+    Slot declareScoped(const void* owner, std::string_view name, const expression::Symbol& symbol);
+
+    [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
+    [[nodiscard]] std::vector<std::string> known(std::string_view path) const override;
+    [[nodiscard]] const double* find(std::uint32_t slot, std::size_t element) const override;
+
+    /// The values of a slot, to be put back after a group that called itself through another: all elements.
+    [[nodiscard]] std::vector<double> save(Slot slot) const;
+    void restore(Slot slot, std::vector<double> values);
+
+  private:
+    struct Variable {
+        expression::Symbol symbol;
+        std::vector<double> components;  ///< of all elements; a missing value is empty
+        std::vector<bool> has;           ///< one per element
+    };
+    Slot add(const expression::Symbol& symbol);
+
+    std::map<std::string, Slot, std::less<>> slots_;
+    std::map<std::pair<const void*, std::string>, Slot> scopedSlots_;
+    std::vector<std::pair<std::string, Slot>> scoped_;  ///< the innermost last
+    std::vector<std::size_t> scopes_;
+    std::vector<Variable> variables_;
+};
+
+}  // namespace glibra::scene

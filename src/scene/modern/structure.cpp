@@ -1,0 +1,334 @@
+// Groups, repetitions, conditions and included files (language, 12.2).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/suggest.h"
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "image/file.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+using glib::CommandId;
+
+/// Statements that one frame may execute; those of repetitions and groups count each time.
+constexpr std::size_t kMostStatements = 1'000'000;
+/// Nested groups and included files.
+constexpr std::size_t kMostCalls = 64;
+
+std::size_t indexOf(const Interpreter& in, const Command& command) {
+    return static_cast<std::size_t>(&command - in.script->commands.data());
+}
+
+/// Gives back at its end what is local to a scope.
+class Scope {
+  public:
+    explicit Scope(Interpreter& in)
+        : in_(in),
+          modelView_(in.state.modelView),
+          model_(in.state.model),
+          program_(in.state.program),
+          set_(in.modern.set),
+          stack_(std::exchange(in.state.stack, {})) {
+        in.shared->environment.beginScope();
+    }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope() {
+        in_.shared->environment.endScope();
+        in_.state.modelView = modelView_;
+        in_.state.model = model_;
+        in_.state.program = program_;
+        in_.modern.set = std::move(set_);
+        in_.state.stack = std::move(stack_);
+    }
+
+  private:
+    Interpreter& in_;
+    glm::dmat4 modelView_, model_;
+    ProgramIndex program_;
+    std::vector<ScopedTag> set_;
+    std::vector<SavedMatrix> stack_;
+};
+
+expression::Symbol counter() {
+    expression::Symbol symbol;
+    symbol.depends = expression::Depends::counter;
+    return symbol;
+}
+
+/// Runs the statements between two commands of the current script.
+void runBody(Interpreter& in, std::size_t first, std::size_t last) {
+    ++in.modern.blocks;
+    run(in, first, last);
+    --in.modern.blocks;
+    if (in.state.stack.empty()) return;
+    in.report(diagnose("glib-W31", "PushMatrix without PopMatrix at the end of the block",
+                       in.state.stack.back().place));
+}
+
+/// True if one more level of groups or files may be entered; otherwise glib-E28 is reported.
+bool mayEnter(Interpreter& in, const Command& command) {
+    if (in.modern.calls < kMostCalls) return true;
+    in.reportAt(command, "glib-E28",
+                fmt::format("{}: more than {} nested groups and files", command.word, kMostCalls));
+    return false;
+}
+
+void doGroup(Interpreter& in, const Command& command) {
+    const std::size_t index = indexOf(in, command);
+    if (!command.values.empty()) {
+        GroupDefinition& group = in.modern.groups[command.values.front().text];
+        group = {in.script, index, group.isRunning};
+        return;
+    }
+    const Scope scope(in);
+    runBody(in, index + 1, command.partner);
+}
+
+/// The parameters of a group: its defaults, and what Draw gives in their place. A default may name the
+/// parameters before it.
+bool bindParameters(Interpreter& in, const Command& group, const Command& call,
+                    const glib::Script& callScript) {
+    for (const glib::KeyedValues& given : call.tags) {
+        std::vector<std::string_view> names;
+        for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
+        if (std::find(names.begin(), names.end(), given.key) != names.end()) continue;
+        const std::string hint = base::suggestion(given.key, names);
+        in.report(diagnose(
+            "glib-E27",
+            fmt::format("group '{}' has no parameter '{}'{}", group.values.front().text, given.key, hint),
+            callScript.place(given.position)));
+        return false;
+    }
+    struct Bound {
+        const glib::KeyedValues* parameter;
+        expression::Value value;
+    };
+    std::vector<Bound> bound;
+    for (const glib::KeyedValues& parameter : group.tags) {
+        const auto given =
+            std::find_if(call.tags.begin(), call.tags.end(),
+                         [&](const glib::KeyedValues& each) { return each.key == parameter.key; });
+        const bool isGiven = given != call.tags.end();
+        const glib::Script* const own = std::exchange(in.script, isGiven ? &callScript : in.script);
+        const auto value = constantOf(in, isGiven ? given->values : parameter.values);
+        in.script = own;
+        if (!value) return false;
+        bound.push_back({&parameter, *value});
+    }
+    for (const Bound& each : bound) {
+        expression::Symbol symbol;
+        symbol.type = each.value.type;
+        symbol.depends = expression::Depends::variable;
+        const Environment::Slot slot =
+            in.shared->environment.declareScoped(each.parameter, each.parameter->key, symbol);
+        in.shared->environment.set(slot, each.value.all());
+    }
+    return true;
+}
+
+void doDraw(Interpreter& in, const Command& command) {
+    const std::string& name = command.values.front().text;
+    const auto known = in.modern.groups.find(name);
+    if (known == in.modern.groups.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [each, group] : in.modern.groups) names.push_back(each);
+        const std::string hint = base::suggestion(name, names);
+        in.report(diagnose("glib-E27",
+                           fmt::format("no group '{}' is declared before this line{}", name, hint),
+                           in.script->place(command.values.front().position)));
+        return;
+    }
+    GroupDefinition& group = known->second;
+    if (group.isRunning) {
+        in.reportAt(command, "glib-E28", fmt::format("group '{}' draws itself", name));
+        return;
+    }
+    if (!mayEnter(in, command)) return;
+    const Scope scope(in);
+    const glib::Script* const caller = std::exchange(in.script, group.script);
+    const Command& definition = in.script->commands[group.command];
+    group.isRunning = true;
+    ++in.modern.calls;
+    if (bindParameters(in, definition, command, *caller)) runBody(in, group.command + 1, definition.partner);
+    --in.modern.calls;
+    in.modern.groups.find(name)->second.isRunning = false;
+    in.script = caller;
+}
+
+/// The words over which a Repeat runs.
+const std::vector<glib::Value>* wordsOf(const Command& command) {
+    const glib::Value& what = command.values.front();
+    return what.kind == glib::Value::Kind::list && what.count.empty() ? &what.items : nullptr;
+}
+
+void doRepeat(Interpreter& in, const Command& command) {
+    const std::size_t index = indexOf(in, command);
+    const std::vector<glib::Value>* words = wordsOf(command);
+    const glib::KeyedValues* as = command.key("as");
+    const std::string name = as != nullptr ? as->values.front().text : "i";
+    double rounds = 0;
+    if (words != nullptr) {
+        rounds = static_cast<double>(words->size());
+    } else {
+        const auto count = numberOf(in, command.values.front());
+        if (!count) return;
+        rounds = std::trunc(*count);
+    }
+    if (rounds > static_cast<double>(kMostStatements)) {
+        in.reportAt(command, "glib-E28",
+                    fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
+                                glib::groupedText(static_cast<long long>(kMostStatements))));
+        return;
+    }
+    for (double round = 0; round < rounds && !in.modern.isFull; ++round) {
+        const Scope scope(in);
+        Environment& names = in.shared->environment;
+        if (words != nullptr) {
+            expression::Symbol word = counter();
+            for (const glib::Value& each : *words) word.words.push_back(each.text);
+            names.set(names.declareScoped(&command, name, word), {&round, 1});
+            names.set(names.declareScoped(&command, name + ".index", counter()), {&round, 1});
+        } else {
+            names.set(names.declareScoped(&command, name, counter()), {&round, 1});
+        }
+        runBody(in, index + 1, command.partner);
+    }
+}
+
+void doWhen(Interpreter& in, const Command& command) {
+    const std::size_t index = indexOf(in, command);
+    const auto condition = truthOf(in, command.values.front());
+    if (!condition) return;
+    const Command& partner = in.script->commands[command.partner];
+    ++in.modern.blocks;
+    if (*condition)
+        run(in, index + 1, command.partner);
+    else if (partner.id == CommandId::elseBranch)
+        run(in, command.partner + 1, partner.partner);
+    --in.modern.blocks;
+}
+
+/// The script of an included file; null with the reason reported.
+const glib::Script* includedScript(Interpreter& in, const Command& command, const std::string& name) {
+    const FileIndex file = fileOf(in, name, in.script->place(command.values.front().position));
+    const FileReference& reference = in.scene.files[file];
+    if (reference.path.empty()) {
+        for (const Diagnostic& each : reference.remarks) in.report(each);
+        return nullptr;
+    }
+    const std::string path = reference.path.string();
+    std::unique_ptr<const glib::Script>& script = in.shared->included[path];
+    if (script) return script.get();
+    const auto bytes = image::readFile(reference.path, {name, in.place(command)}, glib::kLargestFile);
+    if (!bytes) {
+        for (const Diagnostic& each : bytes.diagnostics) in.report(each);
+        return nullptr;
+    }
+    script = std::make_unique<const glib::Script>(
+        glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
+    in.shared->includedOrder.push_back(script.get());
+    for (const Diagnostic& each : script->diagnostics) in.report(each);
+    return script.get();
+}
+
+/// Programs and textures keep their indices from frame to frame, so they stand outside all blocks.
+bool declares(const Command& command) {
+    switch (command.id) {
+        case CommandId::program:
+        case CommandId::texture:
+        case CommandId::texture1D:
+        case CommandId::texture2D:
+        case CommandId::texture3D:
+        case CommandId::cubeMap:
+            return true;
+        default:
+            return false;
+    }
+}
+
+void doInclude(Interpreter& in, const Command& command) {
+    const std::string& name = command.values.front().text;
+    const glib::Script* script = includedScript(in, command, name);
+    if (script == nullptr || !mayEnter(in, command)) return;
+    if (in.script == script || !in.modern.including.insert(script).second) {
+        in.reportAt(command, "glib-E28", fmt::format("'{}' includes itself", name));
+        return;
+    }
+    const auto declaration = std::find_if(script->commands.begin(), script->commands.end(), declares);
+    if (in.modern.blocks > 0 && declaration != script->commands.end()) {
+        in.modern.including.erase(script);
+        in.reportAt(command, "glib-E28",
+                    fmt::format("'{}' declares something on line {}, so it cannot be included inside a block",
+                                name, declaration->position.line));
+        return;
+    }
+    ++in.modern.calls;
+    const glib::Script* const outer = std::exchange(in.script, script);
+    run(in, 0, script->commands.size());
+    in.script = outer;
+    in.modern.including.erase(script);
+    --in.modern.calls;
+}
+
+void doNothing(Interpreter&, const Command&) {}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::group, doGroup},
+    {CommandId::endGroup, doNothing},
+    {CommandId::draw, doDraw, InList::isWrong, true},
+    {CommandId::repeat, doRepeat, InList::isPart},
+    {CommandId::endRepeat, doNothing, InList::isPart},
+    {CommandId::when, doWhen, InList::isPart},
+    {CommandId::elseBranch, doNothing, InList::isPart},
+    {CommandId::endWhen, doNothing, InList::isPart},
+    {CommandId::include, doInclude, InList::isWrong},
+};
+
+}  // namespace
+
+std::span<const CommandAction> structureActions() {
+    return kActions;
+}
+
+void run(Interpreter& in, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last && !in.modern.isFull;) {
+        const Command& command = in.script->commands[i];
+        if (in.scene.isModern && !countStatement(in, command)) return;
+        execute(in, command);
+        // A command that opens a block has run the block.
+        const bool opens = command.partner != Command::kNoPartner && command.partner > i;
+        const std::size_t end = opens ? command.partner : i;
+        const bool hasElse = opens && in.script->commands[end].id == CommandId::elseBranch;
+        i = (hasElse ? in.script->commands[end].partner : end) + 1;
+    }
+}
+
+int fileNumber(const Interpreter& in) {
+    const std::vector<const glib::Script*>& files = in.shared->includedOrder;
+    const auto found = std::find(files.begin(), files.end(), in.script);
+    return found == files.end() ? 0 : static_cast<int>(found - files.begin()) + 1;
+}
+
+bool countStatement(Interpreter& in, const Command& command) {
+    if (++in.modern.statements <= kMostStatements) return true;
+    if (!std::exchange(in.modern.isFull, true))
+        in.reportAt(command, "glib-E28",
+                    fmt::format("the frame has more than {} statements, with repetitions",
+                                glib::groupedText(static_cast<long long>(kMostStatements))));
+    return false;
+}
+
+}  // namespace glibra::scene

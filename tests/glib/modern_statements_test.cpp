@@ -1,0 +1,229 @@
+// What modern statements become: values, keys, tags, names with parts, bodies; and their messages.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "glib/limits.h"
+#include "scene.h"
+
+namespace glibra::glib::test {
+namespace {
+
+using Kind = Value::Kind;
+
+Command only(std::string_view text) {
+    const Script script = read(text);
+    for (const Diagnostic& each : script.diagnostics) ADD_FAILURE() << toString(each);
+    return script.commands.empty() ? Command{} : script.commands.back();
+}
+
+std::string messageOf(const std::string& text) {
+    const Script script = read(text);
+    std::string all;
+    for (const Diagnostic& each : script.diagnostics)
+        all += std::to_string(each.place.line) + ":" + std::to_string(each.place.column) + " " + each.id +
+               " " + each.text;
+    return all;
+}
+
+TEST(ModernValues, HaveKindsPlacesAndByteRanges) {
+    const std::string text =
+        "Set uA 1.5 uB (2 * (x + 1)) uC {1 0 .5} uD <0 (n) 2> uE [1 (a) b] uF <true> \\\n uG name";
+    const Command command = only(text);
+    ASSERT_EQ(command.tags.size(), 7U);
+    const auto value = [&](std::size_t i) { return command.tags.at(i).values.at(0); };
+    EXPECT_EQ(value(0).kind, Kind::number);
+    EXPECT_EQ(value(0).number, 1.5);
+    EXPECT_EQ(value(1).kind, Kind::expression);
+    EXPECT_EQ(value(1).text, "2 * (x + 1)");
+    EXPECT_EQ(value(1).position, (Position{1, 15}));
+    EXPECT_EQ(placeIn(value(1), 0), (Position{1, 16}));
+    EXPECT_EQ(value(2).kind, Kind::color);
+    EXPECT_EQ(value(2).items.at(2).number, .5);
+    EXPECT_EQ(value(3).kind, Kind::range);
+    EXPECT_EQ(value(3).items.at(1).text, "n");
+    EXPECT_EQ(value(4).kind, Kind::list);
+    EXPECT_EQ(value(4).items.at(2).kind, Kind::word);
+    EXPECT_EQ(value(5).kind, Kind::truth);
+    EXPECT_EQ(value(5).number, 1);
+    EXPECT_EQ(value(6).position, (Position{2, 5}));
+    for (std::size_t i = 0; i < 7; ++i) {
+        const std::string source = text.substr(value(i).begin, value(i).end - value(i).begin);
+        EXPECT_EQ(text.find(source, value(i).begin), value(i).begin);
+        EXPECT_NE(source.front(), ' ');
+        EXPECT_NE(source.back(), ' ');
+    }
+    EXPECT_EQ(text.substr(value(4).begin, value(4).end - value(4).begin), "[1 (a) b]");
+}
+
+TEST(ModernValues, ListMayBeACountAndARule) {
+    const Value list = only("Set uA [6 of (sin(i))]").tags.at(0).values.at(0);
+    ASSERT_EQ(list.count.size(), 1U);
+    EXPECT_EQ(list.count[0].number, 6);
+    EXPECT_EQ(list.items.at(0).text, "sin(i)");
+    EXPECT_EQ(only("Set uA [(n) of (i)]").tags.at(0).values.at(0).count.at(0).text, "n");
+}
+
+TEST(ModernNames, HavePartsAndSubscripts) {
+    const Command pass =
+        only("Pass slice[i - 1].level(2) glow.face((k)) from eye\nEndPass\nPass life.prev\nEndPass");
+    const Command first = read("Pass slice[i - 1].level(2) glow.face(k)\nEndPass").commands.at(0);
+    ASSERT_EQ(first.values.size(), 2U);
+    const std::vector<NamePart>& path = first.values[0].path;
+    ASSERT_EQ(path.size(), 2U);
+    EXPECT_EQ(path[0].name, "slice");
+    EXPECT_EQ(path[0].index.at(0).kind, Kind::expression);
+    EXPECT_EQ(path[0].index.at(0).text, "i - 1");
+    EXPECT_EQ(path[1].name, "level");
+    EXPECT_EQ(path[1].index.at(0).text, "2");
+    EXPECT_EQ(first.values[1].path.at(1).name, "face");
+    EXPECT_EQ(pass.id, CommandId::endPass);
+}
+
+TEST(ModernNames, SubscriptOfATagNeedsAPointOrAValueAfterIt) {
+    EXPECT_EQ(only("Set lights[2].position {1 2 3}").tags.at(0).key, "lights[2].position");
+    EXPECT_EQ(only("Set lights[2].position {1 2 3}").tags.at(0).path.at(0).index.at(0).number, 2);
+    EXPECT_EQ(only("Set uA[3] 5").tags.at(0).key, "uA[3]");
+    EXPECT_EQ(only("Set uA[3] shadow").tags.at(0).key, "uA[3]");
+    EXPECT_EQ(only("Set uA[3] shadow uB 5").tags.size(), 2U);
+    const Command list = only("Set uA[3] uB 5");
+    ASSERT_EQ(list.tags.size(), 2U);
+    EXPECT_EQ(list.tags[0].key, "uA");
+    EXPECT_EQ(list.tags[0].values.at(0).kind, Kind::list);
+    EXPECT_EQ(only("Set uA[3]").tags.at(0).values.at(0).items.size(), 1U);
+}
+
+TEST(ModernNames, ArraysAreDeclaredWithACount) {
+    const Command let = only("Let pose[6] (f(pose[i-1]))");
+    EXPECT_EQ(let.values.at(0).path.at(0).index.at(0).number, 6);
+    EXPECT_EQ(let.values.at(1).text, "f(pose[i-1])");
+    EXPECT_EQ(only("Let weights[1 2 3]").values.at(1).items.size(), 3U);
+    EXPECT_EQ(only("Camera slice[(n)] Shift eye (i) 0 0").values.at(0).path.at(0).index.at(0).text, "n");
+}
+
+TEST(ModernKeys, HaveTheValuesAfterThem) {
+    const Command state =
+        only("State blend.1 ONE one_minus_src_alpha Add alpha one zero stencil.back less 1 depth off");
+    ASSERT_EQ(state.keys.size(), 4U);
+    EXPECT_EQ(state.keys[0].key, "blend");
+    EXPECT_EQ(state.keys[0].suffix, "1");
+    EXPECT_EQ(state.keys[0].values.at(0).text, "one");
+    EXPECT_EQ(state.keys[0].values.at(2).text, "add");
+    EXPECT_EQ(state.keys[1].key, "alpha");
+    EXPECT_EQ(state.keys[2].suffix, "back");
+    EXPECT_EQ(state.key("depth")->values.at(0).text, "off");
+    EXPECT_EQ(state.key("cull"), nullptr);
+    const Command expect = only("Expect buffer sum at 3 [1 2] within .1 at 5");
+    ASSERT_EQ(expect.keys.size(), 4U);
+    EXPECT_EQ(expect.keys[1].values.size(), 2U);
+    EXPECT_EQ(expect.keys[3].values.at(0).number, 5);
+}
+
+TEST(ModernKeys, WordMayBeAnExpression) {
+    const Command state = only("State blend (op) depth (test)");
+    EXPECT_EQ(state.keys.at(0).values.at(0).kind, Kind::expression);
+    EXPECT_EQ(state.keys.at(1).values.at(0).text, "test");
+}
+
+TEST(ModernNumbers, OneExpressionMayFillSeveral) {
+    EXPECT_EQ(only("Camera a LookAt (e) (c) 0 1 0 Ortho (box)").keys.at(0).values.size(), 5U);
+    EXPECT_EQ(only("Dispatch P (groups)").values.size(), 2U);
+    EXPECT_EQ(only("Texture2D t (window) rgba8 nearest").values.size(), 3U);
+    EXPECT_EQ(messageOf("Viewport (a) 0 0 1 1"), "1:20 glib-E18 Viewport: surplus argument '1'");
+    EXPECT_EQ(messageOf("Viewport 0 0 1"),
+              "1:1 glib-E17 Viewport: expected number 4 of 4 (area), found the end of the statement");
+}
+
+TEST(ModernTextures, NameInPlaceOfAUnit) {
+    EXPECT_EQ(only("Texture2D 6 512 512 RGBA8").id, CommandId::texture2D);
+    EXPECT_EQ(only("Texture2D wood wood.bmp").id, CommandId::namedTexture2D);
+    EXPECT_EQ(only("Texture2D wood \"my wood.bmp\" mipmap repeat clamp aniso 8").keys.size(), 4U);
+    EXPECT_EQ(only("CubeMap sky a b c d e f linear").values.size(), 7U);
+    EXPECT_EQ(only("CubeMap sky panorama.hdr").values.size(), 2U);
+    EXPECT_EQ(only("CubeMap sky 256 rgba16f").values.size(), 3U);
+    EXPECT_EQ(only("Texture2DArray maps 512 512 4 depth32f").id, CommandId::textureArray);
+    EXPECT_EQ(messageOf("Texture2D t a.bmp nearest linear"),
+              "1:27 glib-E18 Texture2D: 'linear' contradicts 'nearest'");
+    EXPECT_EQ(messageOf("Texture2D t a.bmp aniso 1 aniso 2"), "1:27 glib-E18 Texture2D: 'aniso' given twice");
+}
+
+TEST(ModernProgram, NamesAndExpressionsAreTags) {
+    const Command program =
+        only("Texture2D wood w.bmp\nProgram Lit uWood wood uTime (time) uKd .5 uC {1 0 0} uR <0 1 2>");
+    EXPECT_EQ(program.text, "Lit");
+    ASSERT_EQ(program.tags.size(), 2U);
+    EXPECT_EQ(program.tags[0].values.at(0).path.at(0).name, "wood");
+    ASSERT_EQ(program.uniforms.size(), 3U);
+    EXPECT_EQ(program.uniforms[0].form, UniformForm::number);
+    EXPECT_EQ(program.uniforms[1].form, UniformForm::color);
+    EXPECT_EQ(program.uniforms[2].values, (std::vector<double>{0, 1, 2}));
+}
+
+TEST(ModernProgram, NameIsOneWordOnlyAfterADeclaration) {
+    EXPECT_EQ(idsOf("Program Final Project uA 1"), Ids{"glib-W16"});
+    EXPECT_EQ(messageOf("Let a 1\nProgram Final Project 5 uA wood").substr(0, 4), "");
+    EXPECT_EQ(only("Let a 1\nProgram Final Project 5").uniforms.at(0).tag, "Project");
+    EXPECT_EQ(messageOf("Let a 1\nProgram P uA"),
+              "2:1 glib-E17 Program: expected a value of 'uA', found the end of the statement");
+}
+
+TEST(ModernProgram, ExpressionAloneMakesItModern) {
+    const Script script = read("Program P uA (2*time) uB 1");
+    EXPECT_TRUE(script.isModern);
+    EXPECT_EQ(script.commands.at(0).tags.at(0).values.at(0).text, "2*time");
+    EXPECT_EQ(script.commands.at(0).uniforms.at(0).tag, "uB");
+}
+
+TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
+    const Script script =
+        read("Vertex inline\n#version 410\nvoid main() { gl_Position = vec4(0); } // (\n  endvertex \nBox 1");
+    EXPECT_EQ(idsOf("Vertex inline\n\"(<[\n  endvertex \nBox 1"), Ids{});
+    ASSERT_EQ(script.commands.size(), 2U);
+    EXPECT_EQ(script.commands[0].id, CommandId::vertex);
+    EXPECT_EQ(script.commands[0].body, "#version 410\nvoid main() { gl_Position = vec4(0); } // (\n");
+    EXPECT_EQ(script.commands[0].bodyPosition, (Position{2, 1}));
+    EXPECT_EQ(script.commands[1].position.line, 5);
+    EXPECT_EQ(
+        messageOf("Compute inline\nEndVertex\n"),
+        "1:1 glib-E22 'Compute inline' is not closed by a line 'EndCompute'2:1 glib-E21 EndVertex without "
+        "'Vertex inline'");
+    EXPECT_EQ(only("Compute inline\nEndCompute").body, "");
+    EXPECT_EQ(only("Compute a.comp").text, "a.comp");
+}
+
+TEST(ModernLines, GoOnOnlyAfterABackslash) {
+    EXPECT_EQ(only("Set uA 1 \\\n  Color {1 0 0} \\\n  Box 5").tags.size(), 3U);
+    EXPECT_EQ(idsOf("Set uA 1\n uB 2"), Ids{"glib-E01"});
+    EXPECT_EQ(idsOf("Let a \\\n MessageBox"), Ids{"glib-E19"});
+    EXPECT_EQ(idsOf("Let a 1 \\\n\nBox 1"), Ids{"glib-W12"});
+    EXPECT_EQ(only("State cull back \\\n depth less").keys.size(), 2U);
+}
+
+TEST(ModernWords, AreSuggested) {
+    EXPECT_EQ(messageOf("Camrea eye"), "1:1 glib-E01 unknown command 'Camrea'; did you mean 'Camera'?");
+    EXPECT_EQ(messageOf("Pass window form eye\nEndPass"),
+              "1:13 glib-E16 Pass: unknown word 'form'; did you mean 'from'?");
+    EXPECT_EQ(messageOf("Texture2D form 8 8 r8\nPass window form\nEndPass"), "");
+    EXPECT_EQ(messageOf("Include a.glib\nPass window form\nEndPass"), "");
+}
+
+TEST(ModernLimits, HaveMessages) {
+    const std::string deep = "Let a (" + std::string(10'000, '(') + "1" + std::string(10'000, ')') + ")";
+    EXPECT_EQ(messageOf(deep), "1:7 glib-E15 expression of 20,001 bytes; the limit is 8,192");
+    EXPECT_EQ(messageOf("Let a (" + std::string(200, '(') + "1" + std::string(200, ')') + ")"),
+              "1:7 glib-E15 parentheses 201 deep; the limit is 128");
+    EXPECT_EQ(idsOf("Translate (" + std::string(200, '(') + "x" + std::string(200, ')') + ")"),
+              Ids{"glib-E15"});
+    EXPECT_EQ(idsOf("Let a (" + std::string(10'000, '(')), Ids{"glib-E20"});
+    std::string many = "Buffer a float [";
+    for (std::size_t i = 0; i <= kMostValues; ++i) many += i % 100 == 0 ? "1 \\\n" : "1 ";
+    EXPECT_EQ(idsOf(many + "]"), Ids{"glib-E15"});
+    std::string tags = "Set";
+    for (std::size_t i = 0; i <= kMostTags; ++i) tags += " \\\n u" + std::to_string(i) + " 1";
+    EXPECT_EQ(idsOf(tags), Ids{"glib-E15"});
+    EXPECT_EQ(idsOf("Set uA 1e99"), Ids{"glib-E05"});
+}
+
+}  // namespace
+}  // namespace glibra::glib::test

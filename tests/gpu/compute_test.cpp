@@ -1,0 +1,151 @@
+// Compute programs, their buffers and images, and queries.
+
+#include "gpu/object/compute.h"
+
+#include <cstring>
+
+#include "fixture.h"
+#include "gpu/object/query.h"
+#include "gpu/object/vertex_array.h"
+
+namespace glibra::gpu {
+namespace {
+
+class ComputeTest : public test::GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        if (!driver().compute) GTEST_SKIP() << "needs GL 4.3";
+    }
+    static std::optional<Program> compute(std::string_view text) {
+        const std::array<StageSource, 1> stages{{{GL_COMPUTE_SHADER, text}}};
+        BuildOutcome outcome = buildProgram(driver(), {.stages = stages});
+        EXPECT_TRUE(outcome.program) << outcome.linkLog << outcome.stages.at(0).log;
+        return std::move(outcome.program);
+    }
+    static Buffer bufferOf(const std::vector<std::uint32_t>& values) {
+        auto buffer = Buffer::create(std::as_bytes(std::span(values)), GL_DYNAMIC_COPY);
+        EXPECT_TRUE(buffer);
+        return std::move(*buffer);
+    }
+    static std::vector<std::uint32_t> content(const Buffer& buffer) {
+        std::vector<std::uint32_t> values(buffer.size() / 4);
+        buffer.read(0, std::as_writable_bytes(std::span(values)));
+        return values;
+    }
+};
+
+constexpr const char* kDouble = R"(#version 430 core
+layout(local_size_x = 4) in;
+layout(std430, binding = 0) buffer Values { uint values[]; };
+void main() {
+    if (gl_GlobalInvocationID.x < values.length()) values[gl_GlobalInvocationID.x] *= 2u;
+}
+)";
+
+TEST_F(ComputeTest, EveryInvocationRuns) {
+    const auto program = compute(kDouble);
+    ASSERT_TRUE(program);
+    EXPECT_EQ(localSizeOf(*program), (std::array<int, 3>{4, 1, 1}));
+    const Buffer buffer = bufferOf({10, 12, 16, 18, 50, 17});
+    buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    dispatch(*program, groupsOver({6, 1, 1}, localSizeOf(*program)));
+    finishShaderWrites();
+    EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{20, 24, 32, 36, 100, 34}));
+}
+
+TEST_F(ComputeTest, GroupsAreRoundedUp) {
+    EXPECT_EQ(groupsOver({512, 512, 1}, {8, 8, 1}), (std::array<GLuint, 3>{64, 64, 1}));
+    EXPECT_EQ(groupsOver({513, 1, 0}, {8, 8, 1}), (std::array<GLuint, 3>{65, 1, 0}));
+    EXPECT_EQ(groupsOver({0xffffffffU, 1, 1}, {2, 1, 1}), (std::array<GLuint, 3>{0x80000000U, 1, 1}));
+}
+
+TEST_F(ComputeTest, GroupCountsComeFromABuffer) {
+    const auto program = compute(kDouble);
+    ASSERT_TRUE(program);
+    const Buffer buffer = bufferOf(std::vector<std::uint32_t>(12, 1));
+    const Buffer groups = bufferOf({99, 2, 1, 1});
+    buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    dispatchFrom(*program, groups, 4);
+    finishShaderWrites();
+    EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 2, 2, 2, 1, 1, 1, 1}));
+}
+
+TEST_F(ComputeTest, AtomicCountersCount) {
+    const auto program = compute(R"(#version 430 core
+layout(local_size_x = 8, local_size_y = 2) in;
+layout(binding = 0, offset = 4) uniform atomic_uint uCount;
+void main() { atomicCounterIncrement(uCount); }
+)");
+    ASSERT_TRUE(program);
+    const Buffer counters = bufferOf({7, 0});
+    counters.bindBase(GL_ATOMIC_COUNTER_BUFFER, 0);
+    dispatch(*program, {3, 5, 1});
+    finishShaderWrites();
+    EXPECT_EQ(content(counters), (std::vector<std::uint32_t>{7, 3 * 5 * 16}));
+}
+
+TEST_F(ComputeTest, ImagesAreStoredByLevelAndLayer) {
+    auto texture = Texture::create(driver(), {TextureShape::array2D, TexelFormat::r32ui, {4, 4, 3}, 2});
+    ASSERT_TRUE(texture);
+    const auto program = compute(R"(#version 430 core
+layout(local_size_x = 1) in;
+layout(r32ui, binding = 0) uniform writeonly uimage2D uOut;
+void main() { imageStore(uOut, ivec2(gl_GlobalInvocationID.xy), uvec4(7u)); }
+)");
+    ASSERT_TRUE(program);
+    texture->bindImage(0, 1, 2, GL_WRITE_ONLY);
+    dispatch(*program, {2, 2, 1});
+    finishShaderWrites();
+    const auto bytes = texture->read(1, 1, TexelType::u32);
+    ASSERT_TRUE(bytes);
+    std::vector<std::uint32_t> values(bytes->size() / 4);
+    std::memcpy(values.data(), bytes->data(), bytes->size());
+    EXPECT_EQ(values, (std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 0, 0, 7, 7, 7, 7}));
+}
+
+TEST_F(ComputeTest, BuffersAreClearedAndCopied) {
+    Buffer buffer = bufferOf({1, 2, 3});
+    Buffer copy = bufferOf({0, 0, 0, 9});
+    copy.copyFrom(buffer);
+    EXPECT_EQ(content(copy), (std::vector<std::uint32_t>{1, 2, 3, 9}));
+    Capabilities old = driver();
+    old.minor = 1;
+    const std::array<std::uint32_t, 3> values{4, 5, 6};
+    for (const Capabilities& driver : {GpuTest::driver(), old}) {
+        buffer.update(0, std::as_bytes(std::span(values)));
+        buffer.clear(driver);
+        EXPECT_EQ(content(buffer), std::vector<std::uint32_t>(3, 0));
+    }
+}
+
+TEST_F(ComputeTest, TheLimitsMeetTheMinimaOfOpenGl43) {
+    const Capabilities& limits = driver();
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_GE(limits.maxComputeGroups[axis], 65535);
+    EXPECT_GE(limits.maxComputeLocalSize[0], 1024);
+    EXPECT_GE(limits.maxComputeInvocations, 1024);
+    EXPECT_GE(limits.maxComputeSharedBytes, 32768);
+    EXPECT_GE(limits.maxStorageBlockBytes, 1 << 24);
+    EXPECT_GE(limits.maxStorageBufferBindings, 8);
+    EXPECT_GE(limits.maxAtomicCounterBindings, 1);
+    EXPECT_GE(limits.maxArrayLayers, 2048);
+}
+
+class QueryTest : public test::GpuTest {};
+
+TEST_F(QueryTest, CountsPrimitivesAndSamples) {
+    const auto program =
+        build(test::kCoverAll, "#version 410 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n");
+    ASSERT_TRUE(program);
+    const Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
+    primitives.begin();
+    samples.begin();
+    shade(*program, 30, 30);
+    samples.end();
+    primitives.end();
+    EXPECT_EQ(primitives.result(), 1U);
+    EXPECT_EQ(samples.result(), 900U);
+}
+
+}  // namespace
+}  // namespace glibra::gpu

@@ -1,0 +1,378 @@
+// Variables, expressions, groups, repetitions and cameras (language, 12).
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/mat4x4.hpp>
+
+#include "base/matrices.h"
+#include "glib/script.h"
+#include "scene/camera.h"
+#include "scene/view.h"
+#include "support.h"
+
+namespace glibra::scene {
+namespace {
+
+using tests::drawsOf;
+using tests::idsOf;
+using tests::run;
+using tests::TemporaryFolder;
+using tests::textsOf;
+
+/// A script that can be run for several moments.
+Interpretation scriptOf(std::string_view text, const std::filesystem::path& path = "scene.glib") {
+    glib::Script script = glib::parse(text, path.string());
+    EXPECT_EQ(textsOf(script.diagnostics), "");
+    return {std::move(script), {}};
+}
+
+Scene at(Interpretation& script, double time) {
+    FrameInputs inputs;
+    inputs.time = time;
+    return script.at(inputs);
+}
+
+glm::dvec3 placeOf(const Draw& draw) {
+    return glm::dvec3(draw.modelView[3]);
+}
+
+const glib::UniformSpec* uniformOf(const Scene& scene, const Draw& draw, std::string_view tag) {
+    if (!draw.uniforms) return nullptr;
+    for (const glib::UniformSpec& each : scene.uniformSets[draw.uniforms])
+        if (each.tag == tag) return &each;
+    return nullptr;
+}
+
+std::vector<double> valuesOf(const Scene& scene, const Draw& draw, std::string_view tag) {
+    const glib::UniformSpec* found = uniformOf(scene, draw, tag);
+    return found != nullptr ? found->values : std::vector<double>();
+}
+
+TEST(Modern, ExpressionsFillTheArgumentsOfClassicCommands) {
+    const Scene scene = run("Translate (1 + 2) 0 (1 / 4)\nBox (vec3(1, 2, 3))\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 1U);
+    EXPECT_EQ(placeOf(draws[0]), glm::dvec3(3, 0, .25));
+    const std::vector<double>& box = scene.shapes[draws[0].shape].numbers;
+    EXPECT_EQ(std::vector<double>(box.begin(), box.begin() + 3), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Modern, AnEvaluatedNumberObeysTheRuleOfItsArgument) {
+    EXPECT_EQ(idsOf(run("Sphere (0-2)\n").diagnostics), "glib-W28");
+    EXPECT_EQ(idsOf(run("Perspective (100 + 100) .1 10\nSphere\n").diagnostics), "glib-E05");
+}
+
+TEST(Modern, AScriptWithTimeGivesADifferentSceneForEachTime) {
+    Interpretation script = scriptOf("Translate (2 * time) 0 0\nBox\n");
+    EXPECT_EQ(placeOf(drawsOf(at(script, 0))[0]).x, 0);
+    EXPECT_EQ(placeOf(drawsOf(at(script, 1.5))[0]).x, 3);
+    EXPECT_TRUE(any(script.depends() & expression::Depends::time));
+    EXPECT_EQ(placeOf(drawsOf(at(script, 0))[0]).x, 0) << "and the same for the same time";
+
+    Interpretation still = scriptOf("Let size <1 2 3>\nBox (size)\n");
+    at(still, 0);
+    EXPECT_FALSE(any(still.depends() & expression::Depends::time));
+}
+
+TEST(Modern, VariablesOfEveryForm) {
+    const Scene scene =
+        run("Let speed <0 .5 2>\nLet mode <red green blue>\nLet on <true>\nLet tint {.1 .2 .3}\nLet n 3\n"
+            "Let v [4 5]\nLet twice (2 * speed)\n"
+            "Translate (twice) (mode) (on ? 1 : 0)\nBox\nTranslate (tint.g) (v.y) (n)\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 2U);
+    EXPECT_EQ(placeOf(draws[0]), glm::dvec3(1, 0, 1));
+    EXPECT_EQ(placeOf(draws[1]), glm::dvec3(1 + .2, 5, 4));
+    ASSERT_EQ(scene.variables.size(), 5U) << "expressions and lists have no control";
+    EXPECT_EQ(scene.variables[0].written, (std::vector<double>{0, .5, 2}));
+    EXPECT_EQ(scene.variables[1].words, (std::vector<std::string>{"red", "green", "blue"}));
+    EXPECT_EQ(scene.variables[2].form, glib::UniformForm::truth);
+    EXPECT_EQ(scene.variables[3].form, glib::UniformForm::color);
+}
+
+TEST(Modern, InputsReplaceTheValuesOfVariables) {
+    Interpretation script = scriptOf("Let size <1 2 3>\nTranslate (size) 0 0\nBox\n");
+    FrameInputs inputs;
+    inputs.variables["size"] = {3};
+    inputs.variables["other"] = {1};
+    const Scene scene = script.at(inputs);
+    EXPECT_EQ(placeOf(drawsOf(scene)[0]).x, 3);
+    EXPECT_TRUE(scene.usedVariables.contains("size"));
+    EXPECT_FALSE(scene.usedVariables.contains("other"));
+    EXPECT_EQ(scene.variables[0].written[1], 2) << "what the file says";
+    EXPECT_EQ(scene.variables[0].current, std::vector<double>{3});
+    inputs.variables["size"] = {1, 2};
+    EXPECT_EQ(placeOf(drawsOf(script.at(inputs))[0]).x, 2) << "a value of another size is ignored";
+}
+
+TEST(Modern, AnArrayMayReadItsEarlierElements) {
+    const Scene scene =
+        run("Let sum[5] (i == 0 ? 1 : 2 * sum[i - 1])\n"
+            "Let pose[3] (i == 0 ? translate(1, 0, 0) : pose[i - 1] * translate(1, 0, 0))\n"
+            "Translate (sum[4]) (pose[2][3].x) 0\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    EXPECT_EQ(placeOf(drawsOf(scene)[0]), glm::dvec3(16, 3, 0));
+}
+
+TEST(Modern, SetChangesUniformsUntilItsScopeEnds) {
+    const Scene scene =
+        run("Vertex a.vert\nFragment a.frag\nProgram P uA 1\nSet uA 2\nBox\nGroup\nSet uA 3 uB {1 0 "
+            "0}\nBox\nEndGroup\n"
+            "Box\n");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 3U);
+    EXPECT_EQ(valuesOf(scene, draws[0], "uA"), std::vector<double>{2});
+    EXPECT_EQ(valuesOf(scene, draws[1], "uA"), std::vector<double>{3});
+    EXPECT_EQ(valuesOf(scene, draws[1], "uB"), (std::vector<double>{1, 0, 0}));
+    EXPECT_EQ(valuesOf(scene, draws[2], "uA"), std::vector<double>{2});
+    EXPECT_EQ(draws[0].uniforms, draws[2].uniforms) << "equal values are shared";
+}
+
+TEST(Modern, TagsOfAProgramAreEvaluatedAtItsDraws) {
+    const Scene scene =
+        run("Let k 2\nVertex a.vert\nFragment a.frag\nProgram P uPlace (model[3].xyz) uK k uList [3 of (i * "
+            "i)] uPlain 4\n"
+            "Translate 1 0 0\nBox\nTranslate 1 0 0\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics).find("E"), std::string::npos) << textsOf(scene.diagnostics);
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 2U);
+    EXPECT_EQ(valuesOf(scene, draws[0], "uPlace"), (std::vector<double>{1, 0, 0}));
+    EXPECT_EQ(valuesOf(scene, draws[1], "uPlace"), (std::vector<double>{2, 0, 0}));
+    EXPECT_EQ(valuesOf(scene, draws[1], "uK"), std::vector<double>{2});
+    EXPECT_EQ(valuesOf(scene, draws[1], "uList"), (std::vector<double>{0, 1, 4}));
+    EXPECT_EQ(uniformOf(scene, draws[1], "uPlain"), nullptr) << "plain numbers stay with the program";
+    EXPECT_EQ(scene.programs.at(0).uniforms.at(0).tag, "uPlain");
+}
+
+TEST(Modern, MaterialsSetTheirFourMembers) {
+    const Scene scene = run("Vertex a.vert\nFragment a.frag\nProgram P\nMaterial gold\nBox\n");
+    const Draw draw = drawsOf(scene).at(0);
+    EXPECT_EQ(valuesOf(scene, draw, "material.diffuse"), (std::vector<double>{.7516, .6065, .2265, 1}));
+    EXPECT_EQ(valuesOf(scene, draw, "material.shininess"), std::vector<double>{51.2});
+    const Scene wrong = run("Material glod\nBox\n");
+    EXPECT_EQ(textsOf(wrong.diagnostics), "1:10 glib-E27 no material 'glod'; did you mean 'gold'?");
+}
+
+TEST(Modern, GroupsAreDrawnWithTheTransformsOfTheCaller) {
+    const Scene scene =
+        run("Group arm length 1\nTranslate (length) 0 0\nBox\nEndGroup\n"
+            "Translate 0 5 0\nDraw arm\nDraw arm length 3\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 3U);
+    EXPECT_EQ(placeOf(draws[0]), glm::dvec3(1, 5, 0));
+    EXPECT_EQ(placeOf(draws[1]), glm::dvec3(3, 5, 0));
+    EXPECT_EQ(placeOf(draws[2]), glm::dvec3(0, 5, 0)) << "transforms end with the group";
+}
+
+TEST(Modern, GroupsMayDrawOtherGroupsButNotThemselves) {
+    const Scene scene =
+        run("Group moon\nTranslate 2 0 0\nBox .5\nEndGroup\nGroup planet\nTranslate 4 0 0\nDraw moon\nBox "
+            "2\nEndGroup\n"
+            "Draw planet\n");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 2U);
+    EXPECT_EQ(placeOf(draws[0]).x, 6);
+    EXPECT_EQ(placeOf(draws[1]).x, 4);
+    EXPECT_EQ(idsOf(run("Group a\nDraw a\nEndGroup\nDraw a\n").diagnostics), "glib-E28");
+    EXPECT_EQ(textsOf(run("Group tree\nBox\nEndGroup\nDraw tre\n").diagnostics),
+              "4:6 glib-E27 no group 'tre' is declared before this line; did you mean 'tree'?");
+    EXPECT_EQ(textsOf(run("Group a size 1\nBox\nEndGroup\nDraw a sise 2\n").diagnostics),
+              "4:8 glib-E27 group 'a' has no parameter 'sise'; did you mean 'size'?");
+}
+
+TEST(Modern, RepeatCountsAndWhenChooses) {
+    const Scene scene =
+        run("Repeat 3 as k\nWhen (k == 1)\nBox\nElse\nTranslate (k) 0 0\nSphere\nEndWhen\nEndRepeat\n"
+            "Repeat [add sub] as op\nTranslate (op.index) (op == sub ? 7 : 0) 0\nCone\nEndRepeat\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 5U);
+    EXPECT_EQ(draws[0].word, "Sphere");
+    EXPECT_EQ(draws[1].word, "Box");
+    EXPECT_EQ(draws[2].word, "Sphere");
+    EXPECT_EQ(placeOf(draws[2]).x, 2);
+    EXPECT_EQ(placeOf(draws[3]), glm::dvec3(0, 0, 0));
+    EXPECT_EQ(placeOf(draws[4]), glm::dvec3(1, 7, 0));
+}
+
+TEST(Modern, AFrameHasALimitOfStatements) {
+    EXPECT_EQ(idsOf(run("Repeat 1000000000\nBox\nEndRepeat\n").diagnostics), "glib-E28");
+    EXPECT_EQ(idsOf(run("Repeat 2000\nRepeat 1000\nColor 1 0 0\nEndRepeat\nEndRepeat\nBox\n").diagnostics),
+              "glib-E28");
+}
+
+TEST(Modern, IncludedStatementsKeepTheirPlaces) {
+    const TemporaryFolder folder;
+    folder.write("part.glib", "Translate 1 0 0\nMaterial glod\nBox\n");
+    const std::filesystem::path scene = folder.write("scene.glib", "");
+    const Scene included = run("Include part.glib\nBox\n", scene);
+    EXPECT_EQ(drawsOf(included).size(), 2U);
+    ASSERT_EQ(included.diagnostics.size(), 1U);
+    EXPECT_EQ(std::filesystem::path(included.diagnostics[0].place.file).filename(), "part.glib");
+    EXPECT_EQ(included.diagnostics[0].place.line, 2);
+    folder.write("self.glib", "Include self.glib\n");
+    EXPECT_EQ(idsOf(run("Include self.glib\n", scene).diagnostics), "glib-E28");
+    EXPECT_EQ(idsOf(run("Include missing.glib\n", scene).diagnostics), "file-E01");
+}
+
+TEST(Modern, FilesKeepTheirIndicesFromFrameToFrame) {
+    const TemporaryFolder folder;
+    folder.write("a.obj", "v 0 0 0\n");
+    folder.write("b.obj", "v 0 0 0\n");
+    Interpretation script =
+        scriptOf("When (time < 1)\nObj a.obj\nEndWhen\nObj b.obj\n", folder.write("scene.glib", ""));
+    const Scene first = at(script, 2), second = at(script, 0), third = at(script, 2);
+    const auto fileOf = [](const Scene& scene, std::size_t draw) {
+        const Draw made = drawsOf(scene).at(draw);
+        return std::pair(scene.shapes[made.shape].file.position(),
+                         scene.files[scene.shapes[made.shape].file].name);
+    };
+    EXPECT_EQ(fileOf(first, 0), std::pair(std::size_t{0}, std::string("b.obj")));
+    EXPECT_EQ(fileOf(second, 0).second, "a.obj");
+    EXPECT_EQ(fileOf(second, 1), fileOf(first, 0));
+    EXPECT_EQ(fileOf(third, 0), fileOf(first, 0));
+}
+
+TEST(Modern, AFileWithDeclarationsIsNotIncludedInsideABlock) {
+    const TemporaryFolder folder;
+    folder.write("part.glib", "Vertex a.vert\nFragment a.frag\nProgram P\n");
+    const std::filesystem::path scene = folder.write("scene.glib", "");
+    EXPECT_EQ(idsOf(run("When (1 == 1)\nInclude part.glib\nEndWhen\n", scene).diagnostics), "glib-E28");
+    EXPECT_EQ(run("Let a 1\nInclude part.glib\n", scene).programs.size(), 1U);
+}
+
+TEST(Modern, AShaderMayStandInTheScript) {
+    const Scene scene =
+        run("Fragment inline\nvoid main() {\n}\nEndFragment\nVertex a.vert\nProgram P\nBox\n");
+    ASSERT_EQ(scene.programs.size(), 1U);
+    const FileReference& file = scene.files[scene.programs.at(0).stages.at(1).file];
+    ASSERT_TRUE(file.text.has_value());
+    EXPECT_EQ(*file.text, "\nvoid main() {\n}\n") << "on its lines of the script";
+}
+
+TEST(Modern, UseMakesAnEarlierProgramCurrent) {
+    const Scene scene =
+        run("Vertex a.vert\nFragment a.frag\nProgram One\nProgram Two\nBox\nUse One\nBox\nGroup\nUse "
+            "Two\nBox\nEndGroup\nBox\n");
+    const std::vector<Draw> draws = drawsOf(scene);
+    ASSERT_EQ(draws.size(), 4U);
+    EXPECT_EQ(draws[0].program.position(), 1U);
+    EXPECT_EQ(draws[1].program.position(), 0U);
+    EXPECT_EQ(draws[2].program.position(), 1U);
+    EXPECT_EQ(draws[3].program.position(), 0U);
+    EXPECT_EQ(idsOf(run("Let a 1\nUse None\nBox\n").diagnostics), "glib-E27");
+}
+
+// ---- Cameras.
+
+TEST(Cameras, TheCameraEyeSeesTheWindow) {
+    const Scene scene =
+        run("Camera eye LookAt 0 0 5  0 0 0  0 1 0  Perspective 60 1 10\nTranslate 1 0 0\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    const Draw draw = drawsOf(scene).at(0);
+    EXPECT_EQ(placeOf(draw), glm::dvec3(1, 0, -5));
+    EXPECT_EQ(std::get<Perspective>(draw.projection).fieldOfView, 60);
+    EXPECT_TRUE(scene.usesLookAt) << "the view policy leaves it alone";
+}
+
+TEST(Cameras, FieldsAgreeWithTheMatrices) {
+    const Scene scene =
+        run("WindowSize 200 100\nCamera sun LookAt 3 6 3  0 0 0  0 1 0  Perspective 70 1 20\n"
+            "Vertex a.vert\nFragment a.frag\nProgram P uShadow (sun.shadow * model) uPlace (sun.position) "
+            "uNear (sun.near) uAspect (sun.aspect)\nTranslate 1 2 3\nBox\n");
+    EXPECT_EQ(textsOf(scene.diagnostics).find("-E"), std::string::npos) << textsOf(scene.diagnostics);
+    const Draw draw = drawsOf(scene).at(0);
+    const glm::dmat4 view = *base::viewingMatrix({3, 6, 3}, {0, 0, 0}, {0, 1, 0});
+    const glm::dmat4 projection = base::perspectiveProjection(70, 2, 1, 20);
+    const glm::dmat4 bias = base::translation({.5, .5, .5}) * base::scaling({.5, .5, .5});
+    const glm::dmat4 expected = bias * (projection * view) * base::translation({1, 2, 3});
+    const std::vector<double> got = valuesOf(scene, draw, "uShadow");
+    ASSERT_EQ(got.size(), 16U);
+    for (std::size_t i = 0; i < 16; ++i)
+        EXPECT_NEAR(got[i], expected[static_cast<int>(i / 4)][static_cast<int>(i % 4)], 1e-14) << i;
+    const std::vector<double> place = valuesOf(scene, draw, "uPlace");
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(place[i], (std::array{3., 6., 3.}[i]), 1e-14);
+    EXPECT_EQ(valuesOf(scene, draw, "uNear"), std::vector<double>{1});
+    EXPECT_EQ(valuesOf(scene, draw, "uAspect"), std::vector<double>{2});
+}
+
+TEST(Cameras, AShiftMovesTheEyeInItsOwnAxes) {
+    const Scene scene =
+        run("Camera eye LookAt 5 0 0  0 0 0  0 1 0  Perspective 60 1 10\nCamera right Shift eye .5 0 0\n"
+            "Vertex a.vert\nFragment a.frag\nProgram P uPlace (right.position)\nBox\n");
+    const std::vector<double> place = valuesOf(scene, drawsOf(scene).at(0), "uPlace");
+    // The eye looks along -x, so its right is -z.
+    EXPECT_NEAR(place[0], 5, 1e-14);
+    EXPECT_NEAR(place[2], -.5, 1e-14);
+}
+
+TEST(Cameras, AReflectedCameraSeesTheMirrorImage) {
+    const Scene scene =
+        run("Camera eye LookAt 1 3 6  0 0 0  0 1 0  Perspective 60 1 10\nCamera below Reflect eye 0 1 0 -1\n"
+            "Vertex a.vert\nFragment a.frag\nProgram P uPlace (below.position)\nBox\n");
+    const std::vector<double> place = valuesOf(scene, drawsOf(scene).at(0), "uPlace");
+    EXPECT_NEAR(place[0], 1, 1e-13);
+    EXPECT_NEAR(place[1], -1, 1e-13) << "mirrored about y = 1";
+    EXPECT_NEAR(place[2], 6, 1e-13);
+}
+
+TEST(Cameras, AnObliqueNearPlaneClipsWhatIsBehindIt) {
+    const glm::dmat4 projection = base::perspectiveProjection(60, 1.5, .1, 100);
+    const glm::dvec4 plane(.3, .8, -.5, -2);
+    const glm::dmat4 oblique = withNearPlane(projection, plane / glm::length(glm::dvec3(plane)));
+    for (const glm::dvec3 point : {glm::dvec3(0, 4, -5), glm::dvec3(1, 1, -7), glm::dvec3(-2, 3, -9)}) {
+        const glm::dvec4 clip = oblique * glm::dvec4(point, 1);
+        const double side = glm::dot(plane, glm::dvec4(point, 1));
+        EXPECT_EQ(clip.z >= -clip.w, side >= 0) << point.x;
+        const glm::dvec4 plain = projection * glm::dvec4(point, 1);
+        EXPECT_EQ(clip.x, plain.x);
+        EXPECT_EQ(clip.w, plain.w);
+    }
+}
+
+TEST(Cameras, FacesLookAlongTheAxesOfACubeMap) {
+    const std::array<glm::dvec3, 6> directions{
+        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    for (int face = 0; face < 6; ++face) {
+        const glm::dmat4 view = faceView(face, {1, 2, 3});
+        const glm::dvec4 seen =
+            view * glm::dvec4(glm::dvec3(1, 2, 3) + directions[static_cast<std::size_t>(face)], 1);
+        EXPECT_NEAR(seen.z, -1, 1e-15) << face;
+        EXPECT_NEAR(seen.x, 0, 1e-15) << face;
+    }
+}
+
+TEST(Cameras, MistakesAreReportedAtTheirPlace) {
+    EXPECT_EQ(idsOf(run("Camera a LookAt 0 0 0 0 0 0 0 1 0 Perspective 60 1 10\nBox\n").diagnostics),
+              "glib-E29");
+    EXPECT_EQ(idsOf(run("Camera a LookAt 0 0 5 0 0 0 0 1 0 Perspective 200 1 10\nBox\n").diagnostics),
+              "glib-E29");
+    EXPECT_EQ(
+        textsOf(run("Camera eye LookAt 0 0 5 0 0 0 0 1 0 Perspective 60 1 10\nCamera b Shift eys 1 0 0\n")
+                    .diagnostics),
+        "2:16 glib-E27 no camera 'eys' is declared before this line; did you mean 'eye'?");
+}
+
+TEST(Cameras, PrevIsTheCameraOneFrameBefore) {
+    Interpretation script = scriptOf(
+        "Fps 10\nCamera eye LookAt (time) 0 5  (time) 0 0  0 1 0  Perspective 60 1 10\n"
+        "Vertex a.vert\nFragment a.frag\nProgram P uBefore (eye.prev.position) uNow (eye.position)\nBox\n");
+    const Scene scene = at(script, 2);
+    const Draw draw = drawsOf(scene).at(0);
+    EXPECT_NEAR(valuesOf(scene, draw, "uNow").at(0), 2, 1e-14);
+    EXPECT_NEAR(valuesOf(scene, draw, "uBefore").at(0), 1.9, 1e-14);
+}
+
+TEST(Modern, WhatThisVersionDoesNotRunIsRefused) {
+    const Scene scene = run("Pass window\nBox\nEndPass\nSphere\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "1:1 glib-E25 'Pass' is not available in this version of glibra");
+    EXPECT_EQ(drawsOf(scene).size(), 1U);
+}
+
+}  // namespace
+}  // namespace glibra::scene
