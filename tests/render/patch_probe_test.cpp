@@ -28,7 +28,8 @@ TEST(PatchProbe, GivesEachPatchItsNumberWithinTheWholeDraw) {
           "  gl_Position = vec4(gl_PrimitiveID + gl_TessCoord.x, gl_TessCoord.y, 0., 256.);\n}\n"},
          {"f.frag", "#version 400 core\nout vec4 c;\nvoid main() { c = vec4(1.); }\n"}});
     render::Stats stats;
-    const Result<render::InterpretedScene> interpreted = render::interpretFile(folder / "scene.glib", {}, stats);
+    const Result<render::InterpretedScene> interpreted =
+        render::interpretFile(folder / "scene.glib", {}, stats);
     ASSERT_TRUE(interpreted) << test::text(interpreted.diagnostics);
     const scene::Scene* scene = &interpreted->scene;
     render::PatchProbe probe(sharedContext(), *scene, {}, 64, 64);

@@ -58,8 +58,9 @@ class LiveScene {
     Diagnostics longLoops();
     /// With `on`, objects outside the picture are drawn too: debug views may show parts of them inside it.
     void drawOutOfSight(bool on);
-    /// Makes the scene that of this time and size, if it depends on them or a variable has changed. draw() does so
-    /// too. Returns true if the plan is a new one: indices into an earlier plan are not valid any more.
+    /// Makes the scene that of this time and size, if it depends on them or a variable has changed. draw()
+    /// does so too. Returns true if the plan is a new one: indices into an earlier plan are not valid any
+    /// more.
     bool moveTo(int width, int height, double time, Diagnostics& diagnostics);
     /// Draws a frame into the target, in the target's size. `time` is in seconds.
     Diagnostics draw(const gpu::Target& target, const ViewState& view, double time, bool axes);

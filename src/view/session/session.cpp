@@ -310,7 +310,8 @@ Diagnostics Session::drawShown() {
     Diagnostics diagnostics;
     if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
     if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
-    append(diagnostics, debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_}));
+    append(diagnostics,
+           debugRenderer_->draw(*target_, view_, {debugView_, normalLength_, clock_.time(), axes_}));
     return diagnostics;
 }
 
