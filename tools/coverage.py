@@ -11,8 +11,8 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|G\d{1,2}\.\w+)\b")
-STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment)\s+(\S+)", re.IGNORECASE)
+IDENTIFIER = re.compile(r"\b(?:(?:GX|SH|EX|PF|NM|D|B|X)\d{2,3}(?:\.\d+)?|G\d{1,2}\.\w+|S\d{2})\b")
+STAGE = re.compile(r"^\s*(?:Vertex|TessControl|TessEvaluation|Geometry|Fragment|Compute)\s+(\S+)", re.IGNORECASE)
 
 # The chapters of the book. GX: scenes, SH: shaders, D: pictures. An entry holds from its number on, up to the next one.
 CHAPTERS = {
@@ -43,9 +43,11 @@ def identifiers(scene, topic):
 
 
 def chapter(identifier):
-    """The number of a chapter, or "G4" for chapter 4 of the second book."""
+    """The number of a chapter, "G4" for chapter 4 of the second book, or "S" for the slides."""
     if re.match(r"G\d", identifier):
         return identifier.split(".")[0]
+    if re.match(r"S\d", identifier):
+        return "S"
     family = identifier.rstrip("0123456789.")
     number = int(re.sub(r"\D", "", identifier.split(".")[0]))
     starts = [start for start in CHAPTERS[family] if start <= number]
@@ -64,7 +66,8 @@ def table():
              "Nearly all scenes answer exercises of the book \"Graphics Shaders: Theory and Practice\" (Bailey, Cunningham,",
              "second edition, 2012). The shaders were written anew from the behaviour that the book describes; the column",
              "\"chapter\" names the chapters. G and a number is a chapter of \"Computer Graphics Programming in OpenGL with",
-             "Java\" (Gordon, Clevenger, third edition). The first lines of scenes and shaders have the exact ids of the exercises.", "",
+             "Java\" (Gordon, Clevenger, third edition). S is a set of lecture slides about GLSL. The first lines of scenes and shaders",
+             "have the exact ids of the exercises.", "",
              "`tools/coverage.py` writes this page from those first lines.", "",
              "| scene | what it shows | chapter |", "|---|---|---|"]
     folder = os.path.join(ROOT, "glib")

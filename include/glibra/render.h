@@ -62,6 +62,7 @@ struct RenderOptions {
     int width = 0;  ///< pixels; 0: the scene's WindowSize
     int height = 0;
     double time = 0;                 ///< seconds since loading; Timer = fract(time / period)
+    int steps = 100'000;             ///< of Step blocks that one picture may need
     std::vector<std::string> set{};  ///< "NAME=VALUE" for uniforms
     ViewPolicy view = ViewPolicy::automatic;
     int samples = 0;  ///< per pixel, limited to the driver's maximum; 0: one, or as maxError needs
@@ -78,9 +79,13 @@ struct RenderOptions {
     bool shim = true;             ///< false: shaders are compiled without translation
     bool skip = true;             ///< false: reads, makes and draws even what the picture does not need
     std::vector<std::filesystem::path>
-        libraryRoots{};  ///< searched for files besides the scene's own folders
+        libraryRoots{};   ///< searched for files besides the scene's own folders
+    bool checks = false;  ///< what Expect statements read is made, even if the picture does not show it
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
+    /// Textures of a modern scene, or parts of them, that are drawn even if the picture does not show them:
+    /// "shadow", "glow.level(2)", "sky.face(0)", "slices.layer(3)".
+    std::vector<std::string> wantedTextures{};
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

@@ -11,8 +11,8 @@ namespace glibra::base {
 /// `other`: atomic counters, and types that this table does not know.
 enum class BaseType { floating, doublePrecision, integer, unsignedInteger, boolean, sampler, image, other };
 
-/// The kind of texture that a scene can bind to a unit.
-enum class TextureTarget { texture1D, texture2D, texture3D, cube };
+/// The kind of texture that a scene can fill. Only textures with a name are arrays.
+enum class TextureTarget { texture1D, texture2D, texture3D, cube, texture2DArray };
 
 /// A GLSL type: columns x rows of the base type. Vectors have one column; scalars have one row as well.
 struct ValueType {
@@ -20,7 +20,7 @@ struct ValueType {
     int columns = 1;
     int rows = 1;
     /// The target that a sampler or image reads. Nothing for targets that scenes cannot fill (rectangles,
-    /// arrays, buffers).
+    /// arrays of other textures, buffers).
     std::optional<TextureTarget> target{};
     std::string word{};  ///< the GLSL word, for messages: "vec3", "sampler2D"; empty for an unknown type
 
@@ -61,10 +61,38 @@ struct UniformBlock {
     unsigned index = 0;  ///< for glUniformBlockBinding
 };
 
+/// A member of a storage block: a scalar, vector or matrix, or an array of them. The elements of an array of
+/// structures that is itself a member of the block are listed once, for element 0.
+struct StorageMember {
+    std::string name;  ///< as linked: "Particles.all[0].velocity"
+    ValueType type{};
+    int offset = 0;                      ///< bytes
+    int arraySize = 1, arrayStride = 0;  ///< 0 elements: runtime-sized
+    int outerSize = 1, outerStride = 0;  ///< of the block's member that it is part of
+    int matrixStride = 0;
+    bool rowMajor = false;
+};
+
+struct StorageBlock {
+    std::string name;    ///< as UniformBlock
+    int bytes = 0;       ///< the least size of its buffer; a runtime-sized array counts one element
+    unsigned index = 0;  ///< for glShaderStorageBlockBinding
+    std::vector<StorageMember> members;
+};
+
+/// Atomic counters that share a binding point.
+struct CounterBuffer {
+    int binding = 0;
+    int bytes = 0;
+    std::vector<std::string> counters;  ///< names
+};
+
 /// Everything that a linked program reads.
 struct ActiveResources {
     std::vector<ActiveUniform> uniforms;
     std::vector<UniformBlock> blocks;
+    std::vector<StorageBlock> storageBlocks;  ///< empty below GL 4.3; likewise counterBuffers
+    std::vector<CounterBuffer> counterBuffers;
     std::vector<ActiveInput> inputs;  ///< of the vertex stage, without gl_VertexID and other built-ins
 };
 

@@ -19,6 +19,7 @@
 #include "budget/sampling_model.h"
 #include "budget/vertex_values.h"
 #include "scene/primitives.h"
+#include "scene/texture_parts.h"
 #include "scene/view.h"
 
 namespace glibra::budget {
@@ -131,10 +132,8 @@ class Chooser {
         const double windowAspect = static_cast<double>(request_.width) / request_.height;
         const double aspect = scene::aspectOf(scene_, pass, windowAspect);
         glm::dvec2 size(request_.width, request_.height);
-        if (!pass.targets.empty())
-            if (const auto* target =
-                    std::get_if<scene::EmptySource>(&scene_.textures[pass.targets.front()].source))
-                size = {target->width, target->height};
+        if (!pass.isWindow)
+            if (const auto target = scene::targetSize(scene_, pass)) size = {(*target)[0], (*target)[1]};
         for (const auto& each : planned.steps)
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&each))
                 lookAt(*draw, {draw->step.pass, draw->step.step, &plan_.drawOf(*draw)}, aspect, size);
@@ -271,10 +270,10 @@ class Chooser {
 
     void noteNoise(const plan::PlannedDraw& planned, const std::optional<double>& scale, double height) {
         for (const plan::TextureUse& each : planned.textures) {
-            if (!each.texture ||
-                !std::holds_alternative<scene::NoiseSource>(scene_.textures[each.texture].source))
+            if (!each.view.texture ||
+                !std::holds_alternative<scene::NoiseSource>(scene_.textures[each.view.texture].source))
                 continue;
-            NoiseUse& use = noise_[each.texture];
+            NoiseUse& use = noise_[each.view.texture];
             use.period = std::max(use.period, scale.value_or(height / 2));
             use.draw = &plan_.drawOf(planned);
         }

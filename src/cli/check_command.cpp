@@ -19,6 +19,7 @@
 #include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
+#include "render/check/answers.h"
 #include "render/scene_renderer.h"
 #include "suite/run/run.h"
 
@@ -33,6 +34,7 @@ struct CheckArguments {
     std::string translated;
     int jobs = 0;  ///< 0: one per processor
     bool untrusted = false;
+    bool run = false;
 };
 
 /// Writes each shader to the folder, which is made if it does not exist. This is done in the parent process,
@@ -65,12 +67,20 @@ class SceneChecker {
         return pack(guarded(scene, [&] {
             render::CheckResult checked = render::checkScene(*context_, scene, arguments_.picture.options);
             if (arguments_.translated.empty()) checked.shaders.clear();
+            if (arguments_.run) checked.diagnostics = runOf(scene, std::move(checked.diagnostics));
             return Answer{.remarks = {std::move(checked.diagnostics), {}},
                           .shaders = std::move(checked.shaders)};
         }));
     }
 
   private:
+    /// What drawing the scene reports in addition, and its checks that do not hold.
+    Diagnostics runOf(const std::string& scene, Diagnostics checked) {
+        const RenderOptions& options = arguments_.picture.options;
+        if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
+        return render::runChecks(*context_, scene, options);
+    }
+
     const CheckArguments& arguments_;
     int jobs_;
     std::optional<gpu::Context> context_;
@@ -93,10 +103,18 @@ class CheckReport {
     [[nodiscard]] std::string json() const { return toJson(scenes_); }
 
   private:
+    static int statusOf(const Diagnostics& diagnostics) {
+        int status = kDone;
+        for (const Diagnostic& each : diagnostics)
+            if (each.severity == Severity::error)
+                status = std::max(status, each.id.starts_with("check-") ? kDiffers : kSceneIsWrong);
+        return status;
+    }
+
     void report(const std::string& scene, Answer& answer) {
         Diagnostics diagnostics = std::move(answer.remarks.general);
         append(diagnostics, writeShaders(answer.shaders, arguments_.translated));
-        status_ = std::max({status_, answer.status, hasError(diagnostics) ? kSceneIsWrong : kDone});
+        status_ = std::max({status_, answer.status, statusOf(diagnostics)});
         if (arguments_.json && status_ != kNoDriver)
             scenes_.push_back({scene, std::move(diagnostics)});
         else
@@ -145,7 +163,8 @@ int run(CheckArguments& arguments) {
 void addCheck(CommandLine& program, int& status) {
     auto arguments = std::make_shared<CheckArguments>();
     CommandLine command = program.subcommand(
-        "check", "parses scenes, finds their files, compiles and links their shaders; draws nothing",
+        "check",
+        "parses scenes, finds their files, compiles and links their shaders; draws nothing without --run",
         "glibra check a.glib");
     command.list("SCENE", arguments->scenes, "scene files (.glib)").required();
     command.driver(arguments->driver);
@@ -157,6 +176,7 @@ void addCheck(CommandLine& program, int& status) {
     addPictureOption(command, "no-shim", arguments->picture);
     command.option("--translated", arguments->translated,
                    "folder for the shaders after translation, as the driver compiles them");
+    command.flag("--run", arguments->run, "draw the scenes and answer their Expect statements");
     command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
     command.onRun([arguments, &status] { status = run(*arguments); });
 }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,22 @@ int run(RenderArguments& arguments) {
         const Result<plan::Override> parsed = plan::parseOverride(each);
         print(parsed.diagnostics);
         if (!parsed) return kWrongUsage;
+    }
+    std::set<fs::path> names{fs::path(arguments.output).filename()};
+    for (const std::string& each : arguments.saves) {
+        const auto save = readSave(each);
+        if (!save) {
+            printError("--save " + each + ": expected NAME=FILE, such as shadow=shadow.exr");
+            return kWrongUsage;
+        }
+        if (!names.insert(save->file.filename()).second) {
+            printError("--save " + each + ": another file has the same name");
+            return kWrongUsage;
+        }
+    }
+    if (!arguments.saves.empty() && arguments.scenes.size() > 1) {
+        printError("--save writes the textures of one scene, not of several");
+        return kWrongUsage;
     }
     if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.suite.suites.empty()) {
@@ -75,11 +92,17 @@ void addRender(CommandLine& program, int& status) {
     command.jobs(to.jobs);
     addSelectionOptions(command, to.suite);
     for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite);
+    command
+        .repeated("--save", to.saves,
+                  "write a texture of the scene, or a part of it, to a file as well: shadow=shadow.exr, "
+                  "glow.level(2)=glow.png, sky.face(0)=px.png")
+        .placeholder("NAME=FILE");
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
     addUntrustedOption(command, to.untrusted);
     command.option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
     excludePictureOptions(command, suite);
-    for (const char* each : {"--frames", "--fps", "--explain", "--stats"}) suite.excludes(command.find(each));
+    for (const char* each : {"--frames", "--fps", "--save", "--explain", "--stats"})
+        suite.excludes(command.find(each));
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;
         arguments->suite.memory = arguments->picture.memory;

@@ -137,7 +137,15 @@ class JobRunner {
         }
         render::Job job;
         job.scene = arguments_.scenes[index];
-        job.output = staging_ ? staging_->fileOf(piece, outputs_[index]) : outputs_[index];
+        const auto fileOf = [&](const fs::path& file) {
+            return staging_ && file != "-" ? staging_->fileOf(piece, file) : file;
+        };
+        job.output = fileOf(outputs_[index]);
+        for (const std::string& each : arguments_.saves) {
+            render::Job::Save save = readSave(each).value();
+            save.file = fileOf(save.file);
+            job.saves.push_back(std::move(save));
+        }
         job.options = arguments_.picture.options;
         job.frames = arguments_.frames;
         job.framesPerSecond = arguments_.framesPerSecond;
@@ -200,7 +208,7 @@ class SceneBatch {
     /// Returns the exit status.
     int run() {
         std::error_code ignored;  // reported with the file that cannot be written
-        for (const fs::path& each : outputs_)
+        for (const fs::path& each : writtenFiles())
             if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
         confine();
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
@@ -229,12 +237,19 @@ class SceneBatch {
     /// With --untrusted the workers write to a folder of their own.
     void confine() {
         if (!sandbox_) return;
-        if (arguments_.output == "-") {
-            sandbox_->standardOutput = true;
-        } else {
-            staging_.emplace(outputs_.front().parent_path());
-            sandbox_->writable.push_back(staging_->path());
-        }
+        if (arguments_.output == "-") sandbox_->standardOutput = true;
+        const std::vector<fs::path> files = writtenFiles();
+        if (files.empty()) return;
+        staging_.emplace(files.front().parent_path());
+        sandbox_->writable.push_back(staging_->path());
+    }
+
+    /// The pictures and the saved textures, without standard output.
+    [[nodiscard]] std::vector<fs::path> writtenFiles() const {
+        std::vector<fs::path> files;
+        if (arguments_.output != "-") files = outputs_;
+        for (const std::string& each : arguments_.saves) files.push_back(readSave(each).value().file);
+        return files;
     }
 
     void countFrames(std::size_t piece, int written) {
@@ -250,10 +265,14 @@ class SceneBatch {
         if (outcome.end != base::Outcome::End::finished)
             image::removeTemporaryFiles(outputs_[index].parent_path(), outcome.process);
         Diagnostics undelivered;
+        std::vector<fs::path> delivered;
+        if (staging_ && arguments_.output != "-") delivered.push_back(outputs_[index]);
         if (staging_)
+            for (const std::string& each : arguments_.saves) delivered.push_back(readSave(each).value().file);
+        for (const fs::path& file : delivered)
             for (int frame = 0; frame < arguments_.frames; ++frame)
-                append(undelivered, staging_->deliver(
-                                        piece, render::frameFile(outputs_[index], frame, arguments_.frames)));
+                append(undelivered,
+                       staging_->deliver(piece, render::frameFile(file, frame, arguments_.frames)));
         if (outcome.end == base::Outcome::End::stopped) return;
         Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
         if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
@@ -311,6 +330,12 @@ class SceneBatch {
 };
 
 }  // namespace
+
+std::optional<render::Job::Save> readSave(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) return std::nullopt;
+    return render::Job::Save{text.substr(0, equals), text.substr(equals + 1)};
+}
 
 int renderScenes(const RenderArguments& arguments) {
     const Interruption interruption;

@@ -3,10 +3,12 @@
 
 #include <glibra/render.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/suite_options.h"
+#include "render/file/job.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {
@@ -21,9 +23,13 @@ struct RenderArguments {
     double framesPerSecond = 30;
     int jobs = 0;  ///< 0: one process per processor
     SuiteArguments suite;
+    std::vector<std::string> saves;  ///< --save, each NAME=FILE
     bool explain = false;
     bool untrusted = false;
 };
+
+/// The texture and the file of a --save; nothing if it is not NAME=FILE.
+std::optional<render::Job::Save> readSave(const std::string& text);
 
 /// Renders the scenes and prints what went wrong. Returns the exit status: the worst of all scenes.
 int renderScenes(const RenderArguments& arguments);

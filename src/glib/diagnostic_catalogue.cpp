@@ -29,7 +29,7 @@ constexpr CatalogueRow kRows[] = {
     {"glib-E22", "Group is not closed before EndPass (line 4); write EndGroup"},
     {"glib-E23", "Texture2D cannot stand inside Group (line 1); move it out"},
     {"glib-E24", "Triangles: an expression cannot stand here; use glVertex"},
-    {"glib-E25", "'Pass' is not available in this version of glibra"},
+    {"glib-E25", "Sphere: Once draws into textures; write 'Pass NAME' around it"},
     {"glib-E26", "Camera: LookAt needs 9 numbers; the values here have 8"},
     {"glib-E27", "no group 'tre' is declared before this line; did you mean 'tree'?"},
     {"glib-E28", "group 'tree' draws itself"},
@@ -83,7 +83,7 @@ constexpr CatalogueRow kRows[] = {
     {"expr-E07", "'pose[2]' has no value here: it is defined by itself"},
     // Drawing
     {"draw-E01", "QuadXY samples unit 6 while rendering into it (RenderToTexture on line 8)"},
-    {"draw-E02", "Obj delivers triangles, but silh.geom expects triangles_adjacency; use ObjAdj"},
+    {"draw-E02", "Sphere delivers triangles, but hedgehog.geom expects lines; use WireSphere"},
     {"draw-E03", "Teapot delivers triangles, but the patch size is 16; write 'NumPatchVertices 3'"},
     {"draw-E04", "gl_patches needs a TessEvaluation stage"},
     {"draw-E05", "out of memory on the graphics device while drawing Obj"},
@@ -91,6 +91,9 @@ constexpr CatalogueRow kRows[] = {
     {"draw-E07", "not drawn within 300 seconds (--timeout)"},
     {"draw-E08",
      "'a.png' needs 1 GiB, but the textures of a scene may have 2 GiB together, and 300 MiB are left"},
+    {"draw-E09",
+     "sampler2D 'uSky' (lit.frag:3) cannot read 'sky' (line 4), which is a cube map; write samplerCube"},
+    {"draw-E10", "'glow.level(5)' does not exist: 'glow' has 3 levels (line 4)"},
     {"draw-W01", "Program 'Dots' has no fragment stage; a flat colour is used"},
     {"draw-W02", "sampler 'uTexUnit' reads unit 5 / 3D, which is empty"},
     {"draw-W03", "vertex input 'aPos' is not supplied; it reads 0 0 0 1"},
@@ -111,6 +114,25 @@ constexpr CatalogueRow kRows[] = {
      "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
      "choose "
      "finer ones"},
+    // Buffers, compute and steps
+    {"memory-E01", "Dispatch needs a driver with OpenGL 4.3; this one has 4.1"},
+    {"memory-E02",
+     "storage block 'Sum' of program 'Add' has no buffer; write 'Buffer Sum n' before the program, or give "
+     "the tag 'Sum' a buffer"},
+    {"memory-E03",
+     "storage block 'A' (add.comp:3) and uniform block 'B' (show.frag:2) lay out buffer 'sum' differently; "
+     "give both the same members and layout"},
+    {"memory-E04", "buffer 'weights' has 12 bytes, but uniform block 'Weights' needs 80"},
+    {"memory-E05", "no shader has a structure 'Particle', which is the type of buffer 'particles'"},
+    {"memory-E06", "Dispatch: 100,000 groups along y; this driver allows 65,535"},
+    {"memory-E07",
+     "'life' lasts, because Step writes it (line 14), so the frame may only read it; write it in Step"},
+    {"memory-E08",
+     "the picture at 20000 s needs 200,000 steps; the limit is 100,000 (--steps N allows more)"},
+    {"memory-E09",
+     "Step: what is drawn into the window does not last; draw into a texture, or move the pass out of Step"},
+    {"memory-E10",
+     "QuadXY writes memory, so the window cannot be drawn in 4 tiles; choose a smaller size or larger tiles"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},
@@ -123,6 +145,8 @@ constexpr CatalogueRow kRows[] = {
     {"glsl-E09", "buffer block 'Pos': scenes have no storage buffers"},
     {"glsl-E10", "gl_FragColor and the output 'fFragColor' cannot be mixed"},
     {"glsl-E11", "the macros expand to more than 2,000,000 tokens"},
+    {"glsl-E12", "compute shaders need OpenGL 4.3; this driver has 4.1"},
+    {"glsl-E13", "a program has a compute stage or stages that draw, not both"},
     {"glsl-W01", "no #version, treated as 330 compatibility"},
     {"glsl-W02", "'#version 4.00' read as 400"},
     {"glsl-W03", "'#version 300 es' treated as 330"},
@@ -215,6 +239,9 @@ constexpr CatalogueRow kRows[] = {
     {"result-W01", "'start/teapot' is passed in 'a' and failed in 'b'; it counts as failed"},
     {"result-W02", "report of 'start/teapot': cannot find 'got/teapot.png'"},
     {"result-N01", "the last line is torn, so its shot is not counted"},
+    // Checks of scenes
+    {"check-E01", "Expect pixel 10 20 [1 0 0]: expected 1 0 0, found 0.501960784 0 0"},
+    {"check-E02", "Expect pixel 800 20 [1 0 0]: 'window' has 600 x 600 pixels"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},

@@ -1,5 +1,7 @@
 #include "glsl/translate.h"
 
+#include <algorithm>
+
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
@@ -9,12 +11,29 @@
 namespace glibra::glsl {
 namespace {
 
+/// Reports a compute stage that cannot be translated; false if there is one.
+bool acceptsCompute(const ProgramRequest& request, Report& report) {
+    const bool hasCompute = std::any_of(request.stages.begin(), request.stages.end(),
+                                        [](const StageSource& each) { return each.stage == Stage::compute; });
+    if (!hasCompute) return true;
+    if (request.stages.size() > 1)
+        report.report("glsl-E13", "a program has a compute stage or stages that draw, not both",
+                      request.place);
+    const int version = request.target.version;
+    if (version < kFirstWithCompute)
+        report.report("glsl-E12",
+                      "compute shaders need OpenGL 4.3; this driver has " + std::to_string(version / 100) +
+                          "." + std::to_string(version / 10 % 10),
+                      request.place);
+    return !report.failed();
+}
+
 void read(const ProgramRequest& request, ProgramUnits& program) {
     std::vector<const StageSource*> ordered;
     for (int stage = 0; stage < kStageCount; ++stage)
         for (const StageSource& each : request.stages)
             if (each.stage == static_cast<Stage>(stage)) ordered.push_back(&each);
-    program.units.reserve(ordered.size());  // tokens point into the text of a unit, which must not move
+    program.units.reserve(ordered.size());
     for (const StageSource* each : ordered) {
         if (each->text.empty()) {
             const std::size_t slash = each->path.find_last_of("/\\");
@@ -35,6 +54,18 @@ void parse(Unit& unit) {
     unit.bodies = walkBodies(unit.view, unit.syntax);
     unit.variables = collectVariables(unit);
     findUsage(unit);
+}
+
+/// Gives a fragment stage that is alone a vertex stage, if the program wants one.
+void supplyVertexStage(ProgramUnits& program) {
+    const bool isAlone = program.units.size() == 1 && program.units.front().stage == Stage::fragment;
+    if (!program.request->suppliesFullScreenVertex || !isAlone) return;
+    Unit vertex;
+    vertex.request = program.request;
+    readSource({Stage::vertex, "full_screen.vert", fullScreenVertex(program.units.front())}, vertex,
+               program.report);
+    parse(vertex);
+    program.units.insert(program.units.begin(), std::move(vertex));
 }
 
 /// Records the emitted names that differ from the user's, for messages and tags.
@@ -65,6 +96,7 @@ void applyRules(ProgramUnits& program) {
     countPatchesInWhole(program);
     completeGeometryLayout(program);
     collectDeclarations(program);
+    collectMemory(program);
     connectStages(program);
     for (std::size_t i = 0; i < walks.size(); ++i)
         repairDeclarations(program.units[i], walks[i], program.result->geometryInput, report);
@@ -73,6 +105,7 @@ void applyRules(ProgramUnits& program) {
         widenScalars(unit, report);
         adaptToTarget(unit);
         renderVariables(unit);
+        limitSharedSubscripts(unit, walks[i], *program.result, report);
         applyRenames(unit, walks[i]);
         recordUserNames(unit, *program.result);
     }
@@ -82,6 +115,7 @@ void applyRules(ProgramUnits& program) {
 
 void deliver(ProgramUnits& program) {
     TranslatedProgram& result = *program.result;
+    if (!program.find(Stage::fragment)) result.fragmentOutputs = 0;
     result.mayReadTangents = mayReadTangents(program);
     result.levelUniforms = findLevelUniforms(program);
     for (Unit& unit : program.units) {
@@ -101,15 +135,17 @@ TranslatedProgram translate(const ProgramRequest& request) {
     ProgramUnits program;
     program.request = &request;
     program.result = &result;
-    read(request, program);
+    if (acceptsCompute(request, program.report)) read(request, program);
     if (!program.report.failed()) {
         for (Unit& unit : program.units) parse(unit);
+        supplyVertexStage(program);
         if (request.shim) {
             applyRules(program);
         } else {
             checkTessellation(program);
             readFactsAsIs(program);
             collectDeclarations(program);
+            collectMemory(program);
         }
     }
     if (!program.report.failed()) deliver(program);

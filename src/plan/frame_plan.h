@@ -4,10 +4,13 @@
 // something visible needs it.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "plan/buffers.h"
+#include "plan/inputs.h"
 #include "plan/program_interface.h"
 #include "plan/skipped.h"
 #include "plan/uniforms.h"
@@ -16,11 +19,12 @@
 namespace glibra::plan {
 
 /// The same Program statement may need several GL programs: flat or smooth colours, one or several colour
-/// targets.
+/// targets, its own vertex stage or a supplied one.
 struct ProgramVariant {
     scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
+    bool isFullScreen = false;  ///< the vertex stage is supplied: one triangle over the whole target
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
@@ -33,10 +37,12 @@ using MayWriteImages = std::function<bool(scene::ProgramIndex)>;
 struct TextureUse {
     UniformIndex uniform{};
     int element = 0;
-    int driverUnit = 0;             ///< texture image unit (or image unit) of GL that the plan chose
-    scene::TextureIndex texture{};  ///< none: an empty slot, which reads (0, 0, 0, 1)
-    scene::TextureTarget target = scene::TextureTarget::texture2D;
-    bool clamp = false;  ///< repeat otherwise
+    int driverUnit = 0;         ///< texture image unit (or image unit) of GL that the plan chose
+    scene::TextureView view{};  ///< without a texture: an empty slot, which reads (0, 0, 0, 1)
+    scene::TextureTarget target = scene::TextureTarget::texture2D;  ///< that the shader reads
+    base::SamplerState sampler{};
+    bool compares = false;      ///< the shader compares depth: 1 where its value is less or equal
+    bool readsSamples = false;  ///< the shader reads the single samples of a multisampled texture
     bool isImage = false;
 };
 
@@ -51,17 +57,29 @@ struct PlannedProgram {
     const ProgramInterface* interface = nullptr;
     std::vector<UniformBinding> values;  ///< literals and values that the runtime supplies
     std::vector<Control> controls;
+    std::vector<BlockUse> blocks{};          ///< in buffers of the scene
+    std::vector<std::string> foundByName{};  ///< UniformResolution::foundByName
 };
 
-/// A mesh to make, with those of its attributes that a program reads.
+/// What feeds the inputs of a program; one element per input of its interface.
+struct PlannedInputs {
+    std::vector<InputSource> sources;
+};
+
+/// A mesh to make, with those of its attributes that a program reads. A shape without vertex data has an
+/// empty one.
 struct PlannedMesh {
     scene::ShapeIndex shape{};
     std::vector<std::string> attributes;  ///< geometry's names, in the order of its constants
+    /// trianglesAdjacency or linesAdjacency: the triangles of the shape get these indices
+    /// (geometry::adjacencyIndices); nothing: the mesh as it is.
+    std::optional<geometry::Topology> adjacency{};
 };
 
 // Indices into the lists of FramePlan.
 using PlannedProgramIndex = scene::Index<PlannedProgram>;
 using PlannedMeshIndex = scene::Index<PlannedMesh>;
+using PlannedInputsIndex = scene::Index<PlannedInputs>;
 
 struct PlannedDraw {
     scene::StepIndex step;  ///< of a Draw
@@ -69,6 +87,7 @@ struct PlannedDraw {
     PlannedMeshIndex mesh{};
     Submission submission;
     std::vector<TextureUse> textures;
+    PlannedInputsIndex inputs{};  ///< none: the program is not usable
 };
 
 struct PlannedClear {
@@ -80,12 +99,38 @@ struct PlannedPass {
     std::vector<std::variant<PlannedDraw, PlannedClear>> steps;
 };
 
+struct PlannedDispatch {
+    std::size_t dispatch = 0;  ///< index into NodeList::dispatches
+    PlannedProgramIndex program{};
+    std::vector<TextureUse> textures;
+};
+
+struct PlannedClearObject {
+    std::size_t clear = 0;  ///< index into NodeList::clears
+};
+
+/// The two copies of an object with history change their places before a node writes it.
+struct PlannedExchange {
+    std::variant<scene::TextureIndex, scene::BufferIndex> object;
+    bool keepsContent = true;  ///< the node may leave parts as they were
+};
+
 struct FramePlan {
     const scene::NodeList* nodes = nullptr;  ///< what is planned; it must outlive the plan
     std::vector<PlannedPass> passes;
+    std::vector<PlannedDispatch> dispatches;
+    std::vector<PlannedClearObject> clears;
+    /// What is executed, in order. Each index is into `passes`, `dispatches` or `clears` of this plan.
+    std::vector<scene::NodeIndex> order;
+    /// One element per node of `order`; empty if no node writes an object with history.
+    std::vector<std::vector<PlannedExchange>> exchanges;
+    /// What the nodes write before they clear it: in a frame it begins as declared. Only of modern scenes.
+    std::vector<scene::ObjectView> resets;
     scene::List<PlannedProgram> programs;
     scene::List<PlannedMesh> meshes;
+    scene::List<PlannedInputs> inputs;
     std::vector<scene::TextureIndex> textures;  ///< those that must exist: sources and targets
+    std::vector<scene::BufferIndex> buffers;    ///< those that must exist
     std::vector<Skipped> skipped;
     Diagnostics diagnostics;  ///< draw-E.., draw-W.., and those of needed programs and uniforms
 
@@ -98,17 +143,29 @@ struct FramePlan {
     [[nodiscard]] const scene::Pass& passOf(const PlannedPass& planned) const {
         return nodes->passes.at(planned.pass);
     }
+    [[nodiscard]] const scene::Dispatch& dispatchOf(const PlannedDispatch& planned) const {
+        return nodes->dispatches.at(planned.dispatch);
+    }
+    [[nodiscard]] const scene::ClearObject& clearOf(const PlannedClearObject& planned) const {
+        return nodes->clears.at(planned.clear);
+    }
 };
 
 struct PlanOptions {
     std::vector<Override> overrides;
     int maxTextureUnits = 80;  ///< of the driver, all stages together
     int maxImageUnits = 8;     ///< of the driver
+    /// What the driver lacks for compute programs and storage buffers, as "OpenGL 4.3; it has 4.1"; empty if
+    /// it has them.
+    std::string lacksCompute{};
     /// Returns the number of rounds after which the driver ends a shader's loops, 0 if it never does. Called
     /// at most once, and only if a needed program has long loops. May be empty, which means never.
     std::function<int()> loopLimit{};
-    bool everything = false;  ///< for `glibra check` and --no-skip: skips nothing
-    bool shareMeshes = true;  ///< false: one mesh per draw
+    /// Objects of a modern scene whose content is wanted besides the window.
+    std::vector<scene::ObjectView> roots{};
+    bool everything = false;       ///< for `glibra check` and --no-skip: skips nothing
+    bool reportsOverrides = true;  ///< false: one of several lists, whose programs have other uniforms
+    bool shareMeshes = true;       ///< false: one mesh per draw
     /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
     /// those on its target. Called at most once per draw, before its program is asked for, and never with
     /// `everything`.
@@ -118,10 +175,11 @@ struct PlanOptions {
 /// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
-/// Plans one frame of the scene, which must outlive the plan. Errors are in the diagnostics. A plan with
-/// errors is good for a window, which shows the rest, but not for a file: draws with an error are left out,
-/// while draws with an unusable program stay in the plan.
-FramePlan planFrame(const scene::Scene& scene, const InterfaceOf& interfaceOf,
+/// Plans a node list of the scene: `scene.frame`, or that of a Once or Step block. Scene and list must
+/// outlive the plan. Errors are in the diagnostics. A plan with errors is good for a window, which shows the
+/// rest, but not for a file: draws with an error are left out, while draws with an unusable program stay in
+/// the plan.
+FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,
                     const MayWriteImages& mayWriteImages, const PlanOptions& options);
 
 }  // namespace glibra::plan

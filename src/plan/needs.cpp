@@ -15,14 +15,15 @@ using scene::StepIndex;
 
 class NeedFinder {
   public:
-    NeedFinder(const scene::Scene& scene, const NeedQuestions& questions)
+    NeedFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions)
         : scene_(scene),
+          nodes_(nodes),
           questions_(questions),
-          visited_(scene.frame.passes.size()),
+          visited_(nodes.passes.size()),
           read_(scene.textures.size()) {
-        needs_.passes.resize(scene.frame.passes.size());
+        needs_.passes.resize(nodes.passes.size());
         needs_.textures.resize(scene.textures.size());
-        for (const scene::Pass& pass : scene.frame.passes)
+        for (const scene::Pass& pass : nodes.passes)
             needs_.steps.emplace_back(pass.steps.size(), StepNeed::needed);
     }
 
@@ -44,22 +45,22 @@ class NeedFinder {
     }
 
   private:
-    bool isWindow(std::size_t pass) const { return scene_.frame.passes[pass].targets.empty(); }
+    bool isWindow(std::size_t pass) const { return nodes_.passes[pass].isWindow; }
     const scene::Draw* drawAt(StepIndex index) const {
-        return std::get_if<scene::Draw>(&scene_.frame.passes[index.pass].steps[index.step]);
+        return std::get_if<scene::Draw>(&nodes_.passes[index.pass].steps[index.step]);
     }
 
     void markEmptyShapes() {
-        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass)
-            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
+        for (std::size_t pass = 0; pass < nodes_.passes.size(); ++pass)
+            for (std::size_t step = 0; step < nodes_.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
                 if (draw != nullptr && drawsNothing(scene_.shapes[draw->shape]))
                     needs_.steps[pass][step] = StepNeed::drawsNothing;
             }
     }
 
-    bool mayWrite(const scene::Draw& draw) {
-        if (usesBuiltin(scene_, draw)) return false;
+    bool mayWrite(const scene::Draw& draw, const scene::Pass& pass) {
+        if (usesBuiltin(scene_, draw, pass)) return false;
         const auto [entry, isNew] = writes_.try_emplace(draw.program, false);
         if (isNew) entry->second = questions_.mayWriteImages && questions_.mayWriteImages(draw.program);
         return entry->second;
@@ -68,10 +69,10 @@ class NeedFinder {
     void startAtWindow() {
         std::vector<StepIndex> window;
         std::optional<std::size_t> lastClear;
-        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) {
+        for (std::size_t pass = 0; pass < nodes_.passes.size(); ++pass) {
             if (!isWindow(pass)) continue;
-            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
-                if (const auto* clear = std::get_if<scene::Clear>(&scene_.frame.passes[pass].steps[step])) {
+            for (std::size_t step = 0; step < nodes_.passes[pass].steps.size(); ++step) {
+                if (const auto* clear = std::get_if<scene::Clear>(&nodes_.passes[pass].steps[step])) {
                     lastClear = window.size();
                     needs_.clear = clear->place;
                 }
@@ -82,14 +83,16 @@ class NeedFinder {
         for (std::size_t i = lastClear.value_or(0); i > 0 && kept == 0; --i) {
             const auto [pass, step] = window[i - 1];
             const scene::Draw* draw = drawAt(window[i - 1]);
-            if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed && mayWrite(*draw)) kept = i;
+            if (draw != nullptr && needs_.steps[pass][step] == StepNeed::needed &&
+                mayWrite(*draw, nodes_.passes[pass]))
+                kept = i;
         }
         for (std::size_t i = kept; lastClear && i < *lastClear; ++i) {
             StepNeed& need = needs_.steps[window[i].pass][window[i].step];
             if (need == StepNeed::needed) need = StepNeed::coveredByClear;
         }
         const std::size_t firstSeen = lastClear ? window[*lastClear].pass : 0;
-        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) {
+        for (std::size_t pass = 0; pass < nodes_.passes.size(); ++pass) {
             if (!isWindow(pass)) continue;
             // Even a pass without draws counts, since it may carry the window's implicit clear.
             const std::vector<StepNeed>& steps = needs_.steps[pass];
@@ -103,7 +106,7 @@ class NeedFinder {
         bool isChanged = true;
         while (isChanged) {
             isChanged = false;
-            for (std::size_t pass = scene_.frame.passes.size(); pass-- > 0;) {
+            for (std::size_t pass = nodes_.passes.size(); pass-- > 0;) {
                 if (!needs_.passes[pass] && !feedsNeeded(pass)) continue;
                 needs_.passes[pass] = true;
                 if (visited_[pass]) continue;
@@ -115,24 +118,23 @@ class NeedFinder {
     }
 
     void visit(std::size_t pass) {
-        for (const scene::TextureIndex target : scene_.frame.passes[pass].targets)
-            needs_.textures[target] = true;
-        for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
+        for (const scene::TextureIndex target : nodes_.passes[pass].targets) needs_.textures[target] = true;
+        for (std::size_t step = 0; step < nodes_.passes[pass].steps.size(); ++step) {
             const scene::Draw* draw = drawAt({pass, step});
             if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed) continue;
             if (isOutOfSight({pass, step})) {
                 needs_.steps[pass][step] = StepNeed::outOfSight;
                 continue;
             }
-            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, scene_.frame.passes[pass]))
+            for (const scene::TextureIndex texture : questions_.texturesOf(*draw, nodes_.passes[pass]))
                 if (texture) read_[texture] = true;
         }
-        if (!isWindow(pass) && !startsWithClearDepth(scene_.frame.passes[pass])) keepDepthBefore(pass);
+        if (!isWindow(pass) && !startsWithClearDepth(nodes_.passes[pass])) keepDepthBefore(pass);
     }
 
     bool isOutOfSight(StepIndex index) {
         if (!questions_.outOfSight) return false;
-        std::string why = questions_.outOfSight(scene_.frame.draw(index), scene_.frame.passes[index.pass]);
+        std::string why = questions_.outOfSight(nodes_.draw(index), nodes_.passes[index.pass]);
         if (why.empty()) return false;
         needs_.outOfSight.emplace(index, std::move(why));
         return true;
@@ -146,26 +148,27 @@ class NeedFinder {
     /// The latest earlier pass with the same depth buffer: its depth is what this pass is tested against.
     void keepDepthBefore(std::size_t pass) {
         for (std::size_t earlier = pass; earlier-- > 0;) {
-            const scene::Pass& other = scene_.frame.passes[earlier];
-            if (other.targets.empty() || other.depthBuffer != scene_.frame.passes[pass].depthBuffer) continue;
+            const scene::Pass& other = nodes_.passes[earlier];
+            if (other.isWindow || other.depthBuffer != nodes_.passes[pass].depthBuffer) continue;
             needs_.passes[earlier] = true;
             return;
         }
     }
 
     bool feedsNeeded(std::size_t pass) const {
-        const std::vector<scene::TextureIndex>& targets = scene_.frame.passes[pass].targets;
+        const std::vector<scene::TextureIndex>& targets = nodes_.passes[pass].targets;
         return std::any_of(targets.begin(), targets.end(),
                            [&](scene::TextureIndex target) { return read_[target]; });
     }
 
     /// Adds the last pass that is not needed yet and may write to an image. False if there is none.
     bool addImageWriter() {
-        for (std::size_t pass = scene_.frame.passes.size(); pass-- > 0;) {
+        for (std::size_t pass = nodes_.passes.size(); pass-- > 0;) {
             if (needs_.passes[pass] || isWindow(pass)) continue;
-            for (std::size_t step = 0; step < scene_.frame.passes[pass].steps.size(); ++step) {
+            for (std::size_t step = 0; step < nodes_.passes[pass].steps.size(); ++step) {
                 const scene::Draw* draw = drawAt({pass, step});
-                if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed || !mayWrite(*draw))
+                if (draw == nullptr || needs_.steps[pass][step] != StepNeed::needed ||
+                    !mayWrite(*draw, nodes_.passes[pass]))
                     continue;
                 needs_.passes[pass] = true;
                 return true;
@@ -175,6 +178,7 @@ class NeedFinder {
     }
 
     const scene::Scene& scene_;
+    const scene::NodeList& nodes_;
     const NeedQuestions& questions_;
     std::vector<bool> visited_;
     scene::List<bool, scene::Texture> read_;      ///< by a needed draw
@@ -184,14 +188,29 @@ class NeedFinder {
 
 }  // namespace
 
-bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw) {
-    if (!draw.program) return true;
-    const scene::Program& program = scene.programs[draw.program];
-    return !program.hasStage(glsl::Stage::vertex) || !program.hasStage(glsl::Stage::fragment);
+bool usesStencil(const scene::Pass& pass) {
+    return std::any_of(pass.steps.begin(), pass.steps.end(), [](const auto& step) {
+        const auto* draw = std::get_if<scene::Draw>(&step);
+        return draw != nullptr ? draw->raster.stencilTest : std::get<scene::Clear>(step).stencil;
+    });
 }
 
-Needs findNeeds(const scene::Scene& scene, const NeedQuestions& questions, bool everything) {
-    return NeedFinder(scene, questions).find(everything);
+bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program) {
+    return scene.isModern && program.stages.size() == 1 && program.hasStage(glsl::Stage::fragment);
+}
+
+bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
+    if (!draw.program) return true;
+    const scene::Program& program = scene.programs[draw.program];
+    if (!program.hasStage(glsl::Stage::vertex))
+        return !isWithoutVertexStage(scene, program) || !scene.shapes[draw.shape].bare;
+    const bool needsFragments = !scene.isModern || pass.isWindow || !pass.targets.empty();
+    return needsFragments && !program.hasStage(glsl::Stage::fragment);
+}
+
+Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+                bool everything) {
+    return NeedFinder(scene, nodes, questions).find(everything);
 }
 
 }  // namespace glibra::plan

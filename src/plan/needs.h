@@ -13,31 +13,44 @@ namespace glibra::plan {
 
 enum class StepNeed { needed, coveredByClear, drawsNothing, outOfSight, passNotNeeded };
 
-/// One element per pass of the scene, per step of each pass, and per texture.
+/// One element per pass, dispatch and clear of the list, per step of each pass, and per texture and buffer.
 struct Needs {
     std::vector<bool> passes;
+    std::vector<bool> dispatches, clears;
     std::vector<std::vector<StepNeed>> steps;
-    scene::List<bool, scene::Texture> textures;  ///< sampled by a needed draw, or target of a needed pass
+    scene::List<bool, scene::Texture> textures;          ///< used by a needed node: read or drawn into
+    scene::List<bool, scene::Buffer> buffers;            ///< likewise
     std::map<scene::StepIndex, std::string> outOfSight;  ///< why, for each such step
-    Place clear;  ///< of the last Clear of the window, if steps are coveredByClear
+    Place
+        clear;  ///< of the last Clear of the window, or the pass that clears it, if steps are coveredByClear
 };
 
 /// Textures that a draw's active samplers and images read.
 using TexturesOf =
     std::function<std::vector<scene::TextureIndex>(const scene::Draw& draw, const scene::Pass& pass)>;
+/// What a draw or dispatch does with an object.
+struct ObjectUse {
+    scene::ObjectView object;
+    bool reads = true;
+    bool writes = false;  ///< by stores and atomic operations
+};
+using UsesOfDraw = std::function<std::vector<ObjectUse>(const scene::Draw& draw, const scene::Pass& pass)>;
+using UsesOfDispatch = std::function<std::vector<ObjectUse>(const scene::Dispatch& dispatch)>;
 /// PlanOptions::outOfSight.
 using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
 
 /// The questions of findNeeds. `texturesOf` is called once per needed draw, from the last pass to the first.
 /// `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is called
-/// once per draw that is needed otherwise.
+/// once per draw that is needed otherwise. Modern scenes ask `usesOf` in place of `texturesOf`.
 struct NeedQuestions {
     TexturesOf texturesOf;
     MayWriteImages mayWriteImages;
     OutOfSight outOfSight{};
+    UsesOfDraw usesOf{};
+    UsesOfDispatch usesOfDispatch{};
 };
 
-/// These are needed:
+/// Modern scenes: findLiveNeeds. In classic scenes these are needed:
 /// - the window's draws after its last Clear;
 /// - every draw of a pass whose target a needed draw reads anywhere in the frame, since a target keeps its
 ///   content until it is drawn to again;
@@ -45,10 +58,25 @@ struct NeedQuestions {
 /// - every pass that may write to an image, and the window's draws up to the last such draw, since its depth
 ///   tests may depend on them.
 /// Draws that are out of sight are not needed. With `everything` all draws are.
-Needs findNeeds(const scene::Scene& scene, const NeedQuestions& questions, bool everything);
+Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+                bool everything);
+
+/// The nodes of a modern scene that the window or one of `roots` depends on. It walks back through the list
+/// and knows what is still read: a node is needed if it writes such an object, and what it reads is needed
+/// before it. A clear of a whole target ends the need for its earlier content. Targets are seen as wholes:
+/// a pass into one level of a texture that is read is needed. Draws that are out of sight are not.
+Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+                    const std::vector<scene::ObjectView>& roots, bool everything);
+
+/// True if a draw of the pass tests the stencil, or a Clear sets it.
+bool usesStencil(const scene::Pass& pass);
+
+/// True if the program has a fragment stage and no other: in modern scenes such a program gets a vertex stage
+/// that covers the whole target, when it draws vertices without data.
+bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program);
 
 /// True if the built-in program is used: the draw has no program, or the program lacks a vertex or a fragment
-/// stage (language, 2.2).
-bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw);
+/// stage (language, 2.2) that it needs here. A pass without colours needs no fragment stage.
+bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
 }  // namespace glibra::plan

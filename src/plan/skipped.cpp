@@ -39,7 +39,8 @@ class SkipList {
           files_(scene.files.size()) {}
 
     std::vector<Skipped> list() && {
-        for (std::size_t pass = 0; pass < scene_.frame.passes.size(); ++pass) addPass(pass);
+        for (std::size_t pass = 0; pass < plan_.nodes->passes.size(); ++pass) addPass(pass);
+        addNodes();
         addPrograms();
         addMeshes();
         addTextures();
@@ -57,11 +58,8 @@ class SkipList {
     }
 
     void addPass(std::size_t index) {
-        const scene::Pass& pass = scene_.frame.passes[index];
-        if (!needs_.passes[index])
-            add("pass",
-                pass.targets.empty() ? clearedAgain() : std::string("nothing visible samples its targets"),
-                pass.place);
+        const scene::Pass& pass = plan_.nodes->passes[index];
+        if (!needs_.passes[index]) add("pass", pass.isWindow ? clearedAgain() : unseen(pass), pass.place);
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             const StepNeed need = needs_.steps[index][step];
             if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
@@ -82,8 +80,34 @@ class SkipList {
             add("draw", draw.word + ": it has no size and draws nothing", draw.place);
     }
 
+    void addNodes() {
+        for (std::size_t i = 0; i < needs_.dispatches.size(); ++i) {
+            const scene::Dispatch& dispatch = plan_.nodes->dispatches[i];
+            if (needs_.dispatches[i]) continue;
+            add("dispatch",
+                fmt::format("'{}': nothing reads what it writes", scene_.programs[dispatch.program].name),
+                dispatch.place);
+        }
+        for (std::size_t i = 0; i < needs_.clears.size(); ++i)
+            if (!needs_.clears[i])
+                add("statement", "Clear: nothing reads what it clears", plan_.nodes->clears[i].place);
+    }
+
     [[nodiscard]] std::string clearedAgain() const {
+        if (needs_.clear.file.empty()) return "it is cleared again";
         return fmt::format("the window is cleared again on line {}", needs_.clear.line);
+    }
+
+    /// Why a pass into textures is not needed.
+    [[nodiscard]] std::string unseen(const scene::Pass& pass) const {
+        std::string names;
+        std::vector<scene::TextureIndex> targets = pass.targets;
+        if (pass.depth) targets.push_back(pass.depth->texture);
+        for (const scene::TextureIndex each : targets)
+            if (const std::string& name = scene_.textures[each].name; !name.empty())
+                names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+        if (names.empty()) return "nothing visible samples its targets";
+        return fmt::format("nothing visible reads what it draws into {}", names);
     }
 
     void addPrograms() {
@@ -96,7 +120,8 @@ class SkipList {
                 continue;
             }
             const bool isWhole =
-                program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment);
+                (program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment)) ||
+                (scene_.isModern && program.stages.size() == 1);
             const char* why = !hasDraw_[i] ? "nothing is drawn with it"
                               : !isWhole   ? "it has no vertex or no fragment stage"
                                            : "nothing visible is drawn with it";
@@ -106,18 +131,25 @@ class SkipList {
 
     void addMeshes() {
         scene::List<const PlannedMesh*, scene::Shape> planned(scene_.shapes.size());
-        for (const PlannedMesh& mesh : plan_.meshes) planned[mesh.shape] = &mesh;
+        scene::List<int, scene::Shape> meshes(scene_.shapes.size());  // two if one has adjacency
+        for (const PlannedMesh& mesh : plan_.meshes) {
+            planned[mesh.shape] = &mesh;
+            ++meshes[mesh.shape];
+        }
         const scene::List<int, scene::Shape> draws = drawsOfShapes();
         std::vector<Skipped> attributes;
         for (const scene::ShapeIndex i : scene_.shapes.indices()) {
             const std::string word = firstDraws_[i] != nullptr ? firstDraws_[i]->word : std::string("shape");
             const Place place = firstDraws_[i] != nullptr ? firstDraws_[i]->place : Place{};
+            const bool isOfOtherList =
+                firstDraws_[i] == nullptr && !(scene_.once.empty() && scene_.steps.empty());
+            if (planned[i] == nullptr && isOfOtherList) continue;
             if (planned[i] == nullptr) {
                 add("mesh", word + ": nothing visible draws it", place);
                 continue;
             }
             useFile(scene_.shapes[i].file);
-            if (draws[i] > 1)
+            if (draws[i] > 1 && meshes[i] == 1)
                 add("mesh", fmt::format("{}: one mesh serves all its {} draws", word, draws[i]), place);
             for (const std::string& attribute : attributesOf(scene_.shapes[i]))
                 if (!contains(planned[i]->attributes, attribute))
@@ -148,8 +180,9 @@ class SkipList {
                 if (noise != nullptr) useFile(noise->file);
                 continue;
             }
-            add(noise != nullptr ? "noise texture" : "texture",
-                fmt::format("unit {}: no active sampler reads it", slotText(texture.unit, texture.target)),
+            const std::string which = texture.name.empty() ? "unit " + slotText(texture.unit, texture.target)
+                                                           : fmt::format("'{}'", texture.name);
+            add(noise != nullptr ? "noise texture" : "texture", which + ": no active sampler reads it",
                 texture.place);
         }
     }
@@ -181,6 +214,7 @@ std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, 
 
 std::vector<std::string> attributesOf(const scene::Shape& shape) {
     std::vector<std::string> names;
+    if (shape.bare) return names;
     for (const std::string_view each : kAttributes) {
         bool isCarried = each != geometry::kColor;
         if (each == geometry::kFaceIndex) {
@@ -190,6 +224,9 @@ std::vector<std::string> attributesOf(const scene::Shape& shape) {
         if (shape.list != nullptr) isCarried = shape.list->attribute(each) != nullptr;
         if (isCarried) names.emplace_back(each);
     }
+    if (shape.list != nullptr)
+        for (const geometry::Attribute& each : shape.list->attributes)
+            if (!contains(names, each.name)) names.push_back(each.name);
     return names;
 }
 

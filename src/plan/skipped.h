@@ -18,7 +18,7 @@ struct FramePlan;
 
 struct Skipped {
     std::string what;  ///< "texture", "noise texture", "attribute", "mesh", "program", "pass", "draw",
-                       ///< "statement", "file"
+                       ///< "dispatch", "statement", "file"
     std::string why;   ///< which one, and why: "unit 5 / 3D: no active sampler reads it"
     Place place;
 };

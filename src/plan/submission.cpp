@@ -32,10 +32,10 @@ std::string_view counterpartOf(CommandId command, Topology wanted) {
     return {};
 }
 
-/// Returns "; use ObjAdj" if there is an obvious command that delivers the wanted kind.
+/// Returns "; use WireSphere" if there is an obvious command that delivers the wanted kind.
 std::string recommendation(CommandId command, std::string_view wanted) {
     std::string_view other;
-    if (wanted == wordOf(Topology::trianglesAdjacency)) other = glib::nameOf(CommandId::objAdj);
+    if (wanted == wordOf(Topology::trianglesAdjacency)) other = counterpartOf(command, Topology::triangles);
     if (wanted == wordOf(Topology::linesAdjacency)) other = glib::nameOf(CommandId::linesAdjacency);
     if (wanted == wordOf(Topology::points)) other = geometry::kPointCloudRow.names[0];
     for (const Topology each : {Topology::lines, Topology::triangles})
@@ -61,6 +61,10 @@ Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
                                     draw.word, wordOf(topology), draw.patchVertices, wanted),
                         draw.place);
     return Submission{Topology::patches, wanted};
+}
+
+bool isAdjacency(Topology topology) {
+    return topology == Topology::trianglesAdjacency || topology == Topology::linesAdjacency;
 }
 
 }  // namespace
@@ -114,6 +118,11 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
     }
 
     const std::string& wanted = interface.facts.geometryInput;
+    for (const Topology each : {Topology::trianglesAdjacency, Topology::linesAdjacency})
+        if (topology == Topology::triangles && !isTessellated && wanted == wordOf(each)) {
+            submission.topology = each;
+            delivered = wanted;
+        }
     if (program != nullptr && !wanted.empty() && !delivered.empty() && wanted != delivered) {
         const std::string file = stageFileName(scene, *program, glsl::Stage::geometry);
         return diagnose("draw-E02",
@@ -124,6 +133,11 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
                         draw.place);
     }
     return submission;
+}
+
+std::optional<Topology> addedAdjacency(const scene::Shape& shape, Topology submitted) {
+    if (topologyOf(shape) != Topology::triangles || !isAdjacency(submitted)) return std::nullopt;
+    return submitted;
 }
 
 bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,

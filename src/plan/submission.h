@@ -4,6 +4,8 @@
 
 #include <glibra/result.h>
 
+#include <optional>
+
 #include "plan/frame_plan.h"
 
 namespace glibra::plan {
@@ -17,6 +19,10 @@ std::string_view wordOf(geometry::Topology topology);
 /// (patches without an evaluation stage). Each message says what to write instead.
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface);
+
+/// The adjacency that the shape's triangles get if they are submitted as `submitted`; nothing if the mesh
+/// stays as it is.
+std::optional<geometry::Topology> addedAdjacency(const scene::Shape& shape, geometry::Topology submitted);
 
 /// True if the program writes gl_PointSize and draws points, but PointSizeMode is 0 (draw-W05).
 bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,

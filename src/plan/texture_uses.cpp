@@ -7,6 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "plan/texture_binding.h"
+#include "scene/texture_parts.h"
+
 namespace glibra::plan {
 namespace {
 
@@ -31,11 +34,13 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
     uses.reserve(samplers.size());
     std::map<std::pair<int, std::string>, int> textureUnits;
     std::map<std::pair<int, std::string>, int> imageUnits;
+    int bound = 0;  // samplers of named textures, which share no unit
     for (const SamplerBinding& sampler : samplers) {
         const ValueType& type = at(interface.uniforms, sampler.uniform).type;
         auto& units = type.base == BaseType::image ? imageUnits : textureUnits;
         const int next = static_cast<int>(units.size());
-        uses.push_back({sampler, units.try_emplace({sampler.unit, type.word}, next).first->second});
+        const int unit = sampler.bound ? -++bound : sampler.unit;
+        uses.push_back({sampler, units.try_emplace({unit, type.word}, next).first->second});
     }
     const auto tooMany = [](const char* kind, std::size_t wanted, int available) {
         return diagnose("draw-E05",
@@ -49,8 +54,9 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
     return uses;
 }
 
-std::vector<TextureUse> textureUses(const scene::Scene& scene, const scene::Draw& draw,
-                                    const ProgramInterface& interface, std::span<const UnitUse> units) {
+std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableIndex slots,
+                                    const scene::Sampling& sampling, const ProgramInterface& interface,
+                                    std::span<const UnitUse> units) {
     std::vector<TextureUse> uses;
     uses.reserve(units.size());
     for (const UnitUse& unit : units) {
@@ -60,33 +66,24 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, const scene::Draw
         use.element = unit.binding.element;
         use.driverUnit = unit.driverUnit;
         use.isImage = type.base == BaseType::image;
+        if (unit.binding.bound) {
+            useNamed(scene, unit.binding.bound->view, type, use);
+            uses.push_back(use);
+            continue;
+        }
         if (type.target) {
             use.target = *type.target;
-            use.texture = textureInSlot(scene, draw.slots, unit.binding.unit, use.target);
+            use.view.texture = textureInSlot(scene, slots, unit.binding.unit, use.target);
         }
-        use.clamp =
-            use.target == scene::TextureTarget::cube || (draw.sampling.clamp && !isNoise(scene, use.texture));
+        if (use.target == scene::TextureTarget::cube || (sampling.clamp && !isNoise(scene, use.view.texture)))
+            use.sampler.wrap.fill(base::Wrap::clampToEdge);
         uses.push_back(use);
     }
     return uses;
 }
 
 std::string slotText(int unit, scene::TextureTarget target) {
-    const char* word = "2D";
-    switch (target) {
-        case scene::TextureTarget::texture1D:
-            word = "1D";
-            break;
-        case scene::TextureTarget::texture2D:
-            break;
-        case scene::TextureTarget::texture3D:
-            word = "3D";
-            break;
-        case scene::TextureTarget::cube:
-            word = "cube";
-            break;
-    }
-    return fmt::format("{} / {}", unit, word);
+    return fmt::format("{} / {}", unit, scene::wordOf(target));
 }
 
 }  // namespace glibra::plan

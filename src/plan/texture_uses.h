@@ -20,15 +20,17 @@ struct UnitUse {
 };
 
 /// Assigns texture image units from 0 on, in the order of the samplers: one per pair of unit and sampler
-/// type, since GL forbids samplers of different types on one unit. Image units are assigned likewise. Error
-/// draw-E05, without a place, if the driver has too few.
+/// type, since GL forbids samplers of different types on one unit; and one for each bound texture. Image
+/// units are assigned likewise. Error draw-E05, without a place, if the driver has too few.
 Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
                                          std::span<const SamplerBinding> samplers, int maxTextureUnits,
                                          int maxImageUnits);
 
-/// The textures that the units hold at a draw. A sampler of a type that scenes cannot fill reads no texture.
-std::vector<TextureUse> textureUses(const scene::Scene& scene, const scene::Draw& draw,
-                                    const ProgramInterface& interface, std::span<const UnitUse> units);
+/// The textures that the units hold at a draw or dispatch, and those that are bound by name. A sampler of a
+/// type that units cannot hold reads no texture.
+std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableIndex slots,
+                                    const scene::Sampling& sampling, const ProgramInterface& interface,
+                                    std::span<const UnitUse> units);
 
 /// The name of a slot in messages: "5 / 3D".
 std::string slotText(int unit, scene::TextureTarget target);

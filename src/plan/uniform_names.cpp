@@ -65,6 +65,14 @@ const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform) {
     return isSame ? row : nullptr;
 }
 
+std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool isModern) {
+    if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name)) return row->attribute;
+    if (!isModern) return std::nullopt;
+    if (const glsl::WellKnownInput* row = glsl::findWellKnownInput(input.name, input.type.word))
+        return row->attribute;
+    return std::nullopt;
+}
+
 bool isSuppliedName(std::string_view name) {
     return glsl::findBuiltinUniform(name) != nullptr || glsl::findBuiltinInput(name) != nullptr;
 }

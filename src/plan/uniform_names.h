@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ class UniformNames {
     /// `Block.member`; otherwise, if the tag ends in a valid subscript, the array. Normally one or none.
     [[nodiscard]] std::vector<NamedUniform> find(std::string_view tag) const;
 
+    /// True if there is a uniform of exactly that name.
+    [[nodiscard]] bool hasUniform(std::string_view name) const { return exact_.contains(name); }
+
   private:
     [[nodiscard]] const std::vector<UniformIndex>* indices(std::string_view name) const;
 
@@ -39,6 +43,10 @@ class UniformNames {
 
 /// The table row that supplies this uniform; null unless name and GLSL type are those of a built-in.
 const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform);
+
+/// The mesh attribute that a vertex input of that name reads; empty for an input that is constant. Nothing
+/// for a name that the user chose. Well-known names count in modern scenes.
+std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool isModern);
 
 /// True for the names of uniforms and vertex inputs that the runtime supplies (language, 6), with or without
 /// gl_.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plan/texture_binding.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
 
@@ -18,6 +19,45 @@ namespace {
 bool isOpaque(const ActiveUniform& uniform) {
     return uniform.type.base == BaseType::sampler || uniform.type.base == BaseType::image;
 }
+/// The value of a well-known name, for messages.
+std::string_view describe(glsl::Builtin value) {
+    using enum glsl::Builtin;
+    switch (value) {
+        case modelView:
+            return "model-view matrix";
+        case projection:
+            return "projection matrix";
+        case modelViewProjection:
+            return "model-view-projection matrix";
+        case normalMatrix:
+            return "normal matrix";
+        case modelViewInverseTranspose:
+            return "inverse transpose of the model-view matrix";
+        case modelViewProjectionInverse:
+            return "inverse of the model-view-projection matrix";
+        case projectionInverse:
+            return "inverse of the projection matrix";
+        case model:
+            return "model matrix";
+        case modelInverse:
+            return "inverse of the model matrix";
+        case modelInverseTranspose:
+            return "inverse transpose of the model matrix";
+        case modelNormalMatrix:
+            return "normal matrix in world space";
+        case view:
+            return "view matrix";
+        case viewInverse:
+            return "inverse of the view matrix";
+        case viewProjection:
+            return "projection matrix times the view matrix";
+        case eyePosition:
+            return "position of the camera";
+        default:
+            return "value that glibra supplies";
+    }
+}
+
 bool isNoise(const glsl::BuiltinUniform& row) {
     return row.value == glsl::Builtin::noise2 || row.value == glsl::Builtin::noise3;
 }
@@ -26,16 +66,18 @@ bool isNoise(const glsl::BuiltinUniform& row) {
 class Resolver {
   public:
     Resolver(const scene::Program& program, const std::string& scenePath, const ProgramInterface& interface,
-             std::span<const Override> overrides)
+             std::span<const Override> overrides, const DrawValues& drawn)
         : program_(program),
           scenePath_(scenePath),
           interface_(interface),
           overrides_(overrides),
+          drawn_(drawn),
           names_(interface),
           touched_(interface.uniforms.size()) {
         for (const ActiveUniform& uniform : interface.uniforms) {
             rows_.push_back(suppliedBy(uniform));
             units_.push_back(isOpaque(uniform) ? defaultUnits(uniform, rows_.back()) : std::vector<int>());
+            bound_.emplace_back(units_.back().size());
         }
     }
 
@@ -44,6 +86,8 @@ class Resolver {
         findOverridden();
         applyPairs();
         applyOverrides(usedOverrides);
+        bindObjects();
+        findByName();
         reportUnset();
         listSamplers();
         return std::move(result_);
@@ -122,6 +166,77 @@ class Resolver {
             }
             for (const NamedUniform& one : named) apply(given, one, false);
         }
+    }
+
+    /// Binds the textures that the draw names to samplers and images. (Buffers belong to blocks.)
+    void bindObjects() {
+        if (drawn_.set == nullptr || drawn_.scene == nullptr) return;
+        for (const scene::ObjectBinding& each : drawn_.set->objects) {
+            const auto* view = std::get_if<scene::TextureView>(&each.object);
+            if (view == nullptr) continue;
+            const BoundTexture bound{*view, place(each.tagPosition)};
+            const std::vector<NamedUniform> named = names_.find(each.tag);
+            if (named.empty() && !each.mayBeUnknown)
+                reportUnknown({each.tag, glib::UniformForm::number, {}, bound.place, bound.place});
+            for (const NamedUniform& one : named) bind(one, bound);
+        }
+    }
+
+    void bind(const NamedUniform& named, const BoundTexture& bound) {
+        touched_[named.uniform] = true;
+        if (auto problem = bindingProblem(*drawn_.scene, interface_, uniform(named.uniform), bound))
+            return result_.badBindings.push_back(*std::move(problem));
+        std::vector<std::optional<BoundTexture>>& elements = bound_[named.uniform];
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (!named.oneElement || i == static_cast<std::size_t>(named.element)) elements[i] = bound;
+    }
+
+    /// What nothing has set reads the texture or the variable of its name, or a well-known value.
+    void findByName() {
+        if (drawn_.scene == nullptr || interface_.isBuiltin) return;
+        const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
+        for (const UniformIndex i : rows_.indices()) {
+            const ActiveUniform& each = uniform(i);
+            if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
+            if (isOpaque(each)) {
+                for (const scene::TextureIndex texture : drawn_.scene->textures.indices())
+                    if (drawn_.scene->textures[texture].name == each.name)
+                        bind({i, 0, false}, {{.texture = texture}, program_.place});
+                continue;
+            }
+            if (readVariable(i) || hasInitializer(each)) continue;
+            if (each.block >= 0 || each.isArray) continue;
+            const glsl::WellKnownUniform* row =
+                glsl::findWellKnownUniform(each.name, each.type.word, isUniform);
+            if (row == nullptr) continue;
+            touched_[i] = true;
+            UniformBinding& binding = result_.values.emplace_back();
+            binding.uniform = i;
+            binding.value.emplace<Supplied>(row->value);
+            result_.foundByName.push_back(
+                fmt::format("uniform '{}' is the {}", each.name, describe(row->value)));
+        }
+    }
+
+    bool readVariable(UniformIndex index) {
+        const ActiveUniform& target = uniform(index);
+        for (const glib::UniformSpec& spec : drawn_.scene->namedValues) {
+            if (spec.tag != target.name) continue;
+            const Place at = place(spec.tagPosition);
+            Reading reading = readValue({spec.tag, spec.form, spec.values, at, at}, target);
+            append(result_.diagnostics, std::move(reading.diagnostics));
+            if (reading.ignored) return false;
+            touched_[index] = true;
+            result_.values.push_back({index, 0, Literal{std::move(reading.values)}});
+            result_.foundByName.push_back(fmt::format("uniform '{0}' is the variable '{0}'", target.name));
+            return true;
+        }
+        return false;
+    }
+
+    bool hasInitializer(const ActiveUniform& target) const {
+        const auto declared = interface_.facts.uniforms.find(std::string(rootName(target.name)));
+        return declared != interface_.facts.uniforms.end() && declared->second.hasInitializer;
     }
 
     void apply(const GivenValue& given, const NamedUniform& named, bool isOverridden) {
@@ -225,6 +340,7 @@ class Resolver {
         for (const UniformIndex i : rows_.indices()) {
             const ActiveUniform& each = uniform(i);
             if (touched_[i] || rows_[i] != nullptr || isInternalName(each.name)) continue;
+            if (drawn_.isInBuffer && drawn_.isInBuffer(each)) continue;
             if (isOpaque(each)) {
                 if (!interface_.facts.textureBindings.contains(each.name))
                     warn("glib-W37",
@@ -233,8 +349,7 @@ class Resolver {
                          program_.place);
                 continue;
             }
-            const auto declared = interface_.facts.uniforms.find(std::string(rootName(each.name)));
-            if (declared != interface_.facts.uniforms.end() && declared->second.hasInitializer) continue;
+            if (hasInitializer(each)) continue;
             warn("glib-W37",
                  fmt::format("uniform '{}' of '{}' is not set; it is 0", each.name, program_.name),
                  program_.place);
@@ -244,17 +359,21 @@ class Resolver {
     void listSamplers() {
         for (const UniformIndex i : units_.indices())
             for (std::size_t element = 0; element < units_[i].size(); ++element)
-                result_.samplers.push_back({i, static_cast<int>(element), units_[i][element]});
+                result_.samplers.push_back(
+                    {i, static_cast<int>(element), units_[i][element], bound_[i][element]});
     }
 
     const scene::Program& program_;
     const std::string& scenePath_;
     const ProgramInterface& interface_;
     std::span<const Override> overrides_;
+    const DrawValues& drawn_;
     UniformNames names_;
     scene::List<const glsl::BuiltinUniform*, ActiveUniform> rows_;  ///< what supplies each uniform, or null
     scene::List<std::vector<int>, ActiveUniform> units_;  ///< of samplers and images, one per element
-    scene::List<bool, ActiveUniform> touched_;            ///< a pair or an override gave it a value
+    /// Likewise; in place of the unit.
+    scene::List<std::vector<std::optional<BoundTexture>>, ActiveUniform> bound_;
+    scene::List<bool, ActiveUniform> touched_;  ///< a pair or an override gave it a value
     std::set<std::pair<UniformIndex, int>> overridden_;
     std::vector<std::string> knownNames_;
     UniformResolution result_;
@@ -264,8 +383,8 @@ class Resolver {
 
 UniformResolution resolveUniforms(const scene::Program& program, const std::string& scenePath,
                                   const ProgramInterface& interface, std::span<const Override> overrides,
-                                  std::vector<bool>& usedOverrides) {
-    return Resolver(program, scenePath, interface, overrides).resolve(usedOverrides);
+                                  std::vector<bool>& usedOverrides, const DrawValues& drawn) {
+    return Resolver(program, scenePath, interface, overrides, drawn).resolve(usedOverrides);
 }
 
 }  // namespace glibra::plan

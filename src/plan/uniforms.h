@@ -3,7 +3,9 @@
 
 #include <glibra/result.h>
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,11 +35,18 @@ struct UniformBinding {
     Expression value;
 };
 
-/// A sampler or image and the unit of the language that it reads.
+/// A texture that a sampler or image reads by its name.
+struct BoundTexture {
+    scene::TextureView view;
+    Place place;  ///< of the tag; without a tag, of the Program
+};
+
+/// A sampler or image and what it reads: a texture with a name, or a unit of the language.
 struct SamplerBinding {
     UniformIndex uniform{};
     int element = 0;  ///< of an array of samplers
     int unit = 0;     ///< 0..127
+    std::optional<BoundTexture> bound{};
 };
 
 /// What the window needs for a slider, a check box or a colour button.
@@ -52,6 +61,19 @@ struct UniformResolution {
     std::vector<SamplerBinding> samplers;
     std::vector<Control> controls;
     Diagnostics diagnostics;
+    Diagnostics badBindings;  ///< draw-E09, draw-E10: nothing can be drawn with these textures
+    /// Where the value of a uniform comes from that nothing of the program sets, in words, for --explain:
+    /// "'mv_matrix' is the model-view matrix".
+    std::vector<std::string> foundByName;
+};
+
+/// What a draw or dispatch gives to its program besides the values of the Program statement. Null pointers
+/// stand for nothing.
+struct DrawValues {
+    const scene::Scene* scene = nullptr;     ///< a modern scene: names of textures, variables, matrices count
+    const scene::UniformSet* set = nullptr;  ///< its `values` are among those of the program already
+    /// Says which uniforms need no value, because a buffer of the scene has it; may be empty.
+    std::function<bool(const ActiveUniform&)> isInBuffer{};
 };
 
 /// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false.
@@ -70,9 +92,12 @@ bool isFor(const Override& override, const scene::Program& program);
 
 /// Resolves the pairs of one Program statement against its linked interface. An active uniform that is
 /// neither supplied, given nor initialised is reported (glib-W37) and stays 0. `overrides` replace the values
-/// of the scene; `usedOverrides` is set to true for each override that names a uniform here.
+/// of the scene; `usedOverrides` is set to true for each override that names a uniform here. Samplers and
+/// images read the texture that `drawn` binds to them, then a texture of their own name, then a unit. Other
+/// uniforms that are not set read a variable of their own name, then a value of the table of well-known names
+/// (glsl/types/builtins.h).
 UniformResolution resolveUniforms(const scene::Program& program, const std::string& scenePath,
                                   const ProgramInterface& interface, std::span<const Override> overrides,
-                                  std::vector<bool>& usedOverrides);
+                                  std::vector<bool>& usedOverrides, const DrawValues& drawn = {});
 
 }  // namespace glibra::plan

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "gpu/object/readback.h"
+#include "plan/accesses.h"
 #include "render/draw/tiles.h"
 #include "render/scene_state.h"
 
@@ -58,26 +59,36 @@ bool SceneRenderer::remembersFrames() const {
     return state_->isStateful;
 }
 
+bool SceneRenderer::runsSteps() const {
+    return state_->simulation.has_value();
+}
+
 std::optional<Moment> SceneRenderer::momentOf(double time) const {
     if (remembersFrames()) return std::nullopt;
     std::map<double, double> timers;  // by period
-    for (const plan::PlannedPass& pass : state_->plan.passes)
-        for (const auto& step : pass.steps) {
-            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw) continue;
-            const plan::PlannedProgram& program = state_->plan.programs[draw->program];
-            for (const plan::UniformBinding& each : program.values) {
-                const auto* supplied = std::get_if<plan::Supplied>(&each.value);
-                if (!supplied || supplied->value != glsl::Builtin::timer) continue;
-                const bool isFloat =
-                    at(program.interface->uniforms, each.uniform).type.base == plan::BaseType::floating;
-                const double period = state_->plan.drawOf(*draw).timerPeriod;
-                const double timer = timerAt(time, period);
-                timers[period] = isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
-            }
+    const plan::FramePlan& plan = state_->plan;
+    const auto add = [&](plan::PlannedProgramIndex index, double period) {
+        const plan::PlannedProgram& program = plan.programs[index];
+        for (const plan::UniformBinding& each : program.values) {
+            const auto* supplied = std::get_if<plan::Supplied>(&each.value);
+            if (!supplied || supplied->value != glsl::Builtin::timer) continue;
+            const bool isFloat =
+                at(program.interface->uniforms, each.uniform).type.base == plan::BaseType::floating;
+            const double timer = timerAt(time, period);
+            timers[period] = isFloat ? static_cast<double>(static_cast<float>(timer)) : timer;
         }
+    };
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
+                add(draw->program, plan.drawOf(*draw).timerPeriod);
+    for (const plan::PlannedDispatch& each : plan.dispatches)
+        add(each.program, plan.dispatchOf(each).timerPeriod);
     Moment moment;
     for (const auto& [period, timer] : timers) moment.push_back(timer);
+    if (state_->simulation)
+        for (const std::int64_t steps : state_->simulation->stepsAt(time))
+            moment.push_back(static_cast<double>(steps));
     if (state_->changesWithTime) moment.push_back(time);
     return moment;
 }
@@ -163,13 +174,16 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     applyStrict(diagnostics, options.strict);
     if (hasError(diagnostics)) return refuse(std::move(diagnostics));
 
+    append(diagnostics, state->checkTiles());
+    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
     state->makeDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
     state->device.releaseMeshes();
 
-    Result<gpu::Target> window = gpu::Target::window(
-        capabilities, state->tiles.front().width, state->tiles.front().height,
-        options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8, state->options.samples);
+    Result<gpu::Target> window =
+        gpu::Target::window(capabilities, state->tiles.front().width, state->tiles.front().height,
+                            options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
+                            state->options.samples, depthFormat(state->scene));
     append(diagnostics, std::move(window.diagnostics));
     if (!window) return refuse(std::move(diagnostics));
     state->window = std::move(window.value);
@@ -184,6 +198,24 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};
 }
 
+/// Every tile would run the effects again.
+Diagnostics SceneRenderer::State::checkTiles() const {
+    if (!scene.isModern || tiles.size() == 1) return {};
+    for (const plan::PlannedPass& pass : plan.passes)
+        for (const auto& step : pass.steps) {
+            const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+            if (!draw || !plan.passOf(pass).isWindow ||
+                !plan::writesMemory(plan.programs[draw->program], draw->textures))
+                continue;
+            return {diagnose("memory-E10",
+                             fmt::format("{} writes memory, so the window cannot be drawn in {} tiles; "
+                                         "choose a smaller size or larger tiles",
+                                         plan.drawOf(*draw).word, tiles.size()),
+                             plan.drawOf(*draw).place)};
+        }
+    return {};
+}
+
 void SceneRenderer::State::makeDrawer(Stats& stats) {
     drawer.emplace(context, plan, programs, device, stats);
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
@@ -191,7 +223,10 @@ void SceneRenderer::State::makeDrawer(Stats& stats) {
 }
 
 Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
-    if (!changesWithTime || inputs.time == time) return {};
+    if (!changesWithTime || inputs.time == time) {
+        inputs.time = time;
+        return simulation ? simulation->advance(inputs) : Diagnostics();
+    }
     inputs.time = time;
     {
         const StageTimer timer(stats, "interpret");
@@ -201,9 +236,10 @@ Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
     scene.diagnostics.clear();
     view = ViewMatrices(options.viewState, scene.view, eyeDistance);
     isMoving = true;
-    device.beginMoment();
+    device.beginMoment(plan);
     append(diagnostics, preparePlan(stats, false));
-    if (!hasError(diagnostics)) makeDrawer(stats);
+    if (!hasError(diagnostics) && simulation) append(diagnostics, simulation->advance(inputs));
+    if (!hasError(diagnostics)) makeDrawer(loadStats);
     return diagnostics;
 }
 
@@ -259,7 +295,7 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
     Result<image::Image> window = draw(time, stats);
     state.drawer->setDrawLimit(std::numeric_limits<std::size_t>::max());
     const scene::Pass& drawn = state.plan.passOf(state.plan.passes[pass]);
-    if (!window || drawn.targets.empty()) return window;
+    if (!window || drawn.isWindow) return window;
     const Result<const gpu::Target*> target = state.device.target(drawn);
     if (!target) return target.diagnostics;
     image::Image content{(*target)->width(), (*target)->height(), 4, image::Component::f32, {}};
@@ -268,6 +304,10 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
     if (!pixels) return std::move(pixels.diagnostics);
     content.data = std::move(*pixels);
     return {std::move(content), std::move(window.diagnostics)};
+}
+
+Result<image::Image> SceneRenderer::textureImage(const scene::TextureView& view) {
+    return state_->device.imageOf(view);
 }
 
 }  // namespace glibra::render

@@ -62,6 +62,19 @@ class SceneRenderer {
     /// texture RGBA floats. NanSearch uses it.
     Result<image::Image> drawFirst(std::size_t draws, std::size_t pass, int color, double time, Stats& stats);
 
+    /// The content of a texture with a name after the last picture, top row first, in the components and the
+    /// type that lose the least: bytes, 16 bits, or floats, also for integers and depth. A texture with
+    /// layers needs one (`view.layer`); the rows of a face of a cube map are those of its files. The texture
+    /// must be among options.wantedTextures or seen in the picture.
+    Result<image::Image> textureImage(const scene::TextureView& view);
+
+    /// True if the scene has Expect statements.
+    [[nodiscard]] bool hasChecks() const;
+    /// Answers the checks at their own times, and at `time` those without one: an error for each that does
+    /// not hold. What Expect error asks for is removed from `reported`, the scene's own diagnostics. Draws
+    /// the pictures that it needs.
+    Diagnostics answerChecks(double time, Diagnostics& reported, Stats& stats);
+
     /// Moves the pictures that follow right and up by parts of a pixel; averaging many of them gives a
     /// picture of many samples. Passes into textures move by `textures` texels, in their order; passes
     /// without an entry do not move. Needs options.tileSize > 0, even for one tile.
@@ -80,6 +93,8 @@ class SceneRenderer {
     /// True if a picture may depend on earlier ones, through rendered textures or images that a shader writes
     /// to. Otherwise each picture is the one that a newly loaded scene gives.
     [[nodiscard]] bool remembersFrames() const;
+    /// True if the scene has Once or Step blocks. A picture is drawn faster after an earlier one than alone.
+    [[nodiscard]] bool runsSteps() const;
     /// Pictures with equal moments are equal. Nothing if remembersFrames().
     [[nodiscard]] std::optional<Moment> momentOf(double time) const;
 
@@ -91,6 +106,7 @@ class SceneRenderer {
 
   private:
     explicit SceneRenderer(std::unique_ptr<State> state);
+    Diagnostics answerAt(double moment, double time, Stats& stats);
     static PreparedScene begin(gpu::Context& context, const std::filesystem::path& scene,
                                const RenderOptions& options, Stats& stats, SharedParts* shared);
     static Result<SceneRenderer> finish(Result<std::unique_ptr<State>> prepared, Stats& stats);
@@ -144,6 +160,14 @@ struct CheckResult {
 /// Resolves and reads every file, and compiles and links every program. Draws nothing and skips nothing.
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
                        const RenderOptions& options);
+
+/// The checks of a scene that cannot be drawn; empty if it cannot be read.
+std::vector<scene::Check> checksOf(const std::filesystem::path& scene, const RenderOptions& options);
+
+/// Draws the scene and answers its checks, for `glibra check --run`. The result has what was reported,
+/// without what Expect error asks for, and an error for each check that does not hold.
+Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& scene,
+                      const RenderOptions& options);
 
 /// Removes repeated diagnostics. With `strict` every warning becomes an error with the same id and text.
 void applyStrict(Diagnostics& diagnostics, bool strict);

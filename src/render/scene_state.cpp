@@ -3,22 +3,31 @@
 #include "render/scene_state.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "budget/budget.h"
 #include "gpu/context/loop_limit.h"
+#include "render/draw/dispatch.h"
 #include "render/draw/sight.h"
 #include "render/probe/patch_probe.h"
 #include "render/probe/picture_probe.h"
 #include "scene/primitives.h"
+#include "scene/texture_name.h"
+#include "scene/texture_parts.h"
 #include "scene/view.h"
 
 namespace glibra::render {
 
 plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
+    return planList(scene.frame, planOptions);
+}
+
+plan::FramePlan SceneRenderer::State::planList(const scene::NodeList& nodes,
+                                               const plan::PlanOptions& planOptions) {
     return plan::planFrame(
-        scene,
+        scene, nodes,
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
             return programs.interfaceOf(variant);
         },
@@ -65,7 +74,24 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
     });
+    for (const std::string& each : options.wantedTextures) {
+        const Result<scene::TextureView> wanted = scene::textureNamed(scene, each);
+        if (!wanted) return wanted.diagnostics;
+        planOptions.roots.emplace_back(*wanted);
+    }
+    if (options.checks)
+        for (const scene::Check& each : scene.checks)
+            for (const auto& object : {each.object, each.other})
+                if (object) planOptions.roots.push_back(*object);
+    if (options.checks)
+        for (const scene::BufferIndex each : scene.buffers.indices())
+            if (std::any_of(scene.checks.begin(), scene.checks.end(), [&](const scene::Check& check) {
+                    return check.condition != nullptr &&
+                           check.text.find(scene.buffers[each].name) != std::string::npos;
+                }))
+                planOptions.roots.emplace_back(scene::BufferView{each});
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.lacksCompute = lackOfCompute(context.capabilities());
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
@@ -80,12 +106,70 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
     plan = planScene(planOptions);
-    if (!isMoving) stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+    if (!isMoving) {
+        stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+        listFoundByName(stats);
+    }
     append(diagnostics, std::move(plan.diagnostics));
     plan.diagnostics.clear();
     append(diagnostics, std::move(meshDiagnostics));
+    const bool isFirst = !simulation;
+    if (!hasError(diagnostics)) append(diagnostics, planSimulation(planOptions, stats));
     if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
+    if (!hasError(diagnostics) && isFirst && simulation) append(diagnostics, simulation->make());
     return diagnostics;
+}
+
+/// Nodes of all lists may be skipped; what one of them uses is not.
+void SceneRenderer::State::explainSimulation(Stats& stats) const {
+    std::vector<Place> used;
+    for (const plan::FramePlan* each : simulation->plans()) {
+        for (const plan::PlannedProgram& program : each->programs) {
+            if (!program.variant.program) continue;
+            const scene::Program& own = scene.programs[program.variant.program];
+            used.push_back(own.place);
+            for (const scene::StageFile& stage : own.stages)
+                if (stage.file) used.push_back(scene.files[stage.file].place);
+        }
+        for (const scene::TextureIndex texture : each->textures)
+            used.push_back(scene.textures[texture].place);
+    }
+    const auto isNode = [](const plan::Skipped& each) {
+        return each.what == "pass" || each.what == "draw" || each.what == "dispatch" ||
+               each.what == "statement";
+    };
+    std::erase_if(stats.skipped, [&](const plan::Skipped& each) {
+        return !isNode(each) && std::find(used.begin(), used.end(), each.place) != used.end();
+    });
+    for (const plan::FramePlan* each : simulation->plans())
+        std::copy_if(each->skipped.begin(), each->skipped.end(), std::back_inserter(stats.skipped), isNode);
+}
+
+Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOptions, Stats& stats) {
+    if (scene.once.empty() && scene.steps.empty()) return {};
+    if (simulation) return simulation->check(plan);
+    plan::PlanOptions listOptions = planOptions;
+    listOptions.outOfSight = nullptr;
+    listOptions.reportsOverrides = false;
+    simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, stats,
+                                       [this, listOptions](const scene::NodeList& nodes,
+                                                           std::vector<scene::ObjectView> roots) mutable {
+                                           listOptions.roots = std::move(roots);
+                                           return planList(nodes, listOptions);
+                                       }},
+                       options.steps);
+    Diagnostics diagnostics = simulation->plan(plan, changesWithTime, planOptions.roots);
+    explainSimulation(stats);
+    return diagnostics;
+}
+
+void SceneRenderer::State::listFoundByName(Stats& stats) const {
+    std::set<std::pair<scene::ProgramIndex, std::string>> seen;  // draws may have variants of a program
+    for (const plan::PlannedProgram& each : plan.programs)
+        for (const std::string& found : each.foundByName)
+            if (seen.emplace(each.variant.program, found).second)
+                stats.foundByName.push_back({"'" + scene.programs[each.variant.program].name + "'", found,
+                                             scene.programs[each.variant.program].place});
 }
 
 std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scene::Pass& pass,
@@ -93,21 +177,35 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
     const geometry::Topology topology = scene::topologyOf(scene.shapes[draw.shape]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
     const glsl::Placement placement = programs.placementOf(variant);
-    if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown) return {};
+    if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown ||
+        !isPlacedByMatrices(draw) || scene.shapes[draw.shape].bare)
+        return {};
     Screen screen{width, height, {0, 0, width, height}, options.samples, options.tileSize > 0};
-    if (!pass.targets.empty()) {
-        const scene::Texture& target = scene.textures[pass.targets.front()];
-        const auto* size = std::get_if<scene::EmptySource>(&target.source);
+    if (!pass.isWindow) {
+        const auto size = scene::targetSize(scene, pass);
         if (!size) return {};
-        screen = {size->width, size->height, {0, 0, size->width, size->height}, 1, options.tileSize > 0};
+        const auto [targetWidth, targetHeight] = *size;
+        const int samples = pass.targets.empty() ? scene.textures[pass.depth->texture].samples
+                                                 : scene.textures[pass.targets.front()].samples;
+        screen = {
+            targetWidth, targetHeight, {0, 0, targetWidth, targetHeight}, samples, options.tileSize > 0};
     }
     const VertexBox& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
-    const DrawView drawView = drawViewOf(draw, topology, view, screen, context.capabilities());
+    const ViewMatrices seen = isMoved(scene.frame, pass) ? view : view.unmoved();
+    const DrawView drawView = drawViewOf(draw, topology, seen, screen, context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));
 }
 
 /// A target that is drawn into or read before it is cleared in this frame shows the previous frame.
 bool SceneRenderer::State::mayShowEarlierFrames() {
+    if (scene.isModern) {
+        // What the frame writes begins as declared, except for pictures of files.
+        return std::any_of(plan.resets.begin(), plan.resets.end(), [this](const scene::ObjectView& each) {
+            const auto* written = std::get_if<scene::TextureView>(&each);
+            return written != nullptr &&
+                   !std::holds_alternative<scene::EmptySource>(scene.textures[written->texture].source);
+        });
+    }
     const bool writesImages =
         std::any_of(plan.programs.begin(), plan.programs.end(), [this](const plan::PlannedProgram& each) {
             return each.variant.program && programs.mayWriteImages(each.variant.program);
@@ -129,12 +227,12 @@ bool SceneRenderer::State::mayShowEarlierFrames() {
             return targets.contains(texture) && !fresh.contains(texture);
         };
         if (std::any_of(pass.targets.begin(), pass.targets.end(), isOld) ||
-            (!pass.targets.empty() && !freshDepths.contains(pass.depthBuffer)))
+            (!pass.isWindow && !freshDepths.contains(pass.depthBuffer)))
             return true;
         for (const auto& step : steps)
             if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
                 for (const plan::TextureUse& use : draw->textures)
-                    if (isOld(use.texture)) return true;
+                    if (isOld(use.view.texture)) return true;
     }
     return false;
 }

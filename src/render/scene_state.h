@@ -8,6 +8,7 @@
 
 #include "render/draw/axes.h"
 #include "render/draw/frame.h"
+#include "render/draw/simulation.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
@@ -22,6 +23,7 @@ struct SceneRenderer::State {
     State(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted, bool tiled,
           Stats& stats, SharedParts* shared)
         : context(usedContext),
+          loadStats(stats),
           options(std::move(usedOptions)),
           changesWithTime(interpreted.changesWithTime()),
           source(std::move(interpreted.source)),
@@ -38,6 +40,7 @@ struct SceneRenderer::State {
                                              const RenderOptions& options, Stats& stats, SharedParts* shared);
 
     gpu::Context& context;
+    Stats& loadStats;  ///< of loading the scene; it lives as long as this
     RenderOptions options;
     bool changesWithTime;
     std::shared_ptr<scene::Interpretation> source;  ///< null: the scene never changes
@@ -48,6 +51,7 @@ struct SceneRenderer::State {
     ProgramLibrary programs;
     DeviceScene device;
     plan::FramePlan plan;
+    std::optional<Simulation> simulation;  ///< of a scene with Once or Step
     std::optional<FrameDrawer> drawer;
     std::optional<Axes> axes;
     std::vector<Tile> tiles;      ///< with their margins
@@ -60,10 +64,17 @@ struct SceneRenderer::State {
     bool isStateful = false;  ///< remembersFrames()
 
     [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
+    [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
+                                           const plan::PlanOptions& planOptions);
+    /// Plans the Once and Step blocks, if there are any, or checks the frame's plan against them.
+    void explainSimulation(Stats& stats) const;
+    Diagnostics planSimulation(const plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics preparePlan(Stats& stats, bool everything);
     /// Interprets and plans the scene for this time, if it is another one.
     Diagnostics moveTo(double time, Stats& stats);
     void makeDrawer(Stats& stats);
+    [[nodiscard]] Diagnostics checkTiles() const;
+    void listFoundByName(Stats& stats) const;
     Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
     Diagnostics placeEye(Stats& stats);
     /// Translates programs, makes meshes and reads textures that the plan will probably need. Needs no GL.

@@ -47,6 +47,12 @@ std::string toJson(const Stats& stats, std::string_view scene, int width, int he
         for (const budget::Decision& each : stats.decisions)
             json["chosen"].push_back({{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
     }
+    if (!stats.foundByName.empty()) {
+        json["foundByName"] = nlohmann::ordered_json::array();
+        for (const plan::Skipped& each : stats.foundByName)
+            json["foundByName"].push_back(
+                {{"what", each.what}, {"why", each.why}, {"line", each.place.line}});
+    }
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -62,6 +68,9 @@ std::string toText(const Stats& stats) {
         text += fmt::format("  {:<20} {:>12}\n", each.name, each.value);
     if (!stats.decisions.empty()) text += "chosen\n";
     for (const budget::Decision& each : stats.decisions)
+        text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
+    if (!stats.foundByName.empty()) text += "found by name\n";
+    for (const plan::Skipped& each : stats.foundByName)
         text += fmt::format("  line {:<4} {}: {}\n", each.place.line, each.what, each.why);
     text += stats.skipped.empty() ? "skipped: nothing\n" : "skipped\n";
     for (const plan::Skipped& each : stats.skipped)

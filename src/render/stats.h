@@ -29,6 +29,8 @@ struct Stats {
     std::vector<Count> counts;
     std::vector<plan::Skipped> skipped;
     std::vector<budget::Decision> decisions;  ///< of RenderOptions::maxError
+    /// Uniforms and inputs that read a variable or a value by their name alone.
+    std::vector<plan::Skipped> foundByName;
 
     void addTime(std::string_view stage, double milliseconds);
     void add(std::string_view count, std::uint64_t value);

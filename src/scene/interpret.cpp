@@ -47,7 +47,9 @@ std::vector<CommandAction> allActions() {
     for (const auto& some :
          {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
         for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-    for (const auto& some : {structureActions(), variableActions(), cameraActions()})
+    for (const auto& some :
+         {structureActions(), variableActions(), cameraActions(), objectActions(), targetActions(),
+          stateActions(), vertexActions(), bufferActions(), blockActions(), keyActions(), checkActions()})
         for (CommandAction each : some) {
             each.isModern = true;
             all.at(static_cast<std::size_t>(each.id)) = each;
@@ -67,12 +69,7 @@ const CommandAction* actionOf(CommandId command) {
 
 void execute(Interpreter& in, const glib::Command& command) {
     const CommandAction* known = actionOf(command.id);
-    if (known == nullptr) {
-        if (command.isModern)
-            in.reportAt(command, "glib-E25",
-                        fmt::format("'{}' is not available in this version of glibra", command.word));
-        return;
-    }
+    if (known == nullptr) return;
     // The handlers of modern statements rely on what the parser has checked.
     if (known->isModern && !command.isModern) return;
     if (command.isEvaluatedLater) {
@@ -121,11 +118,15 @@ double windowAspect(const Interpreter& in) {
     return static_cast<double>(width) / height;
 }
 
-void setFrameRate(Interpreter& in, double framesPerSecond) {
+void setTime(Interpreter& in) {
     Environment& names = in.shared->environment;
-    in.shared->interval = 1 / framesPerSecond;
-    names.setNumber("dt", in.shared->interval);
-    names.setNumber("frame", std::floor(in.inputs.time * framesPerSecond));
+    names.setNumber("time", in.inputs.time);
+    names.setNumber("dt", 1 / in.shared->frameRate);
+    names.setNumber("frame", std::floor(in.inputs.time * in.shared->frameRate));
+    const std::array mouse{in.inputs.mouseX, in.inputs.mouseY};
+    names.set("mouse", mouse);
+    names.setNumber("mouse.down", in.inputs.isMouseDown ? 1 : 0);
+    names.forget("tick", "only Step counts ticks");
 }
 
 struct Interpretation::State {
@@ -145,12 +146,22 @@ constexpr double kFramesPerSecond = 60;
 void setInputs(Interpreter& in) {
     Environment& names = in.shared->environment;
     names.forgetValues();
-    names.setNumber("time", in.inputs.time);
-    setFrameRate(in, kFramesPerSecond);
-    const std::array mouse{in.inputs.mouseX, in.inputs.mouseY};
-    names.set("mouse", mouse);
-    names.setNumber("mouse.down", in.inputs.isMouseDown ? 1 : 0);
-    for (const auto& [name, camera] : in.shared->previousCameras) names.setCamera(name + ".prev", camera);
+    in.shared->frameRate = kFramesPerSecond;
+    setTime(in);
+    for (const auto& [name, camera] : in.shared->previousCameras)
+        names.setCamera(name.first + ".prev", camera, name.second);
+}
+
+/// Adds what an earlier run of the same frame has reported, and this one has not.
+void addMissing(Diagnostics& diagnostics, Diagnostics earlier) {
+    const auto isKnown = [&](const Diagnostic& each) {
+        return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& other) {
+            return other.id == each.id && other.text == each.text && other.place == each.place;
+        });
+    };
+    std::erase_if(earlier, isKnown);
+    diagnostics.insert(diagnostics.begin(), std::make_move_iterator(earlier.begin()),
+                       std::make_move_iterator(earlier.end()));
 }
 
 }  // namespace
@@ -168,11 +179,13 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                    .list = {},
                    .shapes = {},
                    .uniformSets = {},
+                   .attributeSets = {},
                    .listShapes = {},
-                   .clearedTextures = {},
+                   .cleared = {},
+                   .implicitPass = {},
                    .depthBuffers = {},
-                   .clearedDepths = {},
                    .windowSize = {}};
+    in.nodes = &in.scene.frame;
     in.scene.files = shared.files;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
     in.scene.isModern = script.isModern;
@@ -180,6 +193,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         std::any_of(script.commands.begin(), script.commands.end(),
                     [](const glib::Command& command) { return command.id == CommandId::verbose; });
     shared.depends = expression::Depends::nothing;
+    shared.foundAspects.clear();
     try {
         setInputs(in);
         addNoiseTextures(in);
@@ -189,7 +203,12 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         finishPasses(in);
         finishNoise(in);
         shared.cameras.clear();
-        for (const auto& [name, camera] : in.modern.cameras) shared.cameras[name] = valuesOf(in, camera);
+        for (const auto& [name, camera] : in.modern.cameras) {
+            const auto aspects = shared.aspects.find(name);
+            const bool isSeen = aspects != shared.aspects.end() && !aspects->second.empty();
+            shared.cameras[name] = valuesOf(camera, isSeen ? *aspects->second.begin() : windowAspect(in));
+        }
+        in.scene.namedValues = namedValues(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
@@ -209,15 +228,45 @@ Interpretation& Interpretation::operator=(Interpretation&&) noexcept = default;
 Interpretation::~Interpretation() = default;
 
 Scene Interpretation::at(const FrameInputs& inputs) {
-    Scene scene = state_->run(inputs);
     SharedState& shared = state_->shared;
+    Scene scene = state_->run(inputs);
+    const auto runAgain = [&] {
+        Scene again = state_->run(inputs);
+        addMissing(again.diagnostics, std::move(scene.diagnostics));
+        scene = std::move(again);
+    };
+    // An expression reads the projection of a camera, and the passes that the camera sees have another shape
+    // than expected.
+    if (shared.readsShapes && shared.foundAspects != shared.aspects) {
+        shared.aspects = shared.foundAspects;
+        runAgain();
+    }
     if (!shared.readsPrevious) return scene;
     // An expression reads a camera of the frame before, so that frame is run for its cameras.
     FrameInputs before = inputs;
-    before.time = std::max(0.0, inputs.time - shared.interval);
+    before.time = std::max(0.0, inputs.time - 1 / shared.frameRate);
     state_->run(before);
     shared.previousCameras = std::move(shared.cameras);
-    return state_->run(inputs);
+    runAgain();
+    return scene;
+}
+
+Result<bool> Interpretation::holds(
+    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
+    Environment& names = state_->shared.environment;
+    const glib::Position begin = glib::placeIn(*check.condition, 0);
+    static constexpr expression::Type kTypes[] = {expression::Type::boolean(), expression::Type::number()};
+    auto parsed = expression::parse(check.condition->text, {check.place.file, begin.line, begin.column},
+                                    names, {.types = kTypes});
+    if (!parsed) return parsed.problem.message;
+    for (const expression::Use& each : parsed->uses()) {
+        if (!any(each.symbol.depends & expression::Depends::buffer)) continue;
+        const std::string name = each.path.substr(0, each.path.find('.'));
+        names.setElements(name, read(name));
+    }
+    const auto value = parsed->evaluate(names);
+    if (!value) return value.problem.message;
+    return value->number() != 0;
 }
 
 const glib::Script& Interpretation::script() const {

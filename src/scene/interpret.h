@@ -1,6 +1,10 @@
 #pragma once
 
+#include <glibra/result.h>
+
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +30,10 @@ struct FrameInputs {
     /// Values of variables in place of those that the scene gives them, by name. A value with another number
     /// of components is ignored.
     std::map<std::string, std::vector<double>, std::less<>> variables{};
+    /// The number of the step that each Step block is evaluated for, in the order of the text; 0 for those
+    /// beyond the end. `time` inside such a block is tick / rate. Variables that are computed outside of it
+    /// have the values of `time` above, which should therefore be tick / rate, too.
+    std::vector<std::int64_t> ticks{};
     friend bool operator==(const FrameInputs&, const FrameInputs&) = default;
 };
 
@@ -47,6 +55,11 @@ class Interpretation {
     /// others are executed. Does not throw. Textures, programs and files have the same indices in all scenes
     /// of one script, as far as the same statements are executed; shapes have not.
     Scene at(const FrameInputs& inputs);
+
+    /// The value of a check's condition in the frame that was interpreted last. `read` returns the numbers of
+    /// a buffer. Reports why the condition has no value.
+    Result<bool> holds(const Check& check,
+                       const std::function<std::vector<double>(const std::string& buffer)>& read);
 
     [[nodiscard]] const glib::Script& script() const;
     /// What the last scene depends on besides its variables. With nothing of time, window and mouse every

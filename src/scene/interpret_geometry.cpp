@@ -4,48 +4,15 @@
 
 #include <cstring>
 #include <string_view>
+#include <utility>
 
+#include "geometry/shapes/primitive.h"
 #include "glib/number.h"
 #include "scene/primitives.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
 namespace {
-
-/// Returns the index of the current slot table. Draws share it until a texture statement changes the slots.
-SlotTableIndex currentSlots(Interpreter& in) {
-    if (!in.slotTable) in.slotTable = in.scene.slotTables.add(in.state.slots);
-    return in.slotTable;
-}
-
-ShapeIndex shareShape(Interpreter& in, Shape shape) {
-    std::string file;
-    if (shape.file) {
-        const FileReference& reference = in.scene.files[shape.file];
-        file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
-    }
-    ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
-    if (!index) index = in.scene.shapes.add(std::move(shape));
-    return index;
-}
-
-std::string_view primitiveWord(geometry::Topology topology) {
-    switch (topology) {
-        case geometry::Topology::points:
-            return "points";
-        case geometry::Topology::lines:
-            return "lines";
-        case geometry::Topology::linesAdjacency:
-            return "lines with adjacency";
-        case geometry::Topology::triangles:
-            return "triangles";
-        case geometry::Topology::trianglesAdjacency:
-            return "triangles with adjacency";
-        case geometry::Topology::patches:
-            break;
-    }
-    return "patches";
-}
 
 std::uint64_t combine(std::uint64_t hash, std::uint64_t value) {
     hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
@@ -76,7 +43,63 @@ bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
     return true;
 }
 
+/// Shapes that the view does not place as others.
+void placeBySpace(Draw& made, glib::CommandId command) {
+    const geometry::PrimitiveSpec* spec = glib::primitiveOf(command);
+    if (spec == nullptr || spec->space == geometry::Space::model) return;
+    if (spec->space == geometry::Space::clip) {
+        made.modelView = glm::dmat4(1);
+        made.projection = ClipSpace{};
+        return;
+    }
+    made.isSky = true;
+    made.modelView[3] = {0, 0, 0, 1};
+    // Clipping at the near and far plane is off, and the depth is that of the far plane.
+    made.raster.depthClamp = true;
+    made.raster.depthNear = made.raster.depthFar;
+}
+
 }  // namespace
+
+SlotTableIndex currentSlots(Interpreter& in) {
+    if (!in.slotTable) in.slotTable = in.scene.slotTables.add(in.state.slots);
+    return in.slotTable;
+}
+
+ShapeIndex shareShape(Interpreter& in, Shape shape) {
+    std::string file;
+    if (shape.file) {
+        const FileReference& reference = in.scene.files[shape.file];
+        file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
+    }
+    if (shape.bare) file = fmt::format("\nvertices {}", static_cast<int>(*shape.bare));
+    ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
+    if (!index) index = in.scene.shapes.add(std::move(shape));
+    return index;
+}
+
+std::string_view primitiveWord(geometry::Topology topology) {
+    switch (topology) {
+        case geometry::Topology::points:
+            return "points";
+        case geometry::Topology::lines:
+            return "lines";
+        case geometry::Topology::linesAdjacency:
+            return "lines with adjacency";
+        case geometry::Topology::triangles:
+            return "triangles";
+        case geometry::Topology::trianglesAdjacency:
+            return "triangles with adjacency";
+        case geometry::Topology::patches:
+            break;
+    }
+    return "patches";
+}
+
+DrawId nextDrawId(Interpreter& in, const Place& place) {
+    const int file = fileNumber(in);
+    return {place.line, file, in.drawsOfLines[{file, place.line}]++};
+}
 
 ShapeIndex shapeOfMesh(Interpreter& in, glib::CommandId command, geometry::Mesh mesh) {
     const std::uint64_t hash = hashOf(mesh);
@@ -108,32 +131,34 @@ bool countVertices(Interpreter& in, const glib::Command& command, std::uint64_t 
 
 void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing) {
     const State& state = in.state;
+    if (in.modern.block != nullptr && !in.modern.pass) {
+        currentPass(in, command);
+        return;
+    }
     Draw made;
     made.place = in.place(command);
-    const int file = fileNumber(in);
-    made.id = {made.place.line, file, in.drawsOfLines[{file, made.place.line}]++};
+    made.id = nextDrawId(in, made.place);
     made.word = drawing.word;
     made.shape = drawing.shape;
     made.program = state.program;
-    made.modelView = state.modelView;
-    made.projection = state.projection;
-    if (const SceneCamera* eye = findCamera(in, "eye")) {
-        made.modelView = eye->view * state.model;
-        if (eye->clip || eye->aspect)
-            made.projection = projectionOf(*eye, windowAspect(in));
-        else
-            made.projection = eye->projection;
-    }
     made.color = drawing.color.value_or(state.color);
     made.raster = state.raster;
-    made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
+    if (!in.modern.pass && !state.local.isBlendStated)
+        made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
+    lookAt(in, made);
+    placeBySpace(made, in.scene.shapes[drawing.shape].command);
     made.patchVertices = state.patchVertices;
     made.flatColors = state.flatColors;
     made.sampling = state.sampling;
     made.slots = currentSlots(in);
-    made.uniforms = currentUniforms(in);
+    made.uniforms = uniformsOf(in, state.program);
     made.timerPeriod = state.timerPeriod;
     made.givenNumbers = command.givenNumbers;
+    made.instances = state.local.instances;
+    made.instancesFrom = state.local.instancesFrom;
+    made.verticesFrom = drawing.verticesFrom;
+    made.attributes = state.local.attributes;
+    made.tessellationLevels = state.local.tessellationLevels;
     if (in.scene.verbose) {
         const std::string program = state.program
                                         ? fmt::format("program '{}'", in.scene.programs[state.program].name)
@@ -141,7 +166,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
         in.report(
             diagnose("glib-N02", fmt::format("{}: {}, {}", drawing.word, drawing.size, program), made.place));
     }
-    currentPass(in).steps.emplace_back(std::move(made));
+    if (Pass* pass = currentPass(in, command)) pass->steps.emplace_back(std::move(made));
 }
 
 void doPrimitive(Interpreter& in, const glib::Command& command) {

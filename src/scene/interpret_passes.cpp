@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/state.h"
 
@@ -53,29 +54,20 @@ std::optional<TargetList> targetList(Interpreter& in, const glib::Command& comma
     return list;
 }
 
-/// The number of the current target's depth buffer. 0 is the window's; each combination of units and size
-/// has its own.
-int depthBufferOf(Interpreter& in, const TargetList& target) {
-    if (target.units.empty()) return 0;
-    const int next = static_cast<int>(in.depthBuffers.size()) + 1;
-    return in.depthBuffers.try_emplace({target.units, target.width, target.height}, next).first->second;
-}
-
 Pass beginPass(Interpreter& in, int depthBuffer) {
     Pass pass;
     const TargetList& target = in.state.target;
     pass.targets = target.textures;
+    pass.isWindow = target.textures.empty();
     pass.depthBuffer = depthBuffer;
     pass.place = target.place;
     const auto clearOnce = [&](bool isFirst) {
         pass.clearColors.push_back(isFirst ? std::optional(in.state.background) : std::nullopt);
     };
-    if (target.textures.empty()) {
-        clearOnce(!in.isWindowCleared);
-        in.isWindowCleared = true;
-    }
-    for (const TextureIndex texture : target.textures) clearOnce(in.clearedTextures.insert(texture).second);
-    pass.clearDepth = in.clearedDepths.insert(depthBuffer).second;
+    if (target.textures.empty()) clearOnce(!std::exchange(in.cleared.isWindow, true));
+    for (const TextureIndex texture : target.textures) clearOnce(isFirstUse(in, texture, {}, 1));
+    pass.clearDepth = in.cleared.depthBuffers.insert(depthBuffer).second;
+    if (pass.clearDepth && in.scene.isModern) pass.clearStencil = 0;
     return pass;
 }
 
@@ -88,25 +80,69 @@ bool isClearAlready(const Pass& pass, const glm::dvec4& color) {
 
 }  // namespace
 
-Pass& currentPass(Interpreter& in) {
-    const int depthBuffer = depthBufferOf(in, in.state.target);
-    if (!in.scene.frame.passes.empty()) {
-        Pass& last = in.scene.frame.passes.back();
-        if (last.targets == in.state.target.textures && last.depthBuffer == depthBuffer) return last;
+int depthBufferOf(Interpreter& in, const std::vector<int>& key, int width, int height) {
+    const int next = static_cast<int>(in.depthBuffers.size()) + 1;
+    return in.depthBuffers.try_emplace({key, width, height}, next).first->second;
+}
+
+bool isFirstUse(Interpreter& in, TextureIndex texture, const TargetPart& part, int layers) {
+    constexpr int kAll = -1;
+    auto& parts = in.cleared.parts;
+    const int level = part.level.value_or(0);
+    if (parts.contains({texture, level, kAll})) return false;
+    if (part.layer) return parts.emplace(texture, level, *part.layer).second;
+    bool isCleared = true;  // layer by layer
+    for (int layer = 0; layer < layers && isCleared; ++layer)
+        isCleared = parts.contains({texture, level, layer});
+    parts.emplace(texture, level, kAll);
+    return !isCleared;
+}
+
+namespace {
+
+/// The pass into the target of RenderToTexture, or into the window.
+Pass& implicitPass(Interpreter& in) {
+    NodeList& nodes = *in.nodes;
+    const TargetList& target = in.state.target;
+    const int depthBuffer =
+        target.units.empty() ? 0 : depthBufferOf(in, target.units, target.width, target.height);
+    const bool isLast =
+        in.implicitPass && nodes.order.back() == NodeIndex{NodeIndex::Kind::pass, *in.implicitPass};
+    if (isLast) {
+        Pass& last = nodes.passes[*in.implicitPass];
+        if (last.targets == target.textures && last.depthBuffer == depthBuffer) return last;
     }
-    return in.scene.frame.passes.emplace_back(beginPass(in, depthBuffer));
+    in.implicitPass = nodes.passes.size();
+    return nodes.add(beginPass(in, depthBuffer));
+}
+
+}  // namespace
+
+Pass* currentPass(Interpreter& in, const glib::Command& command) {
+    if (in.modern.pass) return &in.nodes->passes[in.modern.pass->index];
+    if (in.modern.block == nullptr) return &implicitPass(in);
+    in.reportAt(command, "glib-E25",
+                fmt::format("{}: {} draws into textures; write 'Pass NAME' around it", command.word,
+                            in.modern.block->word));
+    return nullptr;
 }
 
 namespace {
 
 void doRenderToTexture(Interpreter& in, const glib::Command& command) {
+    if (in.modern.pass || in.modern.block != nullptr) {
+        in.reportAt(command, "glib-E11",
+                    fmt::format("{} cannot stand inside {}; write 'Pass NAME'", command.word,
+                                in.modern.pass ? "Pass" : in.modern.block->word));
+        return;
+    }
     if (auto list = targetList(in, command)) in.state.target = std::move(*list);
 }
 
 void doClear(Interpreter& in, const glib::Command& command) {
-    Pass& pass = currentPass(in);
-    if (!isClearAlready(pass, in.state.background))
-        pass.steps.emplace_back(Clear{in.place(command), in.state.background});
+    Pass* pass = currentPass(in, command);
+    if (pass != nullptr && !isClearAlready(*pass, in.state.background))
+        pass->steps.emplace_back(Clear{in.place(command), in.state.background});
 }
 
 constexpr CommandAction kActions[] = {
@@ -121,9 +157,9 @@ std::span<const CommandAction> passActions() {
 }
 
 void finishPasses(Interpreter& in) {
-    if (in.isWindowCleared) return;
+    if (in.cleared.isWindow) return;
     in.state.target = {};
-    currentPass(in);
+    implicitPass(in);
 }
 
 }  // namespace glibra::scene

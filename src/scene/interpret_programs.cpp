@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -23,7 +25,8 @@ glsl::Stage stageOf(glib::CommandId id) {
     return glsl::Stage::vertex;
 }
 
-/// The shader that stands in the script after this statement.
+}  // namespace
+
 FileIndex inlineShader(Interpreter& in, const glib::Command& command) {
     const std::string name = fmt::format("{} on line {}", command.word, command.position.line);
     return fileNamed(in, in.script->path + '\n' + name, [&] {
@@ -35,6 +38,8 @@ FileIndex inlineShader(Interpreter& in, const glib::Command& command) {
         return file;
     });
 }
+
+namespace {
 
 void doStage(Interpreter& in, const glib::Command& command) {
     const glsl::Stage stage = stageOf(command.id);
@@ -50,14 +55,20 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     Program program;
     program.name = command.text;
     program.place = in.place(command);
-    for (const auto& [stage, file] : in.state.stageFiles) program.stages.push_back({stage, file});
-    program.geometryInput = in.state.geometryInput;
-    program.geometryOutput = in.state.geometryOutput;
-    program.geometryVerticesOut = in.state.geometryVerticesOut;
     program.uniforms = command.uniforms;
-    in.state.program = in.scene.programs.add(std::move(program));
-    in.modern.programs[command.text] = in.state.program;
-    if (!command.tags.empty()) in.modern.programTags[in.state.program] = {&command, in.script};
+    const bool computes = static_cast<bool>(in.state.computeFile);
+    if (computes) {
+        program.stages = {{glsl::Stage::compute, std::exchange(in.state.computeFile, {})}};
+    } else {
+        for (const auto& [stage, file] : in.state.stageFiles) program.stages.push_back({stage, file});
+        program.geometryInput = in.state.geometryInput;
+        program.geometryOutput = in.state.geometryOutput;
+        program.geometryVerticesOut = in.state.geometryVerticesOut;
+    }
+    const ProgramIndex made = in.scene.programs.add(std::move(program));
+    if (!computes) in.state.program = made;
+    in.modern.programs[command.text] = made;
+    if (!command.tags.empty()) in.modern.programTags[made] = {&command, in.script};
 }
 
 void doGeometryInput(Interpreter& in, const glib::Command& command) {

@@ -65,15 +65,7 @@ std::optional<EmptySource> emptySource(Interpreter& in, const glib::Command& com
         sizes[i] = static_cast<int>(command.numbers[i + 1]);
         bytes *= static_cast<std::uint64_t>(sizes[i]);
     }
-    const std::uint64_t all = in.textureBytes + bytes;
-    if (all > kAllTextures) {
-        in.reportAt(command, "glib-E15",
-                    fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
-                                glib::groupedText(static_cast<long long>(all)),
-                                glib::groupedText(static_cast<long long>(kAllTextures))));
-        return std::nullopt;
-    }
-    in.textureBytes = all;
+    if (!chargeTexels(in, command, bytes)) return std::nullopt;
     return EmptySource{sizes[0], sizes[1], sizes[2], kFormats[format]};
 }
 
@@ -92,35 +84,45 @@ std::size_t dimensionsOf(glib::CommandId id) {
     return 0;
 }
 
-/// Returns a texture from the file that the command names. The built-in noise replaces a missing noise file.
-Texture pictureTexture(Interpreter& in, const glib::Command& command) {
-    Texture texture;
-    const std::size_t wanted = dimensionsOf(command.id);
-    const Place place = in.script->place(command.textPosition);
-    const FileIndex file = fileOf(in, command.text, place);
-    const std::filesystem::path& path = in.scene.files[file].path;
-    const auto noise = path.empty() ? noiseNameOf(command.text) : std::nullopt;
-    if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
-        texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
-        texture.source = NoiseSource{
-            .dimensions = noise->dimensions,
-            .size = noise->size,
-            .isSizeGiven = true,
-            .remarks = {diagnose(
-                "file-W09", fmt::format("'{}' not found; the built-in noise is used", command.text), place)}};
-        return texture;
-    }
-    texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
-    texture.source = PictureSource{{file}};
-    return texture;
-}
-
 void setNoiseSize(Interpreter& in, const glib::Command& command, std::size_t index) {
     if (!command.numbers.empty()) in.noiseSizes[index] = static_cast<int>(command.numbers[0]);
     in.areNoiseSizesGiven[index] = in.areNoiseSizesGiven[index] || command.givenNumbers > 0;
 }
 
 }  // namespace
+
+bool chargeTexels(Interpreter& in, const glib::Command& command, std::uint64_t bytes) {
+    const std::uint64_t all = in.textureBytes + bytes;
+    if (all > kAllTextures) {
+        in.reportAt(command, "glib-E15",
+                    fmt::format("{}: all textures need {} bytes; the limit is {}", textOf(command),
+                                glib::groupedText(static_cast<long long>(all)),
+                                glib::groupedText(static_cast<long long>(kAllTextures))));
+        return false;
+    }
+    in.textureBytes = all;
+    return true;
+}
+
+Texture pictureTexture(Interpreter& in, const std::string& name, const Place& place, std::size_t wanted) {
+    Texture texture;
+    const FileIndex file = fileOf(in, name, place);
+    const std::filesystem::path& path = in.scene.files[file].path;
+    const auto noise = path.empty() ? noiseNameOf(name) : std::nullopt;
+    if (noise && (wanted == 0 || wanted == static_cast<std::size_t>(noise->dimensions))) {
+        texture.target = targetOfDimensions(static_cast<std::size_t>(noise->dimensions));
+        texture.source = NoiseSource{
+            .dimensions = noise->dimensions,
+            .size = noise->size,
+            .isSizeGiven = true,
+            .remarks = {diagnose("file-W09", fmt::format("'{}' not found; the built-in noise is used", name),
+                                 place)}};
+        return texture;
+    }
+    texture.target = wanted == 0 ? targetOfFile(path) : targetOfDimensions(wanted);
+    texture.source = PictureSource{{file}};
+    return texture;
+}
 
 void addNoiseTextures(Interpreter& in) {
     const Place place = in.script->place({});
@@ -143,7 +145,8 @@ void doTexture(Interpreter& in, const glib::Command& command) {
         texture.source = *source;
         texture.target = targetOfDimensions(command.numbers.size() - 1);
     } else {
-        texture = pictureTexture(in, command);
+        texture = pictureTexture(in, command.text, in.script->place(command.textPosition),
+                                 dimensionsOf(command.id));
     }
     texture.place = in.place(command);
     texture.unit = static_cast<int>(command.numbers[0]);

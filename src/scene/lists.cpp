@@ -85,6 +85,10 @@ void doGlVertex(Interpreter& in, const glib::Command& command) {
     geometry::ListVertex vertex = list.current;
     copy(command, vertex.position);
     list.vertices.push_back(vertex);
+    for (auto& [name, extra] : list.extras) {
+        extra.values.resize(list.vertices.size() - 1, {0, 0, 0, 1});
+        extra.values.push_back(extra.current);
+    }
 }
 
 void doGlNormal(Interpreter& in, const glib::Command& command) {
@@ -119,6 +123,15 @@ void doGlEnd(Interpreter& in, const glib::Command& command) {
         in.reportAt(command, "glib-W33",
                     fmt::format("glEnd: {} {} of an incomplete {} ignored", made.dropped,
                                 made.dropped == 1 ? "vertex" : "vertices", primitive));
+    for (const auto& [name, extra] : list.extras) {
+        geometry::Attribute attribute{name, extra.components, {}};
+        for (std::size_t i = 0; i < list.vertices.size(); ++i)
+            for (std::size_t k = 0; k < static_cast<std::size_t>(extra.components); ++k)
+                attribute.values.push_back(i < extra.values.size() ? static_cast<float>(extra.values[i][k])
+                                                                   : 0);
+        std::erase_if(made.mesh.attributes, [&](const auto& other) { return other.name == name; });
+        made.mesh.attributes.push_back(std::move(attribute));
+    }
     Drawing drawing;
     drawing.word = list.word;
     drawing.size = fmt::format("{} vertices", list.vertices.size());

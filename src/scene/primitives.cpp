@@ -119,6 +119,7 @@ Topology topologyOf(CommandId command) {
 }
 
 Topology topologyOf(const Shape& shape) {
+    if (shape.bare) return *shape.bare;
     return shape.list ? shape.list->topology : topologyOf(shape.command);
 }
 
@@ -144,6 +145,7 @@ std::optional<Counts> countsOf(const Shape& shape) {
 Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
     const Shape& wanted = scene.shapes[shape];
     if (wanted.list) return *wanted.list;
+    if (wanted.bare) return Mesh{.topology = *wanted.bare, .attributes = {}, .indices = {}};
     const Place place = wanted.file ? scene.files[wanted.file].place : Place{scene.path, 1, 1};
     try {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))

@@ -40,6 +40,22 @@ struct TargetList {
     Place place;
 };
 
+/// State of modern statements that ends with its scope, as RasterState does.
+struct LocalState {
+    bool isBlendStated = false;  ///< otherwise the target decides how draws outside of Pass are blended
+    int instances = 1;
+    BufferView instancesFrom{};
+    AttributeSetIndex attributes{};
+    std::optional<std::array<double, 6>> tessellationLevels{};
+};
+
+/// What has been cleared since the beginning of the frame, or of the Once or Step block.
+struct Cleared {
+    bool isWindow = false;
+    std::set<std::tuple<TextureIndex, int, int>> parts;  ///< level and layer; -1: all layers
+    std::set<int> depthBuffers;
+};
+
 /// The state that a statement may change for the statements after it.
 struct State {
     Projection projection = Perspective{};
@@ -54,11 +70,13 @@ struct State {
     Sampling sampling;
     SlotTable slots;
     std::map<glsl::Stage, FileIndex> stageFiles;
+    FileIndex computeFile{};  ///< of the next Program alone
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
     ProgramIndex program{};
     TargetList target;
     double timerPeriod = 10;
+    LocalState local;
 };
 
 /// A glBegin list that is still open.
@@ -70,6 +88,13 @@ struct OpenList {
     geometry::ListVertex current;  ///< attributes of the next vertex
     bool hasNormals = false;
     bool isFull = false;  ///< the limit has been reported
+    /// The values of Attribute at each vertex so far, by name, and how many components are used.
+    struct Extra {
+        int components = 1;
+        std::array<double, 4> current{0, 0, 0, 1};
+        std::vector<std::array<double, 4>> values;
+    };
+    std::map<std::string, Extra> extras;
 };
 
 /// One run over a script.
@@ -89,15 +114,17 @@ struct Interpreter {
     // Everything made so far, so that equal things are shared.
     std::map<std::tuple<glib::CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
     std::map<std::vector<std::pair<std::string, std::vector<double>>>, UniformSetIndex> uniformSets;
+    std::map<std::vector<std::pair<std::string, std::vector<double>>>, AttributeSetIndex> attributeSets;
     std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
     SlotTableIndex slotTable{};  ///< the table that equals state.slots, if there is one
-    std::set<TextureIndex> clearedTextures;
-    bool isWindowCleared = false;
-    std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;  ///< by units and size
-    std::set<int> clearedDepths;
+    Cleared cleared;
+    NodeList* nodes = nullptr;                ///< of the frame, or of the Once or Step block
+    std::optional<std::size_t> implicitPass;  ///< the last pass, if it was begun without a Pass statement
+    /// By size, and the units or the numbers of the textures and their parts.
+    std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;
     std::map<std::pair<int, int>, int> drawsOfLines{};  ///< by file and line
     std::uint64_t vertices = 0;                         ///< of all geometry commands
-    std::uint64_t textureBytes = 0;                     ///< of all empty textures
+    std::uint64_t textureBytes = 0;                     ///< of all empty textures and buffers
     int noiseSizes[2] = {64, 64};                       ///< 2D, 3D
     bool areNoiseSizesGiven[2] = {false, false};
     std::optional<std::pair<int, int>> windowSize;
@@ -142,6 +169,14 @@ std::span<const CommandAction> programActions();    // interpret_programs.cpp
 std::span<const CommandAction> structureActions();  // modern/structure.cpp
 std::span<const CommandAction> variableActions();   // modern/variables.cpp
 std::span<const CommandAction> cameraActions();     // modern/cameras.cpp
+std::span<const CommandAction> objectActions();     // modern/textures.cpp
+std::span<const CommandAction> targetActions();     // modern/passes.cpp
+std::span<const CommandAction> stateActions();      // modern/state.cpp
+std::span<const CommandAction> vertexActions();     // modern/draws.cpp
+std::span<const CommandAction> bufferActions();     // modern/buffers.cpp
+std::span<const CommandAction> blockActions();      // modern/blocks.cpp
+std::span<const CommandAction> keyActions();        // modern/keys.cpp
+std::span<const CommandAction> checkActions();      // modern/checks.cpp
 
 /// The action of a command; null if there is none.
 const CommandAction* actionOf(glib::CommandId command);
@@ -151,8 +186,8 @@ void execute(Interpreter&, const glib::Command& command);
 
 /// Width / height of the window.
 double windowAspect(const Interpreter&);
-/// Sets the interval dt and the number of the frame.
-void setFrameRate(Interpreter&, double framesPerSecond);
+/// Sets the names of time that a frame has: time, dt, frame and tick.
+void setTime(Interpreter&);
 
 /// Returns the index of the file that a statement names. The file is looked up the first time.
 FileIndex fileOf(Interpreter&, const std::string& name, const Place& place);
@@ -171,13 +206,23 @@ void checkList(Interpreter&);
 
 // interpret_passes.cpp
 
-/// Returns the pass into the current target. If there is none, begins it with its implicit clears.
-Pass& currentPass(Interpreter&);
+/// Returns the pass into the current target. If there is none, begins it with its implicit clears. Inside
+/// Pass it is that pass. Inside Once and Step there is no current target: null, with glib-E25 reported.
+Pass* currentPass(Interpreter&, const glib::Command&);
+/// The number of the depth buffer that belongs to a list of targets of that size. 0 is the window's.
+int depthBufferOf(Interpreter&, const std::vector<int>& key, int width, int height);
+/// True if nothing has cleared the part since the beginning of the frame or block. From now on it counts as
+/// cleared. The `layers` are those of the level.
+bool isFirstUse(Interpreter&, TextureIndex texture, const TargetPart& part, int layers);
 /// Makes sure that the window is shown, even if nothing is drawn into it.
 void finishPasses(Interpreter&);
 
 // interpret_textures.cpp
 
+/// Adds to the bytes of all textures and buffers. False, with glib-E15, if they are too many.
+bool chargeTexels(Interpreter&, const glib::Command&, std::uint64_t bytes);
+/// A texture from a file; the built-in noise replaces a missing noise file. `dimensions` 0: as the file has.
+Texture pictureTexture(Interpreter&, const std::string& name, const Place& place, std::size_t dimensions);
 void addNoiseTextures(Interpreter&);
 /// Sets the sizes of the noise textures, which are known only at the end of the file.
 void finishNoise(Interpreter&);
@@ -193,12 +238,25 @@ struct Drawing {
     std::string word;
     std::string size;
     std::optional<glm::dvec4> color;
+    BufferView verticesFrom{};
 };
 void draw(Interpreter&, const glib::Command&, const Drawing&);
+/// The shape's index; equal shapes share one.
+ShapeIndex shareShape(Interpreter&, Shape shape);
+/// The number of a draw or dispatch among those of the same line.
+DrawId nextDrawId(Interpreter&, const Place& place);
+/// The index of the current slot table.
+SlotTableIndex currentSlots(Interpreter&);
+std::string_view primitiveWord(geometry::Topology topology);
 /// Adds the vertices to those of the scene. Returns false and reports glib-E15 if a limit is exceeded.
 bool countVertices(Interpreter&, const glib::Command&, std::uint64_t vertices);
 /// Returns the shape with that mesh; equal meshes share one shape.
 ShapeIndex shapeOfMesh(Interpreter&, glib::CommandId command, geometry::Mesh mesh);
+
+// interpret_programs.cpp
+
+/// The shader that stands in the script after this statement.
+FileIndex inlineShader(Interpreter&, const glib::Command&);
 
 /// Returns the statement as it appears in messages: "Sphere 1 60 60".
 std::string textOf(const glib::Command& command);

@@ -12,6 +12,7 @@
 
 #include "base/matrices.h"
 #include "scene/matrices.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::scene {
 namespace {
@@ -86,7 +87,7 @@ std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) 
     for (const Pass& pass : scene.frame.passes)
         for (const auto& step : pass.steps)
             if (const Draw* draw = std::get_if<Draw>(&step);
-                draw && std::holds_alternative<Perspective>(draw->projection))
+                draw && !draw->isSky && std::holds_alternative<Perspective>(draw->projection))
                 draws.push_back({draw, aspectOf(scene, pass, windowAspect)});
     return draws;
 }
@@ -142,14 +143,14 @@ glm::dmat4 projectionMatrix(const Projection& projection, double aspect) {
         return base::perspectiveProjection(perspective->fieldOfView, aspect, perspective->near,
                                            perspective->far);
     if (const auto* box = std::get_if<Orthographic>(&projection)) return orthographicMatrix(*box, aspect);
-    return std::get<glm::dmat4>(projection);
+    if (const auto* matrix = std::get_if<glm::dmat4>(&projection)) return *matrix;
+    return glm::dmat4(1);
 }
 
 double aspectOf(const Scene& scene, const Pass& pass, double windowAspect) {
-    if (pass.targets.empty()) return windowAspect;
-    const Texture& target = scene.textures[pass.targets.front()];
-    const auto* size = std::get_if<EmptySource>(&target.source);
-    return size != nullptr ? static_cast<double>(size->width) / size->height : windowAspect;
+    if (pass.isWindow) return windowAspect;
+    const auto size = targetSize(scene, pass);
+    return size ? static_cast<double>((*size)[0]) / (*size)[1] : windowAspect;
 }
 
 ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect) {

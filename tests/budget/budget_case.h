@@ -48,7 +48,7 @@ class Budget {
         builtin.usable = builtin.isBuiltin = true;
         builtin.inputs = {{"aVertex", 0}};
         const plan::FramePlan plan = plan::planFrame(
-            scene,
+            scene, scene.frame,
             [&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
                 return variant.program ? program : builtin;
             },

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include <sstream>
+
 #include "image/compare/compare.h"
 #include "image/inspect.h"
 #include "image/read.h"
@@ -57,13 +59,23 @@ TEST(Scenes, AreDrawnAndNotOneColour) {
 }
 
 TEST(Scenes, LookTheSameOnGl41) {
+#ifdef GLIBRA_SANITIZED
+    GTEST_SKIP() << "every scene is drawn twice; AreDrawnAndNotOneColour draws them with sanitizers";
+#endif
     const Folder folder;
     ASSERT_EQ(glibra(folder.path(), "render -o new --size 150x120 --jobs 2 " + allScenes()).status, 0);
     const Finished run = glibra(folder.path(), "render -o old --size 150x120 --jobs 2 " + allScenes(),
                                 "MESA_GL_VERSION_OVERRIDE=4.1 MESA_GLSL_VERSION_OVERRIDE=410");
-    ASSERT_EQ(run.status, 0) << run.err;
+    // Only modern scenes may need more, and each says what.
+    std::istringstream errors(run.err);
+    for (std::string line; std::getline(errors, line);) {
+        const bool isMissing =
+            line.find("/modern/") != std::string::npos && line.find("signal") == std::string::npos;
+        EXPECT_TRUE(isMissing || line.find(": error: ") == std::string::npos) << line;
+    }
     for (const auto& each : fs::recursive_directory_iterator(folder / "new")) {
         if (each.path().extension() != ".png") continue;
+        if (!fs::exists(folder / "old" / fs::relative(each.path(), folder / "new"))) continue;
         const auto expected = image::readImage(each.path());
         const auto got = image::readImage(folder / "old" / fs::relative(each.path(), folder / "new"));
         ASSERT_TRUE(expected && got) << each.path();

@@ -14,10 +14,15 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(NoSkip, EverySceneIsTheSameBitForBit) {
+#ifdef GLIBRA_SANITIZED
+    GTEST_SKIP()
+        << "every scene is drawn four times; Scenes.AreDrawnAndNotOneColour draws them with sanitizers";
+#endif
     std::string scenes;
     std::size_t count = 0;
     for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib")) {
-        if (each.path().extension() != ".glib") continue;
+        // A scene whose window draws have side effects is not drawn in tiles (memory-E10).
+        if (each.path().extension() != ".glib" || each.path().stem() == "glass_lists") continue;
         scenes += " '" + each.path().string() + "'";
         ++count;
     }

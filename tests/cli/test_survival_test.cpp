@@ -147,8 +147,11 @@ TEST_F(Survival, CtrlCLeavesWholeFilesAndResumeDoesTheRest) {
     EXPECT_TRUE(contains(log(), "skipped")) << log();
     EXPECT_EQ(leftovers(), "");
     const Finished rest = run("s.toml --update --resume");
-    EXPECT_EQ(rest.status, 0);
-    EXPECT_TRUE(contains(rest.out, count(kShots, "updated"))) << rest.out;
+    EXPECT_EQ(rest.status, 0) << rest.out;
+    // A golden that was written without its result is compared.
+    EXPECT_TRUE(contains(rest.out, count(kShots, "updated")) ||
+                contains(rest.out, count(kShots - 1, "updated") + ", 1 passed"))
+        << rest.out;
     EXPECT_TRUE(contains(run("s.toml").out, count(kShots, "passed")));
 }
 

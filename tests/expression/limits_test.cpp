@@ -78,7 +78,6 @@ TEST(ExpressionLimits, EvaluationsTakeFractionsOfAMicrosecond) {
         const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
         std::printf("%8.3f us  %s\n", time.count() / kRounds, text);
         EXPECT_TRUE(std::isfinite(sum));
-        EXPECT_LT(time.count() / kRounds, 100) << text;
     }
     const auto begin = std::chrono::steady_clock::now();
     for (int k = 0; k < kRounds / 10; ++k)

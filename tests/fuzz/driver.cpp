@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -199,7 +198,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
     Bytes bytes(data, data + size);
     change(bytes, current.other, current.random);
     size = std::min(bytes.size(), largest);
-    std::memcpy(data, bytes.data(), size);
+    std::copy_n(bytes.begin(), size, data);
     return size;
 }
 

@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "glsl/emit/log.h"
+#include "glsl/facts/block_layout.h"
 #include "glsl/read/words.h"
 #include "glsl/translate.h"
 #include "glsl/types/builtins.h"
@@ -23,14 +24,15 @@ using namespace glibra::glsl;
 using glibra::fuzz::check;
 
 constexpr std::string_view kMark = "//@ ";
-constexpr std::array<std::string_view, kStageCount> kStageWords{"vertex", "control", "evaluation", "geometry",
-                                                                "fragment"};
+constexpr std::array<std::string_view, kStageCount> kStageWords{"vertex",   "control",  "evaluation",
+                                                                "geometry", "fragment", "compute"};
 
 Stage guess(std::string_view text) {
     const auto has = [&](std::string_view word) { return text.find(word) != text.npos; };
     if (has("gl_TessCoord")) return Stage::tessEvaluation;
     if (has("gl_TessLevel")) return Stage::tessControl;
     if (has("EmitVertex")) return Stage::geometry;
+    if (has("local_size_")) return Stage::compute;
     return has("gl_Position") ? Stage::vertex : Stage::fragment;
 }
 
@@ -71,6 +73,9 @@ Input inputOf(std::string_view text) {
         text.remove_prefix(end);
     }
     std::ranges::sort(input.stages, {}, &StageSource::stage);
+    // A compute stage beside others is refused at once, which is seldom interesting.
+    if (input.stages.size() > 1 && input.stages.back().stage == Stage::compute && input.choice % 8 != 7)
+        input.stages.pop_back();
     return input;
 }
 
@@ -136,35 +141,48 @@ const glibra::fuzz::Grammar& glibra::fuzz::grammar() {
                                  "^^"})
             made.words.emplace_back(word);
         for (const std::string_view stage : kStageWords)
-            for (const char* number : {"0", "1", "2", "12", "16", "31"})
+            for (const char* number : {"0", "1", "2", "12", "16", "31", "128", "256"})
                 made.statements.push_back(std::string(kMark) + std::string(stage) + " " + number);
         for (const char* version :
              {"110", "120", "130", "150 compatibility", "330", "400", "430 core", "450", "300 es"})
             made.statements.push_back(std::string("#version ") + version);
-        made.statements.insert(made.statements.end(),
-                               {"#extension GL_EXT_geometry_shader4 : enable",
-                                "#define F(a,b) a##b",
-                                "#define G(x) F(x,x) G(x)",
-                                "#undef F",
-                                "#if defined(F) && 1 < 2",
-                                "#ifdef F",
-                                "#else",
-                                "#elif 0",
-                                "#endif",
-                                "#include \"other.glsl\"",
-                                "#line 7",
-                                "#pragma optionNV",
-                                "#error not here",
-                                "layout(triangles) in;",
-                                "layout(vertices = 4) out;",
-                                "layout(triangle_strip, max_vertices = 200) out;",
-                                "layout(quads, equal_spacing, ccw) in;",
-                                "in Block { vec3 a; flat int b; } block[];",
-                                "uniform struct S { vec4 a[3]; } s;",
-                                "subroutine vec4 Kind(vec3 a);",
-                                "for (int i = 0; i < 4; i++) { gl_Position = gl_in[i].gl_Position; }",
-                                "void main() {",
-                                "}"});
+        made.statements.insert(
+            made.statements.end(),
+            {"#extension GL_EXT_geometry_shader4 : enable",
+             "#define F(a,b) a##b",
+             "#define G(x) F(x,x) G(x)",
+             "#undef F",
+             "#if defined(F) && 1 < 2",
+             "#ifdef F",
+             "#else",
+             "#elif 0",
+             "#endif",
+             "#include \"other.glsl\"",
+             "#line 7",
+             "#pragma optionNV",
+             "#error not here",
+             "layout(triangles) in;",
+             "layout(vertices = 4) out;",
+             "layout(triangle_strip, max_vertices = 200) out;",
+             "layout(quads, equal_spacing, ccw) in;",
+             "in Block { vec3 a; flat int b; } block[];",
+             "uniform struct S { vec4 a[3]; } s;",
+             "layout(local_size_x = 8, local_size_y = N) in;",
+             "shared S a[4][N];",
+             "a[i][gl_LocalInvocationIndex].a[i++] += a[0][1].a[2];",
+             "#define AT(a, k) a[k].a[(k)]",
+             "const int N = 1 << 3;",
+             "layout(std430, row_major) readonly buffer B { mat3 m; S s[2][3]; S rest[]; } b;",
+             "layout(std140, binding = 2) uniform U { layout(offset = 64) dvec3 d; bool f[N]; };",
+             "layout(r32ui, binding = N) coherent uniform uimage2DArray images[N];",
+             "layout(binding = 0, offset = 8) uniform atomic_uint counter;",
+             "layout(std430) buffer;",
+             "imageStore(images[0], ivec3(1), uvec4(atomicAdd(b.rest[i].a, 1)));",
+             "varying vec2 vST;",
+             "subroutine vec4 Kind(vec3 a);",
+             "for (int i = 0; i < 4; i++) { gl_Position = gl_in[i].gl_Position; }",
+             "void main() {",
+             "}"});
         made.separators = " \t,;()[]{}<>=+-*/.&|!?:";
         return made;
     }();
@@ -184,6 +202,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     request.shim = (input.choice & 12U) != 12;
     request.tiled = (input.choice & 16U) != 0;
     request.flatColors = (input.choice & 32U) != 0;
+    request.acceptsStorage = (input.choice & 128U) != 0;
+    request.suppliesFullScreenVertex = (input.choice & 256U) != 0;
     request.colorTargets = (input.choice & 64U) ? 4 : 1;
     request.include = [&](std::string_view name, std::string_view) -> std::optional<IncludedFile> {
         if (name.size() % 2) return std::nullopt;
@@ -199,6 +219,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         for (const LineOrigin& origin : stage.lineMap.lines)
             check(origin.file < static_cast<int>(stage.lineMap.files.size()), "an origin names a file");
         glibra::fuzz::checkMessages(explainCompileLog(program, stage, text));
+    }
+    for (const MemoryBlock& block : program.memory.blocks) {
+        const glibra::Result<MemoryLayout> layout = layoutOf(block, program.memory.structures);
+        check(layout || !layout.diagnostics.empty(), "a block without a layout has a message");
+        if (!layout) continue;
+        for (const MemoryField& field : layout->fields)
+            check(field.offset >= 0 && (layout->stride > 0 || field.offset < layout->size),
+                  "a field lies in its block");
     }
     glibra::fuzz::checkMessages(explainLinkLog(program, text, request.place));
     if (size % 4 != 0) return 0;

@@ -153,6 +153,33 @@ TEST(ObjMesh, PatchesAreTheTriangles) {
     EXPECT_EQ(patches.indices, obj(quad).indices);
 }
 
+TEST(ObjMesh, OneFileMayMixAllFaceForms) {
+    // A house: a wall of five corners with texture coordinates and normals, a floor with normals and negative
+    // indices, a side with texture coordinates only, a roof with positions only; groups and materials
+    // between.
+    const Mesh mesh = obj(
+        model("mtllib house.mtl\no house\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\n"
+              "vt 0 0\nvt 1 0\nvt 1 .5\nvt .5 1\nvt 0 .5\nvn 0 0 2\ng wall\nusemtl brick\ns off\n"
+              "f 1/1/1 2/2/1 3/3/1 4/4/1 5/5/1\n"
+              "v 0 0 -3\nv 2 0 -3\nv 2 1 -3\nv 1 2 -3\nvn 0 -1 0\ng floor\ns 1\nf 1//-1 -4//-1 -3//-1 2//-1\n"
+              "g side\nf 2/-5 7/-4 8/-3 3/-2\ng roof\nf 3 8 9 4\n"));
+    EXPECT_EQ(countsOf(mesh), stated(5 + 4 + 4 + 4, 3 + 2 + 2 + 2));
+    expectSound(mesh);
+    EXPECT_EQ(wronglyWound(mesh), 0U);
+    for (std::uint32_t i = 0; i < 5; ++i) expectNear(normalAt(mesh, i), {0, 0, 1});
+    for (std::uint32_t i = 5; i < 9; ++i) {
+        expectNear(normalAt(mesh, i), {0, -1, 0});
+        EXPECT_EQ(texCoordAt(mesh, i), glm::dvec3(0));
+    }
+    expectNear(positionAt(mesh, 6), {0, 0, -3});
+    expectNear(positionAt(mesh, 7), {2, 0, -3});
+    // Corner 7 belongs to the floor and the side, of areas 6 and 3; only the side's corner lacks a normal.
+    expectNear(normalAt(mesh, 10), glm::normalize(glm::dvec3(3, -6, 0)));
+    expectNear(texCoordAt(mesh, 10), {1, 0, 0});
+    // Corner 9 belongs to the roof alone.
+    expectNear(normalAt(mesh, 15), glm::normalize(glm::dvec3(1, 1, 0)));
+}
+
 TEST(ObjAdj, NamesTheFarCornersOfTheNeighbours) {
     // The edge 1-3 is inside; all others are borders, whose far corner is the edge's first vertex.
     const Mesh mesh = objAdj(model(std::string(kQuad) + "f 1 2 3\nf 1 3 4\n"));

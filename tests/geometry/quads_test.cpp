@@ -8,6 +8,13 @@
 namespace glibra::geometry {
 namespace {
 
+TEST(FullScreen, IsTheSquareOfClipSpace) {
+    const Mesh mesh = kFullScreenRow.make({});
+    EXPECT_EQ(mesh.attribute(kPosition)->values,
+              (std::vector<float>{-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0}));
+    EXPECT_EQ(mesh.attribute(kTexCoord)->values, (std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1}));
+}
+
 TEST(Quads, HaveTheStatedCounts) {
     EXPECT_EQ(countsOf(quadXY(0, 1, 4, 4)), (Counts{25, 32}));
     EXPECT_EQ(countsOf(quadXZ(0, 1, 1, 3)), (Counts{8, 6}));

@@ -149,5 +149,19 @@ TEST(Robustness, LargeSourcesEnd) {
             translateSingle(stage, "#version 120\n" + repeated(part, 300'000));
 }
 
+TEST(Robustness, LineZeroCountsAsLineOne) {
+    const TranslatedProgram translated =
+        translateSingle(Stage::fragment, "#version 430\n#line 0\nuniform float glibra_x; void main() { }");
+    EXPECT_EQ(1, placeOf(translated.diagnostics, "glsl-E05").line);
+}
+
+TEST(Robustness, SubroutineUniformWithTheNameOfAnOldValue) {
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment,
+        "#version 430\nsubroutine float A(float x);\nsubroutine(A) float one(float x) { return x; }\n"
+        "subroutine uniform A gl_LightSource;\nvoid main() { }");
+    EXPECT_EQ("glsl-W19 glsl-W04", ids(translated.diagnostics));
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

@@ -16,7 +16,7 @@
 namespace glibra::glsl::test {
 namespace {
 
-constexpr std::array<const char*, kStageCount> kSuffixes = {"vert", "tesc", "tese", "geom", "frag"};
+constexpr std::array<const char*, kStageCount> kSuffixes = {"vert", "tesc", "tese", "geom", "frag", "comp"};
 
 std::vector<std::string> tokensOf(std::string_view text) {
     std::deque<std::string> storage;
@@ -95,21 +95,19 @@ bool has(const Diagnostics& diagnostics, std::string_view id) {
     return false;
 }
 
-std::string glslangErrors(const TranslatedProgram& translated) {
-    if (translated.stages.empty()) return "nothing was emitted: " + ids(translated.diagnostics);
+std::string glslangOutput(const TranslatedProgram& translated, const std::string& options,
+                          std::string* folderName) {
     static int counter = 0;
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() /
         ("glibra-glsl-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
     std::filesystem::create_directories(folder);
-    std::string command = "glslangValidator -l";
-    std::string sources;
+    std::string command = "glslangValidator -l " + options;
     for (const TranslatedStage& each : translated.stages) {
         const std::filesystem::path file =
             folder / (std::string("t.") + kSuffixes[static_cast<std::size_t>(each.stage)]);
         std::ofstream(file, std::ios::binary) << each.source;
         command += " " + file.string();
-        sources += each.source;
     }
     command += " 2>&1";
     std::string output;
@@ -119,10 +117,20 @@ std::string glslangErrors(const TranslatedProgram& translated) {
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get()))
         output.append(buffer.data(), count);
     std::filesystem::remove_all(folder);
+    if (folderName) *folderName = folder.string();
+    return output;
+}
+
+std::string glslangErrors(const TranslatedProgram& translated) {
+    if (translated.stages.empty()) return "nothing was emitted: " + ids(translated.diagnostics);
+    std::string folder;
+    const std::string output = glslangOutput(translated, "", &folder);
     if (output.find("not found") != std::string::npos) return "glslangValidator is not installed: " + output;
     // If there is no error, it prints only the file names.
-    if (output.find(folder.string()) == std::string::npos) return "glslangValidator said nothing: " + output;
+    if (output.find(folder) == std::string::npos) return "glslangValidator said nothing: " + output;
     if (output.find("ERROR") == std::string::npos && output.find("WARNING") == std::string::npos) return {};
+    std::string sources;
+    for (const TranslatedStage& each : translated.stages) sources += each.source;
     return output + "\n" + sources;
 }
 

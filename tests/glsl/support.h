@@ -10,7 +10,7 @@
 
 namespace glibra::glsl::test {
 
-/// A program from (stage, text) pairs; the files are named a.vert, a.tesc, a.tese, a.geom, a.frag.
+/// A program from (stage, text) pairs; the files are named a.vert, a.tesc, a.tese, a.geom, a.frag, a.comp.
 ProgramRequest program(std::vector<std::pair<Stage, std::string>> stages);
 TranslatedProgram translateStages(std::vector<std::pair<Stage, std::string>> stages);
 
@@ -36,6 +36,11 @@ bool has(const Diagnostics& diagnostics, std::string_view id);
 
 /// The messages of glslangValidator about the stages, linked together; empty if it accepts them.
 std::string glslangErrors(const TranslatedProgram& translated);
+
+/// What glslangValidator prints when it compiles and links the stages with these options. `folder` is where
+/// it found them.
+std::string glslangOutput(const TranslatedProgram& translated, const std::string& options,
+                          std::string* folder = nullptr);
 
 inline const std::string kPlainVertex = "#version 330\nvoid main() { gl_Position = vec4(0.); }\n";
 inline const std::string kPlainFragment =

@@ -49,15 +49,15 @@ TEST_F(ComputeTest, EveryInvocationRuns) {
     EXPECT_EQ(localSizeOf(*program), (std::array<int, 3>{4, 1, 1}));
     const Buffer buffer = bufferOf({10, 12, 16, 18, 50, 17});
     buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    dispatch(*program, groupsOver({6, 1, 1}, localSizeOf(*program)));
+    dispatch(*program, {2, 1, 1});
     finishShaderWrites();
     EXPECT_EQ(content(buffer), (std::vector<std::uint32_t>{20, 24, 32, 36, 100, 34}));
 }
 
 TEST_F(ComputeTest, GroupsAreRoundedUp) {
-    EXPECT_EQ(groupsOver({512, 512, 1}, {8, 8, 1}), (std::array<GLuint, 3>{64, 64, 1}));
-    EXPECT_EQ(groupsOver({513, 1, 0}, {8, 8, 1}), (std::array<GLuint, 3>{65, 1, 0}));
-    EXPECT_EQ(groupsOver({0xffffffffU, 1, 1}, {2, 1, 1}), (std::array<GLuint, 3>{0x80000000U, 1, 1}));
+    EXPECT_EQ(groupsOver({512, 512, 1}, {8, 8, 1}), (std::array<std::uint64_t, 3>{64, 64, 1}));
+    EXPECT_EQ(groupsOver({513, 1, 0}, {8, 8, 1}), (std::array<std::uint64_t, 3>{65, 1, 0}));
+    EXPECT_EQ(groupsOver({0xffffffffU, 1, 1}, {2, 1, 1}), (std::array<std::uint64_t, 3>{0x80000000U, 1, 1}));
 }
 
 TEST_F(ComputeTest, GroupCountsComeFromABuffer) {

@@ -265,5 +265,53 @@ TEST(ValueTypes, AnUnknownNumberHasNoWord) {
     EXPECT_EQ(valueType(GL_FLOAT_MAT4x3).rows, 3);
 }
 
+TEST_F(ReflectionTest, StorageBlocksHaveTheLayoutOfTheDriver) {
+    if (!driver().compute) GTEST_SKIP() << "needs GL 4.3";
+    const auto interface = reflectFragment(R"(#version 430 core
+struct Item { vec3 position; float weights[2]; };
+layout(std430) buffer Items { uint count; Item items[]; } all;
+layout(std430) readonly buffer Plain { float plain[]; };
+layout(binding = 2, offset = 4) uniform atomic_uint uCount;
+out vec4 fColor;
+void main() {
+    atomicCounterIncrement(uCount);
+    fColor = vec4(all.items[all.count].position, all.items[1].weights[1] + plain[2]);
+}
+)");
+    ASSERT_TRUE(interface);
+    ASSERT_EQ(interface->storageBlocks.size(), 2U);
+    const bool isFirst = interface->storageBlocks[0].name == "Items";
+    const base::StorageBlock& items = interface->storageBlocks[isFirst ? 0 : 1];
+    const base::StorageBlock& plain = interface->storageBlocks[isFirst ? 1 : 0];
+    EXPECT_EQ(items.name, "Items");
+    ASSERT_EQ(items.members.size(), 3U);
+    for (const base::StorageMember& each : items.members) {
+        SCOPED_TRACE(each.name);
+        if (each.name == "Items.count") {
+            EXPECT_EQ(each.offset, 0);
+            EXPECT_EQ(each.outerSize, 1);
+        } else if (each.name == "Items.items[0].position") {
+            EXPECT_EQ(each.offset, 16);
+            EXPECT_EQ(each.outerSize, 0);
+            EXPECT_EQ(each.outerStride, 32);
+            EXPECT_EQ(each.type.word, "vec3");
+        } else {
+            EXPECT_EQ(each.name, "Items.items[0].weights[0]");
+            EXPECT_EQ(each.offset, 28);
+            EXPECT_EQ(each.arraySize, 2);
+            EXPECT_EQ(each.arrayStride, 4);
+        }
+    }
+    ASSERT_EQ(plain.members.size(), 1U);
+    EXPECT_EQ(plain.members[0].name, "plain[0]");
+    EXPECT_EQ(plain.members[0].arraySize, 0);
+    EXPECT_EQ(plain.members[0].arrayStride, 4);
+    ASSERT_EQ(interface->counterBuffers.size(), 1U);
+    EXPECT_EQ(interface->counterBuffers[0].binding, 2);
+    EXPECT_GE(interface->counterBuffers[0].bytes, 8);
+    EXPECT_EQ(interface->counterBuffers[0].counters, std::vector<std::string>{"uCount"});
+    EXPECT_TRUE(interface->uniforms.empty());
+}
+
 }  // namespace
 }  // namespace glibra::gpu

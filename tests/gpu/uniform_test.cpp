@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/number.h"
 #include "fixture.h"
-#include "gpu/format/number.h"
 #include "gpu/format/value_type.h"
 #include "gpu/object/buffer.h"
 
@@ -194,19 +194,19 @@ TEST_F(UniformTest, NothingIsWrittenOutsideABlocksMemory) {
 
 TEST(Numbers, FloatsRoundLikeTheHardware) {
     const double largest = static_cast<double>(std::numeric_limits<float>::max());
-    EXPECT_EQ(toFloat(1. / 3), 1.F / 3);
-    EXPECT_EQ(toFloat(largest), std::numeric_limits<float>::max());
-    EXPECT_EQ(toFloat(largest * (1 + 0x1p-26)), std::numeric_limits<float>::max());
-    EXPECT_EQ(toFloat(largest * (1 + 0x1p-24)), std::numeric_limits<float>::infinity());
-    EXPECT_EQ(toFloat(-1e300), -std::numeric_limits<float>::infinity());
-    EXPECT_TRUE(std::isnan(toFloat(std::nan(""))));
+    EXPECT_EQ(base::toFloat(1. / 3), 1.F / 3);
+    EXPECT_EQ(base::toFloat(largest), std::numeric_limits<float>::max());
+    EXPECT_EQ(base::toFloat(largest * (1 + 0x1p-26)), std::numeric_limits<float>::max());
+    EXPECT_EQ(base::toFloat(largest * (1 + 0x1p-24)), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(base::toFloat(-1e300), -std::numeric_limits<float>::infinity());
+    EXPECT_TRUE(std::isnan(base::toFloat(std::nan(""))));
 }
 
 TEST(Numbers, UnsignedNumbersAreNeverNegative) {
-    EXPECT_EQ(toUnsigned(-1), 0U);
-    EXPECT_EQ(toUnsigned(std::nan("")), 0U);
-    EXPECT_EQ(toUnsigned(3.99), 3U);
-    EXPECT_EQ(toUnsigned(1e10), std::numeric_limits<std::uint32_t>::max());
+    EXPECT_EQ(base::toUnsigned(-1), 0U);
+    EXPECT_EQ(base::toUnsigned(std::nan("")), 0U);
+    EXPECT_EQ(base::toUnsigned(3.99), 3U);
+    EXPECT_EQ(base::toUnsigned(1e10), std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace

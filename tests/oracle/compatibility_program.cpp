@@ -17,6 +17,8 @@ GLenum glStage(glsl::Stage stage) {
             return GL_TESS_EVALUATION_SHADER;
         case glsl::Stage::geometry:
             return GL_GEOMETRY_SHADER;
+        case glsl::Stage::compute:
+            return GL_COMPUTE_SHADER;
         case glsl::Stage::fragment:
             break;
     }

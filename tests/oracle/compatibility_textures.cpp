@@ -41,6 +41,8 @@ GLenum CompatibilityTextures::targetOf(scene::TextureIndex index) const {
             return GL_TEXTURE_2D;
         case scene::TextureTarget::texture3D:
             return GL_TEXTURE_3D;
+        case scene::TextureTarget::texture2DArray:
+            return GL_TEXTURE_2D_ARRAY;
         case scene::TextureTarget::cube:
             break;
     }

@@ -144,10 +144,11 @@ class SceneByHand {
     scene::Pass& target(std::vector<scene::TextureIndex> textures) {
         scene::Pass pass;
         pass.depthBuffer = textures.empty() ? 0 : depthBufferOf(textures.front());
+        pass.isWindow = textures.empty();
         pass.targets = std::move(textures);
         pass.place = at(nextLine());
         pass.clearDepth = true;
-        scene.frame.passes.push_back(std::move(pass));
+        scene.frame.add(std::move(pass));
         return scene.frame.passes.back();
     }
     static int depthBufferOf(scene::TextureIndex texture) { return static_cast<int>(texture.position()) + 1; }
@@ -181,7 +182,7 @@ class SceneByHand {
     }
     scene::Draw& sphere() { return draw("Sphere", shape(glib::commandOf("Sphere"), {1, 60, 60})); }
     scene::Draw& teapot() { return draw("Teapot", shape(glib::commandOf("Teapot"))); }
-    void clear() { scene.frame.passes.back().steps.emplace_back(scene::Clear{at(nextLine()), {}}); }
+    void clear() { scene.frame.passes.back().steps.emplace_back(scene::Clear{at(nextLine())}); }
 
     scene::ProgramIndex currentProgram;
     int line = 0;
@@ -217,7 +218,7 @@ struct Programs {
     }
     FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {}) {
         return planFrame(
-            scene,
+            scene, scene.frame,
             [this](const ProgramVariant& variant) -> const ProgramInterface& {
                 asked.push_back(variant);
                 return variant.program ? byIndex.at(variant.program) : builtin;

@@ -72,8 +72,8 @@ TEST(PlannedTexture, IsWhatTheSlotHoldsAtEachDraw) {
     const auto second = hand.texture(6);
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
-    EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[0]).textures.at(0).texture, first);
-    EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[1]).textures.at(0).texture, second);
+    EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[0]).textures.at(0).view.texture, first);
+    EXPECT_EQ(std::get<PlannedDraw>(plan.passes[0].steps[1]).textures.at(0).view.texture, second);
     EXPECT_EQ(plan.textures, (std::vector{first, second}));
     EXPECT_EQ(plan.programs.size(), 1U);
 }
@@ -88,7 +88,7 @@ TEST(PlannedTexture, InAnEmptySlotIsReportedOncePerProgram) {
     hand.sphere();
     const FramePlan plan = programs.plan(hand.scene);
     EXPECT_EQ(textOf(plan.diagnostics, "draw-W02"), "sampler 'uTexUnit' reads unit 5 / 3D, which is empty");
-    EXPECT_FALSE(firstDraw(plan).textures.at(0).texture);
+    EXPECT_FALSE(firstDraw(plan).textures.at(0).view.texture);
 }
 
 struct Feedback : testing::Test {
@@ -153,6 +153,34 @@ TEST(PointSizeMode, ZeroIgnoresWhatTheProgramWrites) {
     hand.draw("PointCloud", hand.shape(glib::commandOf("PointCloud")));
     EXPECT_EQ(textOf(programs.plan(hand.scene).diagnostics, "draw-W05"),
               "points.vert writes gl_PointSize, but PointSizeMode is 0");
+}
+
+TEST(MeshesWithAdjacency, AreMadeBesideThePlainOnes) {
+    SceneByHand hand;
+    Programs programs;
+    const auto plain = hand.program("plain");
+    programs.byIndex[plain] = interfaceWith({});
+    const auto outline = hand.program("outline", {Stage::vertex, Stage::geometry, Stage::fragment});
+    programs.byIndex[outline] = interfaceWith({});
+    programs.byIndex[outline].facts.geometryInput = "triangles_adjacency";
+    const scene::ShapeIndex sphere = hand.shape(glib::commandOf("Sphere"));
+    const scene::ShapeIndex model = hand.shape(glib::CommandId::objAdj);
+    for (const auto program : {plain, outline, plain, outline}) {
+        hand.currentProgram = program;
+        hand.draw("Sphere", sphere);
+        hand.draw("ObjAdj", model);
+    }
+    const FramePlan plan = programs.plan(hand.scene);
+    EXPECT_EQ(ids(plan.diagnostics), "");
+    ASSERT_EQ(plan.meshes.size(), 3U) << "two of the sphere, one of the model";
+    std::vector<std::size_t> meshes;
+    for (const auto& step : plan.passes.at(0).steps)
+        meshes.push_back(std::get<PlannedDraw>(step).mesh.position());
+    EXPECT_EQ(meshes, (std::vector<std::size_t>{0, 1, 2, 1, 0, 1, 2, 1}));
+    EXPECT_FALSE(plan.meshes.at(0).adjacency);
+    EXPECT_FALSE(plan.meshes.at(1).adjacency) << "the model has its own";
+    EXPECT_EQ(plan.meshes.at(2).adjacency, geometry::Topology::trianglesAdjacency);
+    EXPECT_EQ(plan.meshes.at(2).attributes, plan.meshes.at(0).attributes);
 }
 
 TEST(WrongSubmission, LeavesTheDrawOutAndKeepsTheRest) {

@@ -108,12 +108,42 @@ TEST(GeometryStage, TakesItsOwnKind) {
     expectSubmission(one.submit("Sphere", glib::commandOf("Sphere")), Topology::triangles, 0);
     expectSubmission(one.submit("glBegin", one.hand.list(Topology::triangles)), Topology::triangles, 0);
 }
-TEST(GeometryStage, ThatWantsAdjacencyRecommendsObjAdj) {
+TEST(GeometryStage, ThatWantsAdjacencyGetsItFromTriangles) {
+    for (const auto& [word, topology] : {std::pair{"triangles_adjacency", Topology::trianglesAdjacency},
+                                         std::pair{"lines_adjacency", Topology::linesAdjacency}}) {
+        Case one(kGeometry);
+        one.interface.facts.geometryInput = word;
+        expectSubmission(one.submit("Obj", CommandId::obj), topology, 0);
+        expectSubmission(one.submit("Torus", glib::commandOf("Torus")), topology, 0);
+        expectSubmission(one.submit("glBegin", one.hand.list(Topology::triangles)), topology, 0);
+    }
+}
+TEST(GeometryStage, ThatWantsAdjacencyTakesItsOwnKind) {
     Case one(kGeometry);
     one.interface.facts.geometryInput = "triangles_adjacency";
-    expectError(one.submit("Obj", CommandId::obj), "draw-E02",
-                "Obj delivers triangles, but silh.geom expects triangles_adjacency; use ObjAdj");
     expectSubmission(one.submit("ObjAdj", CommandId::objAdj), Topology::trianglesAdjacency, 0);
+    one.interface.facts.geometryInput = "lines_adjacency";
+    expectSubmission(one.submit("LinesAdjacency", CommandId::linesAdjacency), Topology::linesAdjacency, 0);
+}
+TEST(GeometryStage, ThatWantsAdjacencyRecommendsTheSolidOfAWire) {
+    Case one(kGeometry);
+    one.interface.facts.geometryInput = "triangles_adjacency";
+    expectError(one.submit("WireSphere", glib::commandOf("WireSphere")), "draw-E02",
+                "WireSphere delivers lines, but silh.geom expects triangles_adjacency; use Sphere");
+    expectError(one.submit("WireObj", CommandId::wireObj), "draw-E02",
+                "WireObj delivers lines, but silh.geom expects triangles_adjacency; use Obj");
+    expectError(one.submit("PointCloud", glib::commandOf("PointCloud")), "draw-E02",
+                "PointCloud delivers points, but silh.geom expects triangles_adjacency");
+    one.interface.facts.geometryInput = "lines_adjacency";
+    expectError(one.submit("WireSphere", glib::commandOf("WireSphere")), "draw-E02",
+                "WireSphere delivers lines, but silh.geom expects lines_adjacency; use LinesAdjacency");
+}
+TEST(GeometryStage, AfterTessellationGetsNoAdjacency) {
+    Case one(kEverything);
+    one.interface.facts.geometryInput = "triangles_adjacency";
+    one.interface.facts.tessellationOutput = "triangles";
+    expectError(one.submit("Teapot", glib::commandOf("Teapot")), "draw-E02",
+                "Teapot delivers triangles after tessellation, but silh.geom expects triangles_adjacency");
 }
 TEST(GeometryStage, ThatWantsLinesRecommendsTheWireForm) {
     Case one(kGeometry);

@@ -59,24 +59,25 @@ std::vector<TextureUse> uses(SceneByHand& hand, const ProgramInterface& interfac
                              bool clamp = false) {
     scene::Draw& draw = hand.sphere();
     draw.sampling.clamp = clamp;
-    return textureUses(hand.scene, draw, interface, std::vector<UnitUse>{{{UniformIndex(0), 0, unit}, 0}});
+    return textureUses(hand.scene, draw.slots, draw.sampling, interface,
+                       std::vector<UnitUse>{{{UniformIndex(0), 0, unit}, 0}});
 }
 
 TEST(TextureUse, FollowsTheTypeOfTheSampler) {
     SceneByHand hand;
     const auto picture = hand.texture(5);
     const auto cube = hand.texture(5, TextureTarget::cube);
-    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "sampler2D"}}), 5).at(0).texture, picture);
-    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "samplerCube"}}), 5).at(0).texture, cube);
-    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler3D"}}), 5).at(0).texture);
+    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "sampler2D"}}), 5).at(0).view.texture, picture);
+    EXPECT_EQ(uses(hand, test::interfaceWith({{"a", "samplerCube"}}), 5).at(0).view.texture, cube);
+    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler3D"}}), 5).at(0).view.texture);
 }
 TEST(TextureUse, SeesWhatTheSlotHoldsAtTheDraw) {
     SceneByHand hand;
     const auto interface = test::interfaceWith({{"a", "sampler2D"}});
     const auto before = hand.texture(6);
-    EXPECT_EQ(uses(hand, interface, 6).at(0).texture, before);
+    EXPECT_EQ(uses(hand, interface, 6).at(0).view.texture, before);
     const auto after = hand.texture(6);
-    EXPECT_EQ(uses(hand, interface, 6).at(0).texture, after);
+    EXPECT_EQ(uses(hand, interface, 6).at(0).view.texture, after);
     EXPECT_NE(before, after);
 }
 TEST(TextureUse, ClampsByTheDrawExceptNoiseAndCubes) {
@@ -87,15 +88,20 @@ TEST(TextureUse, ClampsByTheDrawExceptNoiseAndCubes) {
     const auto picture = test::interfaceWith({{"a", "sampler2D"}});
     const auto cube = test::interfaceWith({{"a", "samplerCube"}});
     const auto noise = test::interfaceWith({{"a", "sampler3D"}});
-    EXPECT_FALSE(uses(hand, picture, 5, false).at(0).clamp);
-    EXPECT_TRUE(uses(hand, picture, 5, true).at(0).clamp);
-    EXPECT_TRUE(uses(hand, cube, 5, false).at(0).clamp);
-    EXPECT_FALSE(uses(hand, noise, 3, true).at(0).clamp);
+    const auto clamps = [&](const ProgramInterface& interface, int unit, bool clamp) {
+        const base::Wrap wrap = uses(hand, interface, unit, clamp).at(0).sampler.wrap[0];
+        EXPECT_TRUE(wrap == base::Wrap::clampToEdge || wrap == base::Wrap::repeat);
+        return wrap == base::Wrap::clampToEdge;
+    };
+    EXPECT_FALSE(clamps(picture, 5, false));
+    EXPECT_TRUE(clamps(picture, 5, true));
+    EXPECT_TRUE(clamps(cube, 5, false));
+    EXPECT_FALSE(clamps(noise, 3, true));
 }
 TEST(TextureUse, OfASamplerThatScenesCannotFillIsEmpty) {
     SceneByHand hand;
     hand.texture(5);
-    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler2DArray"}}), 5).at(0).texture);
+    EXPECT_FALSE(uses(hand, test::interfaceWith({{"a", "sampler2DArray"}}), 5).at(0).view.texture);
 }
 TEST(SlotText, NamesUnitAndTarget) {
     EXPECT_EQ(slotText(5, TextureTarget::texture3D), "5 / 3D");

@@ -4,19 +4,17 @@
 
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 
 namespace glibra::test {
 namespace {
 
-Renderer& renderer() {
-    static const std::unique_ptr<Renderer> shared = [] {
-        Result<Renderer> opened = Renderer::open();
-        if (!opened) throw std::runtime_error(text(opened.diagnostics));
-        return std::make_unique<Renderer>(std::move(*opened));
-    }();
-    return *shared;
+/// A renderer of its own for each picture: other tests of the process have contexts too, and a renderer that
+/// was opened before them would no longer be the current one.
+Renderer renderer() {
+    Result<Renderer> opened = Renderer::open();
+    if (!opened) throw std::runtime_error(text(opened.diagnostics));
+    return std::move(*opened);
 }
 
 }  // namespace

@@ -53,6 +53,17 @@ TEST(Sight, NamesTheSideOnWhichABoxLies) {
         << "a quarter of it is before the far plane";
 }
 
+TEST(Sight, IsNotEndedByNearAndFarPlaneWithDepthClamp) {
+    DrawView clamped = drawView(scene::translation({0, 0, -22}), scene::Perspective{50, 1, 20});
+    clamped.depthClamp = true;
+    const VertexBox cube = box(glm::dvec3(-1), glm::dvec3(1));
+    EXPECT_EQ(sightOf(cube, clamped), Sight::possible);
+    clamped = drawView(glm::dmat4(1.0), scene::Perspective{50, 3, 20});
+    EXPECT_EQ(sightOf(cube, clamped), Sight::nearer);
+    clamped.depthClamp = true;
+    EXPECT_EQ(sightOf(cube, clamped), Sight::possible);
+}
+
 TEST(Sight, HoldsForOrthographicBoxesToo) {
     const scene::Orthographic view{-3, 3, -3, 3, -10, 10};
     const auto at = [&](const glm::dvec3& place) {

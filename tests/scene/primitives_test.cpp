@@ -51,6 +51,8 @@ const Expected kShapes[] = {
     {"WireCube", 8, 24, lines},
     {"WireBox 1 2 3", 8, 24, lines},
     {"WireTeapot", 32 * 81, 2 * 4544, lines},
+    {"FullScreen", 4, 6, triangles},
+    {"SkyBox 4", 24, 36, triangles},
     {"Triangles 0 0 0 1 0 0 0 1 0", 3, 3, triangles},
     {"LinesAdjacency 0 0 0 1 0 0 2 0 0 3 0 0", 4, 4, linesAdjacency},
 };
@@ -128,6 +130,8 @@ TEST(Primitives, ArgumentsReachTheirShapesInOrder) {
     expectExtent("WireCone 2 3 8 6\n", {-2, 0, -2}, {2, 3, 2});
     expectExtent("WireCube 4\n", {-2, -2, -2}, {2, 2, 2});
     expectExtent("WireBox 1 2 3\n", {-.5, -1, -1.5}, {.5, 1, 1.5});
+    expectExtent("SkyBox 4\n", {-2, -2, -2}, {2, 2, 2});
+    expectExtent("FullScreen\n", {-1, -1, 0}, {1, 1, 0});
     expectExtent("Sphere -2 8 6\n", {-2, -2, -2}, {2, 2, 2});
 }
 

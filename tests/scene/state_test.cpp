@@ -53,6 +53,28 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
     EXPECT_TRUE(scene.diagnostics.empty());
 }
 
+TEST(FullScreen, IsNotPlacedByTheView) {
+    const Draw draw = drawsOf(run("Perspective 40\nLookAt 1 2 3 0 0 0 0 1 0\nScale 2\nFullScreen\n")).at(0);
+    EXPECT_TRUE(std::holds_alternative<ClipSpace>(draw.projection));
+    EXPECT_EQ(draw.modelView, glm::dmat4(1.0));
+    EXPECT_TRUE(draw.raster == drawOf("Sphere\n").raster);
+}
+
+TEST(SkyBox, KeepsRotationsAndScalesOnly) {
+    const Draw draw = drawOf(
+        "LookAt 1 2 3 1 2 0 0 1 0\nTranslate 5 6 7\nRotate 90 0 1 0\nScale 2\nTranslate 1 0 0\nSkyBox\n");
+    EXPECT_TRUE(draw.isSky);
+    expectNear(moved(draw.modelView, {0, 0, 0}), {0, 0, 0});
+    expectNear(moved(draw.modelView, {1, 0, 0}), {0, 0, -2});
+    EXPECT_TRUE(draw.raster.depthClamp);
+    EXPECT_EQ(draw.raster.depthNear, 1);
+    EXPECT_EQ(draw.raster.depthFar, 1);
+    const Draw next = drawsOf(run("SkyBox\nTranslate 1 0 0\nBox\n")).at(1);
+    EXPECT_FALSE(next.isSky);
+    EXPECT_FALSE(next.raster.depthClamp);
+    expectNear(moved(next.modelView, {0, 0, 0}), {1, 0, 0});
+}
+
 TEST(DrawIds, AreDifferentWithinAScene) {
     const std::string text =
         "Sphere\n\nBox\nglBegin lines\nglVertex 0 0 0\nglVertex 1 0 0\nglEnd\nSphere\nTeapot\n";

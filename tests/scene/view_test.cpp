@@ -128,6 +128,11 @@ TEST(ViewPolicy, OrthographicDrawsAreIgnored) {
     EXPECT_EQ(distanceOf("Sphere\nOrtho\nSphere 100\n"), 2.375) << "the large sphere is orthographic";
 }
 
+TEST(ViewPolicy, ShapesThatTheViewDoesNotPlaceAreIgnored) {
+    EXPECT_EQ(distanceOf("Sphere\nSkyBox 100\nFullScreen\n"), 2.375);
+    EXPECT_EQ(distanceOf("SkyBox\n"), 0);
+}
+
 TEST(ViewPolicy, ASceneWhollyInFrontOfTheNearPlaneStays) {
     EXPECT_EQ(distanceOf("Translate 0 0 -1.2\nSphere\n"), 0);
     EXPECT_EQ(distanceOf("Translate 0 0 -1.125\nSphere\n"), 0) << "c.z + r = -.125 <= -.1";

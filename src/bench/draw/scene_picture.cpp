@@ -86,7 +86,7 @@ Result<image::Image> sampledPicture(gpu::Context& context, const std::filesystem
     image::Image picture;
     const auto passes = static_cast<std::size_t>(std::ranges::count_if(
         loaded->plan().passes,
-        [&loaded](const plan::PlannedPass& pass) { return !loaded->plan().passOf(pass).targets.empty(); }));
+        [&loaded](const plan::PlannedPass& pass) { return !loaded->plan().passOf(pass).isWindow; }));
     const std::vector<std::vector<glm::dvec2>> orders = sampleOrders(passes, side);
     for (std::size_t i = 0; i < orders.front().size(); ++i) {
         std::vector<glm::dvec2> textures;

@@ -61,7 +61,7 @@ double ShaderValues::bytes() const {
 void ShaderValues::compute() const {
     target_.bind();
     inputs_.bind(0);
-    const gpu::Sampler nearest({.minify = GL_NEAREST, .magnify = GL_NEAREST});
+    const gpu::Sampler nearest(gpu::SamplerState{.filter = base::Filter::nearest, .border = {}});
     nearest.bind(0);
     setInt(program_, "uInputs", 0);
     drawWhole(program_);

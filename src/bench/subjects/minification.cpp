@@ -51,28 +51,29 @@ constexpr std::string_view kFragment =
 struct Filter {
     std::string_view curve;
     std::string label;
-    GLenum minify = GL_LINEAR, magnify = GL_LINEAR;
-    float anisotropy = 1;
+    base::Filter filter = base::Filter::linear;
+    double anisotropy = 1;
     int factor = 1;  ///< supersampling: factor x factor samples per pixel
     double reads = 4;
 };
 
 std::vector<Filter> filters(const gpu::Capabilities& capabilities) {
+    using enum base::Filter;
     std::vector<Filter> all{
-        {"nearest", "nearest", GL_NEAREST, GL_NEAREST, 1, 1, 1},
-        {"linear", "linear", GL_LINEAR, GL_LINEAR, 1, 1, 4},
-        {"mipmaps, nearest", "nearest", GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, 1, 1, 1},
-        {"mipmaps, bilinear", "bilinear", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1, 1, 4},
-        {"mipmaps, trilinear", "trilinear", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 1, 1, 8},
+        {"nearest", "nearest", nearest, 1, 1, 1},
+        {"linear", "linear", linear, 1, 1, 4},
+        {"mipmaps, nearest", "nearest", nearestMipmapNearest, 1, 1, 1},
+        {"mipmaps, bilinear", "bilinear", linearMipmapNearest, 1, 1, 4},
+        {"mipmaps, trilinear", "trilinear", linearMipmapLinear, 1, 1, 8},
     };
     for (int most = 2; most <= capabilities.maxAnisotropy; most *= 2)
-        all.push_back({"anisotropic", fmt::format("at most {}:1", most), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR,
-                       static_cast<float>(most), 1, 8. * most});
+        all.push_back(
+            {"anisotropic", fmt::format("at most {}:1", most), linearMipmapLinear, 1. * most, 1, 8. * most});
     for (const int factor : {2, 4, 8}) {
-        all.push_back({"supersampling, linear", fmt::format("{0} x {0}", factor), GL_LINEAR, GL_LINEAR, 1,
-                       factor, 4. * factor * factor});
-        all.push_back({"supersampling, trilinear", fmt::format("{0} x {0}", factor), GL_LINEAR_MIPMAP_LINEAR,
-                       GL_LINEAR, 1, factor, 8. * factor * factor});
+        all.push_back({"supersampling, linear", fmt::format("{0} x {0}", factor), linear, 1, factor,
+                       4. * factor * factor});
+        all.push_back({"supersampling, trilinear", fmt::format("{0} x {0}", factor), linearMipmapLinear, 1,
+                       factor, 8. * factor * factor});
     }
     return all;
 }
@@ -98,8 +99,8 @@ class CardPicture {
     /// One grey value per pixel, 0..1, rows from the top.
     Result<std::vector<double>> draw(const gpu::Target& target, const View& view,
                                      const Filter& filter) const {
-        const gpu::Sampler sampler(gpu::Sampling{
-            .minify = filter.minify, .magnify = filter.magnify, .anisotropy = filter.anisotropy});
+        const gpu::Sampler sampler(
+            gpu::SamplerState{.filter = filter.filter, .anisotropy = filter.anisotropy, .border = {}});
         texture_.bind(0);
         sampler.bind(0);
         setInt(program_, "uCard", 0);
@@ -153,7 +154,7 @@ double rootMeanSquare(const std::vector<double>& picture, const std::vector<doub
 
 /// Bytes of the texels that the filter may read, including smaller levels, and of the pixels.
 double bytesOf(const Filter& filter, const gpu::Target& target) {
-    const bool hasLevels = filter.minify != GL_NEAREST && filter.minify != GL_LINEAR;
+    const bool hasLevels = base::SamplerState{.filter = filter.filter, .border = {}}.readsMipmaps();
     const double texels = 4. * kCardSide * kCardSide * (hasLevels ? 4. / 3 : 1);
     return texels + static_cast<double>(target.width()) * target.height() * sizeof(float);
 }

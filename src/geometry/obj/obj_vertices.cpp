@@ -1,7 +1,6 @@
 #include "geometry/obj/obj_vertices.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -180,21 +179,6 @@ std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& v
         attributes.push_back(std::move(texCoord));
     }
     return attributes;
-}
-
-std::vector<std::uint32_t> weldPositions(const std::vector<std::array<float, 3>>& positions) {
-    std::vector<std::uint32_t> first;
-    first.reserve(positions.size());
-    HashIndex known(positions.size());
-    for (const std::array<float, 3>& position : positions) {
-        std::uint64_t hash = 0;
-        for (const float coordinate : position)
-            hash = spread(hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.F));
-        const auto next = static_cast<std::uint32_t>(first.size());
-        first.push_back(
-            known.findOrEnter(hash, next, [&](std::uint32_t p) { return positions[p] == position; }));
-    }
-    return first;
 }
 
 }  // namespace glibra::geometry

@@ -25,7 +25,4 @@ std::vector<std::uint32_t> fanIndices(const ObjModel& model, const ObjVertices& 
 std::vector<Attribute> objAttributes(const ObjModel& model, const ObjVertices& vertices,
                                      const std::vector<std::uint32_t>& triangles, bool withTangents);
 
-/// Returns for each position the number of the first one with equal coordinates; 0 and -0 are equal.
-std::vector<std::uint32_t> weldPositions(const std::vector<std::array<float, 3>>& positions);
-
 }  // namespace glibra::geometry

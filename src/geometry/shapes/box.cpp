@@ -33,6 +33,29 @@ Mesh box(double dx, double dy, double dz) {
     return std::move(surface).finish();
 }
 
+Mesh skyBox(double side) {
+    assert(side >= 0);
+    Surface surface(Topology::triangles, 3, boxCounts());
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1., -1.}) {
+            glm::dvec3 out{0}, s{0}, t{0};
+            out[axis] = sign;
+            s[(axis + 1) % 3] = 1;
+            t[(axis + 2) % 3] = -sign;  // s x t points to the centre
+            const std::uint32_t base = surface.size();
+            for (const double b : {-1., 1.})
+                for (const double a : {-1., 1.}) {
+                    const glm::dvec3 direction = out + a * s + b * t;
+                    surface.add({.position = side / 2 * direction,
+                                 .normal = -out,
+                                 .tangent = fallbackTangent(-out),
+                                 .texCoord = direction});
+                }
+            surface.gridCells(base, 1, 1);
+        }
+    return std::move(surface).finish();
+}
+
 Mesh wireBox(double dx, double dy, double dz) {
     assert(dx >= 0 && dy >= 0 && dz >= 0);
     const glm::dvec3 half = glm::dvec3{dx, dy, dz} / 2.0;
@@ -56,6 +79,7 @@ namespace {
 
 constexpr ShapeArgument kSides[] = {sizeArgument("dx", 2), sizeArgument("dy", 2), sizeArgument("dz", 2)};
 constexpr ShapeArgument kSide[] = {sizeArgument("side", 1)};
+constexpr ShapeArgument kSkySide[] = {sizeArgument("side", 2)};
 
 }  // namespace
 
@@ -83,5 +107,13 @@ constexpr PrimitiveSpec kWireBoxRow{.names = {"WireBox"},
                                     .counts = [](Numbers) { return wireBoxCounts(); },
                                     .make = [](Numbers n) { return wireBox(n[0], n[1], n[2]); },
                                     .twin = &kBoxRow};
+
+constexpr PrimitiveSpec kSkyBoxRow{.names = {"SkyBox"},
+                                   .arguments = kSkySide,
+                                   .summary = "cube around the eye, seen from inside, behind everything",
+                                   .space = Space::sky,
+                                   .counts = [](Numbers) { return boxCounts(); },
+                                   .make = [](Numbers n) { return skyBox(n[0]); },
+                                   .isClosed = true};
 
 }  // namespace glibra::geometry

@@ -23,8 +23,15 @@ Mesh box(double dx, double dy, double dz);
 /// wireBoxCounts.
 Mesh wireBox(double dx, double dy, double dz);
 
+/// Makes a cube with that side length >= 0 to be seen from inside: triangles are counter-clockwise seen from
+/// the centre, and normals point there. The texture coordinates (s, t, p) are the position divided by half of
+/// the side, so that they, like the position itself, are the direction in which a cube map is read. Order of
+/// the faces as above, with four vertices each. Tangents are T0(N). Size: boxCounts.
+Mesh skyBox(double side);
+
 extern const PrimitiveSpec kBoxRow;
 extern const PrimitiveSpec kWireCubeRow;
 extern const PrimitiveSpec kWireBoxRow;
+extern const PrimitiveSpec kSkyBoxRow;
 
 }  // namespace glibra::geometry

@@ -70,6 +70,13 @@ struct Extent {
     double radius = std::numeric_limits<double>::infinity();
 };
 
+/// What places a shape.
+enum class Space {
+    model,  ///< ModelView and the projection
+    sky,    ///< the same, with the eye at the origin, and behind all other shapes, whatever its size
+    clip,   ///< nothing: the positions are clip coordinates
+};
+
 /// What the mesh of a surface must keep.
 enum class Fidelity {
     shape,   ///< every point of the mesh lies near the surface
@@ -82,6 +89,7 @@ struct PrimitiveSpec {
     std::span<const ShapeArgument> arguments{};
     std::string_view summary{};  ///< one line for the reference
     Topology topology = Topology::triangles;
+    Space space = Space::model;
     Counts (*counts)(Numbers) = nullptr;
     Mesh (*make)(Numbers) = nullptr;
     bool isClosed = false;                ///< each edge has a triangle on both sides, bit for bit

@@ -53,6 +53,8 @@ constexpr const PrimitiveSpec* kPrimitives[] = {
     &kTetrahedronRow,
     &kHalfSphereRow,
     &kPlaneRow,
+    &kFullScreenRow,
+    &kSkyBoxRow,
 };
 // clang-format on
 

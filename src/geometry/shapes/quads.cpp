@@ -109,4 +109,10 @@ constexpr PrimitiveSpec kQuadBoxRow{.names = {"QuadBox"},
                                     .counts = [](Numbers n) { return quadBoxCounts(countAt(n, 0)); },
                                     .make = [](Numbers n) { return quadBox(countAt(n, 0)); }};
 
+constexpr PrimitiveSpec kFullScreenRow{.names = {"FullScreen"},
+                                       .summary = "rectangle that covers the screen, whatever the view",
+                                       .space = Space::clip,
+                                       .counts = [](Numbers) { return quadCounts(1, 1); },
+                                       .make = [](Numbers) { return quadXY(0, 1, 1, 1); }};
+
 }  // namespace glibra::geometry

@@ -34,5 +34,7 @@ extern const PrimitiveSpec kQuadXYRow;
 extern const PrimitiveSpec kQuadXZRow;
 extern const PrimitiveSpec kQuadYZRow;
 extern const PrimitiveSpec kQuadBoxRow;
+/// quadXY(0, 1, 1, 1): positions are clip coordinates with z = 0, w = 1.
+extern const PrimitiveSpec kFullScreenRow;
 
 }  // namespace glibra::geometry

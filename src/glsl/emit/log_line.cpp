@@ -230,9 +230,12 @@ bool isLogSummary(std::string_view line) {
 }
 
 const TranslatedStage* stageOfHeading(const TranslatedProgram& program, std::string_view line) {
-    static constexpr std::array<std::string_view, 5> kHeadings = {"Vertex info", "Tessellation control info",
-                                                                  "Tessellation evaluation info",
-                                                                  "Geometry info", "Fragment info"};
+    static constexpr std::array<std::string_view, kStageCount> kHeadings = {"Vertex info",
+                                                                            "Tessellation control info",
+                                                                            "Tessellation evaluation info",
+                                                                            "Geometry info",
+                                                                            "Fragment info",
+                                                                            "Compute info"};
     for (std::size_t i = 0; i < kHeadings.size(); ++i) {
         if (!line.starts_with(kHeadings[i])) continue;
         for (const TranslatedStage& each : program.stages)

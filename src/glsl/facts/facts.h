@@ -14,6 +14,16 @@ namespace glibra::glsl {
 /// Fills uniforms, textureBindings, vertexInputs and interfaceNames of the result.
 void collectDeclarations(ProgramUnits& program);
 
+/// Fills memory and localSize of the result.
+void collectMemory(ProgramUnits& program);
+
+/// True if the stage names a storage block that is not readonly.
+bool hasWritableStorage(const Unit& unit);
+
+/// True if the stage may write memory: it names an image or a storage block that is not readonly, or an
+/// atomic counter.
+bool writesMemory(const Unit& unit);
+
 /// How the program places its vertices. Call it after the rules have settled the types and storages of all
 /// variables.
 Placement findPlacement(const ProgramUnits& program);

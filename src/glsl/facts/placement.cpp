@@ -211,7 +211,7 @@ class PlacementSearch {
 
 /// True if the stage may change anything except the picture, or chooses the picture's layer.
 bool hasOtherEffects(const Unit& unit) {
-    return unit.isUsed("gl_Layer") || unit.isUsed("gl_ViewportIndex") ||
+    return hasWritableStorage(unit) || unit.isUsed("gl_Layer") || unit.isUsed("gl_ViewportIndex") ||
            std::any_of(unit.variables.begin(), unit.variables.end(), [](const Variable& each) {
                return each.storage == Storage::buffer || each.type == "atomic_uint" ||
                       each.type.find("image") != std::string::npos;
@@ -222,9 +222,9 @@ bool hasOtherEffects(const Unit& unit) {
 
 Placement findPlacement(const ProgramUnits& program) {
     const auto& units = program.units;
-    if (units.size() != 2 || units[0].stage != Stage::vertex || units[1].stage != Stage::fragment ||
-        std::any_of(units.begin(), units.end(), hasOtherEffects))
-        return Placement::unknown;
+    const bool isPlain = !units.empty() && units[0].stage == Stage::vertex &&
+                         (units.size() == 1 || (units.size() == 2 && units[1].stage == Stage::fragment));
+    if (!isPlain || std::any_of(units.begin(), units.end(), hasOtherEffects)) return Placement::unknown;
     return PlacementSearch(units[0]).find();
 }
 

@@ -62,8 +62,10 @@ StageFacts factsOf(const Unit& unit) {
     const Words words = wordsOf(unit);
     StageFacts facts;
     facts.callsFunctions = callsFunctions(unit);
-    facts.showsPrimitives = hasFlatVariable(unit) || words.contains("gl_PrimitiveID") ||
-                            words.contains("gl_VertexID") ||
+    facts.writesMemory = writesMemory(unit);
+    // What is written to a block can depend on the number of vertices.
+    facts.showsPrimitives = hasFlatVariable(unit) || hasWritableStorage(unit) ||
+                            words.contains("gl_PrimitiveID") || words.contains("gl_VertexID") ||
                             (words.contains("dFdx") && words.contains("cross"));
     // A highlight is a reflection too, but the light that it shows changes slowly.
     facts.magnifiesNormals = words.contains("refract") || (words.contains("reflect") && hasCubeMap(unit));

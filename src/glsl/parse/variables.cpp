@@ -20,13 +20,6 @@ std::string bracketed(const std::vector<std::string>& sizes) {
     return text;
 }
 
-/// A word as the emitted source spells it.
-std::string spelled(const Unit& unit, const std::string& word) {
-    if (const auto found = unit.wordRenames.find(word); found != unit.wordRenames.end()) return found->second;
-    const auto found = unit.renames.find(word);
-    return found == unit.renames.end() ? word : found->second;
-}
-
 /// Writes a declaration with at least one changed variable.
 class Rewriter {
   public:
@@ -231,6 +224,12 @@ std::string headOf(const Variable& variable) {
     add(variable.precision);
     add(variable.type);
     return text + bracketed(variable.typeSizes);
+}
+
+std::string spelled(const Unit& unit, const std::string& word) {
+    if (const auto found = unit.wordRenames.find(word); found != unit.wordRenames.end()) return found->second;
+    const auto found = unit.renames.find(word);
+    return found == unit.renames.end() ? word : found->second;
 }
 
 void renderVariables(Unit& unit) {

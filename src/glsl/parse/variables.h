@@ -54,6 +54,9 @@ void renderVariables(Unit& unit);
 /// Qualifiers and type, as in "flat in vec3", in the order that all versions accept.
 std::string headOf(const Variable& variable);
 
+/// A word as the emitted source spells it, except after a '.'.
+std::string spelled(const Unit& unit, const std::string& word);
+
 /// Gives the tokens to edit in order to change a range of view tokens: the user's own text, or the names of
 /// the macros without parameters that expand to it. False if such an edit would change other places as well.
 bool editableTokens(const Unit& unit, Range range, std::vector<std::uint32_t>& tokens);

@@ -41,7 +41,10 @@ class SourceReader {
         for (const std::uint32_t each : blanked_) stage_.edits.remove(each);
         for (auto& [token, text2] : replaced_) stage_.edits.replace(token, std::move(text2));
         if (!stage_.dialect.given && stage_.request->shim)
-            report_.report("glsl-W01", "no #version, treated as 330 compatibility", stage_.start());
+            report_.report(
+                "glsl-W01",
+                "no #version, treated as " + std::to_string(stage_.dialect.version) + " compatibility",
+                stage_.start());
     }
 
   private:
@@ -217,7 +220,8 @@ class SourceReader {
     void lineNumber(const SourceLine& line) {
         long long number = 0;
         if (!preprocessor_.number(line, 2, number) || number < 0 || number > 1'000'000) return;
-        const long long next = stage_.dialect.version <= 150 ? number + 1 : number;
+        // Places count from 1, so "#line 0" counts as "#line 1".
+        const long long next = std::max(1LL, stage_.dialect.version <= 150 ? number + 1 : number);
         const std::int32_t physical = line.significant[0]->line;
         replace(line, lineDirective(stage_, file_, next,
                                     shim() ? stage_.request->target.version : stage_.dialect.version));
@@ -334,6 +338,7 @@ void readSource(const StageSource& source, StageText& stage, Report& report) {
     stage.path = source.path;
     stage.stage = source.stage;
     stage.files = {source.path};
+    if (source.stage == Stage::compute) stage.dialect.version = stage.dialect.written = kFirstWithCompute;
     SourceReader(stage, report).run(source);
 }
 

@@ -11,6 +11,9 @@
 
 namespace glibra::glsl {
 
+/// The first version with compute shaders.
+inline constexpr int kFirstWithCompute = 430;
+
 /// The version that a source declares, after the tolerance of the language (language, 7.2).
 struct Dialect {
     int version = 330;    ///< a known desktop version

@@ -32,7 +32,7 @@ class Adaptation {
         if (each.removed) return;
         if (version_ < 430 && each.storage == Storage::uniform) each.removeLayout("location");
         if (version_ >= 420) return;
-        each.removeLayout("binding");
+        if (each.type != "atomic_uint") each.removeLayout("binding");
         // layout(depth_less) is only a promise that makes drawing faster. The redeclaration with it
         // needs 4.20 too.
         if (each.name == "gl_FragDepth") each.removed = true;

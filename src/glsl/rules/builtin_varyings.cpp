@@ -34,7 +34,7 @@ struct Interpolation {
 };
 
 char letter(Stage stage) {
-    return "vcegf"[static_cast<std::size_t>(stage)];
+    return "vcegfk"[static_cast<std::size_t>(stage)];
 }
 
 class Varyings {

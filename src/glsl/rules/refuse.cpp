@@ -20,13 +20,11 @@ constexpr std::array kRefusals = std::to_array<Refusal>({
     {"gl_ClipVertexIn",
      "gl_ClipVertexIn cannot be emulated: geometry shaders have no such input; use gl_in[i].gl_Position"},
     {"sampler3DRect", "sampler3DRect does not exist in any GLSL version; use sampler3D"},
-    {"gl_GlobalInvocationID",
-     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
-    {"gl_LocalInvocationID",
-     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
-    {"gl_WorkGroupID",
-     "compute shaders are not part of a scene; do the work in a fragment shader that renders to a texture"},
 });
+
+constexpr std::array<std::string_view, 7> kComputeOnly = {
+    "gl_GlobalInvocationID", "gl_LocalInvocationID",    "gl_WorkGroupID",      "gl_NumWorkGroups",
+    "gl_WorkGroupSize",      "gl_LocalInvocationIndex", "gl_LocalGroupSizeARB"};
 
 /// Names that are newer than 4.10, the lowest target.
 struct Feature {
@@ -83,6 +81,10 @@ class Refuser {
         report_.reportOnce(unit_.path + text, "glsl-E03", text, unit_.place(at));
     }
 
+    void computeOnly(std::uint32_t at, const std::string& what) {
+        error(at, what + " only exists in a compute stage; name this file with 'Compute'");
+    }
+
     void word(std::uint32_t at) {
         const std::string_view text = unit_.text(at);
         if (unit_.bodies.roles[at] == WordRole::local || unit_.bodies.roles[at] == WordRole::localDeclaration)
@@ -90,6 +92,9 @@ class Refuser {
         for (const Refusal& each : kRefusals)
             if (each.word == text) error(at, std::string(each.text));
         if (unit_.isDeclared(text)) return;
+        if (unit_.stage != Stage::compute &&
+            std::find(kComputeOnly.begin(), kComputeOnly.end(), text) != kComputeOnly.end())
+            computeOnly(at, std::string(text));
         for (const Feature& each : kFeatures)
             if (each.word == text) feature(at, text, each.version, each.extension);
         const bool layer = text == "gl_Layer" || text == "gl_ViewportIndex";
@@ -120,27 +125,28 @@ class Refuser {
     }
 
     void declaration(const Declaration& each) {
-        const bool storageBlock =
-            each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer;
-        if (storageBlock)
-            report_.report(
-                "glsl-E09",
-                "buffer block '" + std::string(unit_.text(each.name)) + "': scenes have no storage buffers",
-                unit_.place(each.name));
+        if (each.kind == DeclarationKind::block && each.qualifiers.storage == Storage::buffer)
+            storage(each.name, "buffer block", "storage buffers", 430, "GL_ARB_shader_storage_buffer_object");
         if (each.kind == DeclarationKind::variable && each.type.name == "atomic_uint" &&
             !each.declarators.empty())
-            report_.report("glsl-E09",
-                           "atomic counter '" + std::string(unit_.text(each.declarators[0].name)) +
-                               "': scenes have no counters",
-                           unit_.place(each.declarators[0].name));
+            storage(each.declarators[0].name, "atomic counter", "counters", 420,
+                    "GL_ARB_shader_atomic_counters");
         for (const LayoutItem& item : each.qualifiers.layout) layoutItem(item);
         for (const Declarator& name : each.declarators)
             if (each.type.dimensions.size() + name.dimensions.size() > 1)
                 feature(name.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
-        if (each.kind == DeclarationKind::layoutOnly)
+        if (each.kind == DeclarationKind::layoutOnly && unit_.stage != Stage::compute)
             for (const LayoutItem& item : each.qualifiers.layout)
                 if (item.name.starts_with("local_size_"))
-                    error(item.tokens.first, std::string(kRefusals.back().text));
+                    computeOnly(item.tokens.first, "layout(local_size)");
+    }
+
+    void storage(std::uint32_t name, std::string_view what, std::string_view kind, int version,
+                 std::string_view extension) {
+        const std::string text = std::string(what) + " '" + std::string(unit_.text(name)) + "'";
+        if (unit_.request->acceptsStorage || unit_.stage == Stage::compute)
+            return feature(name, text, version, extension);
+        report_.report("glsl-E09", text + ": scenes have no " + std::string(kind), unit_.place(name));
     }
 
     Unit& unit_;

@@ -13,7 +13,8 @@ void modernizeQualifiers(ProgramUnits& program);
 /// Renames the user's names that are keywords or functions of 4.50, or that the translation uses
 /// (language, 7.4).
 void renameTakenWords(ProgramUnits& program);
-/// Reports what cannot be emulated, what needs a newer target, reserved prefixes and storage buffers
+/// Reports what cannot be emulated, what needs a newer target, reserved prefixes, and storage buffers in
+/// scenes without them
 /// (language, 7.2, 7.10, 7.12).
 void refuse(ProgramUnits& program);
 /// Replaces subroutine uniforms by calls of their first function (language, 7.9).
@@ -58,6 +59,10 @@ int verticesOfPrimitive(std::string_view primitive);
 /// Widens scalar arguments of functions that want vectors: glsl-W23 (language, 7.10). Call it after all other
 /// edits of expressions.
 void widenScalars(Unit& unit, Report& report);
+/// Limits the subscripts of shared variables in a compute stage. Call it when `renames` are complete.
+void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report);
+/// The text of a vertex stage for ProgramRequest::suppliesFullScreenVertex, and for this fragment stage.
+std::string fullScreenVertex(const Unit& fragment);
 /// Rewrites what targets below 4.20, 4.30 and 4.40 do not accept (language, 7.10).
 void adaptToTarget(Unit& unit);
 /// Writes `renames` into the edits. Call it last.

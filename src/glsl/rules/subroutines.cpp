@@ -58,7 +58,9 @@ class Subroutines {
                                std::string(found->second) + "'",
                            unit_.place(each.name));
             if (Variable* variable = unit_.variable(name)) variable->removed = true;
-            for (const std::uint32_t use : unit_.uses[name]) {
+            const auto uses = unit_.uses.find(name);
+            if (uses == unit_.uses.end()) continue;
+            for (const std::uint32_t use : uses->second) {
                 unit_.edits.replace(unit_.view[use].site, std::string(found->second));
                 if (unit_.text(use + 1) == "[") remove({use + 1, unit_.bodies.matches[use + 1] + 1});
             }

@@ -119,6 +119,12 @@ class Supply {
     }
 
     void outside(const std::string& name, std::uint32_t at) {
+        if (unit_.stage == Stage::compute) {
+            report_.reportOnce(unit_.path + name, "glsl-E03",
+                               name + " is a vertex input, and a compute stage has none; read a buffer",
+                               unit_.place(at));
+            return;
+        }
         report_.reportOnce(
             unit_.path + name, "glsl-E03",
             name +

@@ -1,6 +1,7 @@
 #pragma once
 // The values that the runtime supplies to shaders by name (language, 6): one table row per name.
 
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -30,6 +31,15 @@ enum class Builtin {
     textureMatrixInverseTranspose,
     currentColor,  ///< gl_Color in a fragment stage if no earlier stage writes it
     pointSize,     ///< gl_Point.size
+    // Only well-known names have these:
+    model,  ///< the product of the transforms below the camera
+    modelInverse,
+    modelInverseTranspose,  ///< 4 x 4; for normals in world space
+    modelNormalMatrix,      ///< the inverse transpose of the upper left 3 x 3 of the model matrix
+    view,                   ///< of the camera: world to eye
+    viewInverse,
+    viewProjection,  ///< projection * view
+    eyePosition,     ///< of the camera, in world space
 };
 
 /// The name of a uniform as it appears in a linked program, its GLSL type and its value.
@@ -56,6 +66,37 @@ std::span<const BuiltinInput> builtinInputs();
 /// for other names.
 const BuiltinUniform* findBuiltinUniform(std::string_view name);
 const BuiltinInput* findBuiltinInput(std::string_view name);
+
+// Names that books and frameworks give the same values. They count only in scenes with modern statements, and
+// only if the scene binds nothing of that name. No name is also in the tables above.
+
+struct WellKnownUniform {
+    std::string_view name;  ///< "mv_matrix", "projection", "normalMatrix", ...
+    std::string_view type;  ///< GLSL type word. Uniforms of another type are ordinary ones.
+    Builtin value;
+    /// If not empty, the row counts only in programs that have a uniform of this name: the books use
+    /// norm_matrix in world space beside m_matrix, and in eye space beside mv_matrix.
+    std::string_view beside = {};
+};
+
+struct WellKnownInput {
+    std::string_view name;       ///< "vertPos", "aTexCoords", "normal", ...
+    std::string_view attribute;  ///< "position", "normal", "texCoord", "color" or "tangent" in geometry
+};
+
+/// A name has several rows if it has several types or meanings. Rows with `beside` come before those without.
+std::span<const WellKnownUniform> wellKnownUniforms();
+/// Every name once.
+std::span<const WellKnownInput> wellKnownInputs();
+
+/// The row for a uniform of this name and GLSL type; null if there is none. `isUniform` says whether the
+/// program has a uniform of a name; null: it has no others.
+const WellKnownUniform* findWellKnownUniform(std::string_view name, std::string_view type,
+                                             const std::function<bool(std::string_view)>& isUniform = {});
+/// The row for a vertex input of this name and GLSL type; null if there is none.
+const WellKnownInput* findWellKnownInput(std::string_view name, std::string_view type);
+/// The GLSL types of inputs that can take the attribute: floats, the first one with all its components.
+std::span<const std::string_view> inputTypes(std::string_view attribute);
 
 // The runtime does the following for translated programs:
 // - It compares names with these tables as the linked program spells them, before it applies

@@ -42,14 +42,21 @@ struct Target {
     std::function<bool(std::string_view)> hasExtension;  ///< null: none beyond the version's own
 };
 
-/// Everything that decides how one program is translated.
+/// Everything that decides how one program is translated. A compute stage is a program of its own.
 struct ProgramRequest {
     std::string name;  ///< the Program's name, for messages
     Place place;       ///< the scene line of the Program
     std::vector<StageSource> stages;
     IncludeReader include;
     Target target;
-    bool shim = true;         ///< false (--no-shim): only the #version and #include lines are translated
+    bool shim = true;  ///< false (--no-shim): only the #version and #include lines are translated
+    /// Storage blocks and atomic counters are accepted: the scene can have buffers. A compute program always
+    /// accepts them.
+    bool acceptsStorage = false;
+    /// A fragment stage without a vertex stage gets one, which draws one triangle that covers the whole
+    /// target, from gl_VertexID alone (3 vertices, no vertex inputs). It gives the fragment stage `vST` and
+    /// gl_TexCoord[0], if that reads them: 0..1 over the target, (0, 0) in the lower left corner.
+    bool suppliesFullScreenVertex = false;
     bool flatColors = false;  ///< the command Flat: gl_FrontColor and its kin are interpolated flat
     int colorTargets = 1;     ///< gl_FragColor is copied to this many outputs
     /// The program draws a part of a larger picture. The last stage before rasterisation maps gl_Position.xy

@@ -4,12 +4,14 @@
 
 #include <glibra/diagnostic.h>
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "glsl/types/counted_loop.h"
+#include "glsl/types/memory_facts.h"
 #include "glsl/types/stage.h"
 
 namespace glibra::glsl {
@@ -43,6 +45,9 @@ struct StageFacts {
     bool magnifiesNormals = false;
     /// Names gl_FragDepth, perhaps under a condition.
     bool mayWriteDepth = false;
+    /// May write memory besides its outputs: names an image or storage block that is not readonly, or an
+    /// atomic counter.
+    bool writesMemory = false;
 };
 
 struct TranslatedStage {
@@ -61,7 +66,7 @@ struct DeclaredUniform {
 };
 
 /// How a program places its vertices, as far as its text proves it. A program with a known placement has only
-/// a vertex and a fragment stage, and has no effects except on the picture.
+/// a vertex stage, or a vertex and a fragment stage, and has no effects except on the picture.
 enum class Placement {
     unknown,
     vertex,  ///< gl_Position is the model-view-projection matrix times the vertex
@@ -76,6 +81,9 @@ struct TranslatedProgram {
     std::map<std::string, DeclaredUniform> uniforms;  ///< of all stages, by the user's name
     /// layout(binding = n) of samplers and images, by the user's name.
     std::map<std::string, int> textureBindings;
+    MemoryFacts memory;  ///< images, blocks and structures of all stages
+    /// layout(local_size_x = ...) of a compute stage; 0: the text does not show the number.
+    std::array<int, 3> localSize{};
     std::map<std::string, Place> vertexInputs;  ///< the inputs that the user's vertex stage declares
     bool mayReadTangents = false;               ///< the vertex stage names the tangent input
     bool writesPointSize = false;               ///< in the last stage before rasterisation
@@ -91,7 +99,7 @@ struct TranslatedProgram {
     /// The geometry stage's output: "points", "line_strip" or "triangle_strip"; empty: no such stage.
     std::string geometryOutput;
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
-    int fragmentOutputs = 1;         ///< number of colour locations written
+    int fragmentOutputs = 1;         ///< number of colour locations written; 0 without a fragment stage
     Placement placement = Placement::unknown;
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 

@@ -68,7 +68,9 @@ void count(const char* /*name*/, GLADapiproc called, int argumentCount, ...) {
     ++active->calls;
     va_list arguments;
     va_start(arguments, argumentCount);
-    if (is(called, glad_glDrawElements) || is(called, glad_glDrawArrays)) {
+    if (is(called, glad_glDrawElements) || is(called, glad_glDrawArrays) ||
+        is(called, glad_glDrawElementsInstanced) || is(called, glad_glDrawArraysInstanced) ||
+        is(called, glad_glDrawElementsIndirect) || is(called, glad_glDrawArraysIndirect)) {
         ++active->draws;
     } else if (is(called, glad_glLinkProgram)) {
         ++active->programsLinked;

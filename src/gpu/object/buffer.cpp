@@ -55,10 +55,16 @@ void Buffer::clear(const Capabilities& capabilities) {
 }
 
 void Buffer::copyFrom(const Buffer& other) {
+    copyFrom(other, 0, 0, size_);
+}
+
+void Buffer::copyFrom(const Buffer& other, std::size_t from, std::size_t to, std::size_t bytes) {
+    if (from >= other.size_ || to >= size_) return;
+    bytes = std::min({bytes, other.size_ - from, size_ - to});
     glBindBuffer(GL_COPY_READ_BUFFER, other.id());
     glBindBuffer(kUploadTarget, id());
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, kUploadTarget, 0, 0,
-                        static_cast<GLsizeiptr>(std::min(size_, other.size_)));
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, kUploadTarget, static_cast<GLintptr>(from),
+                        static_cast<GLintptr>(to), static_cast<GLsizeiptr>(bytes));
 }
 
 void Buffer::read(std::size_t offset, std::span<std::byte> content) const {

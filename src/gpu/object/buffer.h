@@ -30,6 +30,8 @@ class Buffer {
     void clear(const Capabilities& capabilities);
     /// Copies the other buffer's content, as much of it as fits.
     void copyFrom(const Buffer& other);
+    /// Copies bytes of the other buffer. Bytes that would lie outside of either are left out.
+    void copyFrom(const Buffer& other, std::size_t from, std::size_t to, std::size_t bytes);
     /// Reads bytes from `offset` on. Waits for the device. Bytes that would lie outside are left as they are.
     void read(std::size_t offset, std::span<std::byte> content) const;
     /// Binds the whole buffer to an indexed binding point: GL_UNIFORM_BUFFER,

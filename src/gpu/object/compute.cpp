@@ -10,11 +10,11 @@ std::array<int, 3> localSizeOf(const Program& program) {
     return size;
 }
 
-std::array<GLuint, 3> groupsOver(const std::array<GLuint, 3>& invocations,
-                                 const std::array<int, 3>& localSize) {
-    std::array<GLuint, 3> groups{};
+std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
+                                        const std::array<int, 3>& localSize) {
+    std::array<std::uint64_t, 3> groups{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto size = static_cast<GLuint>(std::max(1, localSize[axis]));
+        const auto size = static_cast<std::uint64_t>(std::max(1, localSize[axis]));
         groups[axis] = invocations[axis] / size + (invocations[axis] % size != 0 ? 1 : 0);
     }
     return groups;

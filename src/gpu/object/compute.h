@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
@@ -15,8 +16,8 @@ namespace glibra::gpu {
 std::array<int, 3> localSizeOf(const Program& program);
 
 /// The groups that give at least that many invocations: each count divided by the local size, rounded up.
-std::array<GLuint, 3> groupsOver(const std::array<GLuint, 3>& invocations,
-                                 const std::array<int, 3>& localSize);
+std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
+                                        const std::array<int, 3>& localSize);
 
 /// Runs the program with that many groups, each at most Capabilities::maxComputeGroups. Nothing runs if one
 /// is 0.

@@ -114,6 +114,91 @@ std::vector<base::ActiveInput> inputsOf(GLuint program) {
     return inputs;
 }
 
+// ---- GL 4.3: program interfaces
+
+GLint interfaceParameter(GLuint program, GLenum interface, GLenum what) {
+    GLint value = 0;
+    glGetProgramInterfaceiv(program, interface, what, &value);
+    return value;
+}
+
+std::string resourceName(GLuint program, GLenum interface, GLuint index) {
+    constexpr GLenum kLength = GL_NAME_LENGTH;
+    GLint longest = 0;
+    glGetProgramResourceiv(program, interface, index, 1, &kLength, 1, nullptr, &longest);
+    std::string buffer = nameBuffer(longest);
+    GLsizei length = 0;
+    glGetProgramResourceName(program, interface, index, static_cast<GLsizei>(buffer.size()), &length,
+                             buffer.data());
+    buffer.resize(static_cast<std::size_t>(length));
+    return buffer;
+}
+
+template <std::size_t N>
+std::array<GLint, N> resource(GLuint program, GLenum interface, GLuint index,
+                              const std::array<GLenum, N>& what) {
+    std::array<GLint, N> values{};
+    glGetProgramResourceiv(program, interface, index, static_cast<GLsizei>(N), what.data(),
+                           static_cast<GLsizei>(N), nullptr, values.data());
+    return values;
+}
+
+std::vector<GLint> activeVariables(GLuint program, GLenum interface, GLuint index, GLint count) {
+    constexpr GLenum kVariables = GL_ACTIVE_VARIABLES;
+    std::vector<GLint> variables(static_cast<std::size_t>(std::max(count, 0)));
+    if (!variables.empty())
+        glGetProgramResourceiv(program, interface, index, 1, &kVariables, count, nullptr, variables.data());
+    return variables;
+}
+
+base::StorageMember memberOf(GLuint program, GLuint index) {
+    const auto values =
+        resource<8>(program, GL_BUFFER_VARIABLE, index,
+                    {GL_TYPE, GL_OFFSET, GL_ARRAY_SIZE, GL_ARRAY_STRIDE, GL_TOP_LEVEL_ARRAY_SIZE,
+                     GL_TOP_LEVEL_ARRAY_STRIDE, GL_MATRIX_STRIDE, GL_IS_ROW_MAJOR});
+    base::StorageMember member;
+    member.name = resourceName(program, GL_BUFFER_VARIABLE, index);
+    member.type = valueType(static_cast<GLenum>(values[0]));
+    member.offset = values[1];
+    member.arraySize = values[2];
+    member.arrayStride = values[3];
+    member.outerSize = values[4];
+    member.outerStride = values[5];
+    member.matrixStride = values[6];
+    member.rowMajor = values[7] != 0;
+    return member;
+}
+
+std::vector<base::StorageBlock> storageBlocksOf(GLuint program) {
+    const GLint count = interfaceParameter(program, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES);
+    std::vector<base::StorageBlock> blocks;
+    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+        const auto [bytes, members] = resource<2>(program, GL_SHADER_STORAGE_BLOCK, index,
+                                                  {GL_BUFFER_DATA_SIZE, GL_NUM_ACTIVE_VARIABLES});
+        base::StorageBlock block{resourceName(program, GL_SHADER_STORAGE_BLOCK, index), bytes, index, {}};
+        for (const GLint each : activeVariables(program, GL_SHADER_STORAGE_BLOCK, index, members))
+            block.members.push_back(memberOf(program, static_cast<GLuint>(each)));
+        blocks.push_back(std::move(block));
+    }
+    return blocks;
+}
+
+std::vector<base::CounterBuffer> counterBuffersOf(GLuint program) {
+    const GLint count = interfaceParameter(program, GL_ATOMIC_COUNTER_BUFFER, GL_ACTIVE_RESOURCES);
+    std::vector<base::CounterBuffer> buffers;
+    for (GLuint index = 0; index < static_cast<GLuint>(std::max(count, 0)); ++index) {
+        const auto [binding, bytes, counters] =
+            resource<3>(program, GL_ATOMIC_COUNTER_BUFFER, index,
+                        {GL_BUFFER_BINDING, GL_BUFFER_DATA_SIZE, GL_NUM_ACTIVE_VARIABLES});
+        base::CounterBuffer buffer{binding, bytes, {}};
+        for (const GLint each : activeVariables(program, GL_ATOMIC_COUNTER_BUFFER, index, counters))
+            buffer.counters.push_back(
+                withoutSubscript(resourceName(program, GL_UNIFORM, static_cast<GLuint>(each))));
+        buffers.push_back(std::move(buffer));
+    }
+    return buffers;
+}
+
 }  // namespace
 
 base::ActiveResources reflect(const Program& program) {
@@ -123,6 +208,13 @@ base::ActiveResources reflect(const Program& program) {
     for (base::ActiveUniform& each : resources.uniforms)
         if (each.block >= 0) each.blockName = resources.blocks[static_cast<std::size_t>(each.block)].name;
     resources.inputs = inputsOf(program.id());
+    if (GLAD_GL_VERSION_4_3 != 0) {
+        resources.storageBlocks = storageBlocksOf(program.id());
+        resources.counterBuffers = counterBuffersOf(program.id());
+        std::erase_if(resources.uniforms, [](const base::ActiveUniform& each) {
+            return each.type.base == base::BaseType::other && each.location < 0 && each.block < 0;
+        });
+    }
     return resources;
 }
 

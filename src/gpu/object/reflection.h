@@ -1,5 +1,5 @@
 #pragma once
-// Queries a linked program for what it reads. All queries exist in GL 4.1.
+// Queries a linked program for what it reads. Without GL 4.3 it has no storage blocks.
 
 #include "base/program_resources.h"
 #include "gpu/object/program.h"

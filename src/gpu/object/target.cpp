@@ -1,9 +1,10 @@
 #include "gpu/object/target.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
-#include "gpu/format/number.h"
+#include "base/number.h"
 
 namespace glibra::gpu {
 namespace {
@@ -16,7 +17,7 @@ std::unique_ptr<const T> kept(T value) {
 }  // namespace
 
 Result<Target> Target::window(const Capabilities& capabilities, int width, int height, TexelFormat format,
-                              int samples) {
+                              int samples, TexelFormat depthFormat) {
     Target target;
     target.width_ = width;
     target.height_ = height;
@@ -24,7 +25,7 @@ Result<Target> Target::window(const Capabilities& capabilities, int width, int h
     auto color = Renderbuffer::color(capabilities, width, height, format, samples);
     if (!color) return color.diagnostics;
     target.samples_ = color->samples();
-    auto depth = Renderbuffer::depth(capabilities, width, height, target.samples_);
+    auto depth = Renderbuffer::depth(capabilities, width, height, target.samples_, depthFormat);
     if (!depth) return depth.diagnostics;
     target.depth_ = kept(std::move(*depth));
     target.storage_.push_back(kept(std::move(*color)));
@@ -90,7 +91,8 @@ Result<Target> Target::textures(const Capabilities& capabilities, std::span<cons
 }
 
 Result<Target> Target::parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
-                             const std::optional<TexturePart>& depth, SharedDepth implicitDepth) {
+                             const std::optional<TexturePart>& depth, SharedDepth implicitDepth,
+                             TexelFormat implicitFormat) {
     if (colors.empty() && !depth) return diagnose("gpu-E05", "a render target needs at least one texture");
     if (colors.size() > static_cast<std::size_t>(capabilities.maxDrawBuffers))
         return diagnose("gpu-E04", std::to_string(colors.size()) +
@@ -134,14 +136,15 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
         const bool isCube = first.texture->shape() == TextureShape::cube;
         const int layers = first.texture->layers(first.level);
         auto own = Texture::create(capabilities, {isCube ? TextureShape::cube : TextureShape::array2D,
-                                                  TexelFormat::depth24,
+                                                  implicitFormat,
                                                   {size.width, size.height, isCube ? 1 : layers}});
         if (!own) return own.diagnostics;
         target.layeredDepth_ = kept(std::move(*own));
         depthAttachment = TexturePart{target.layeredDepth_.get()};
     } else {
         if (!implicitDepth) {
-            auto own = Renderbuffer::depth(capabilities, size.width, size.height, target.samples_);
+            auto own =
+                Renderbuffer::depth(capabilities, size.width, size.height, target.samples_, implicitFormat);
             if (!own) return own.diagnostics;
             implicitDepth = kept(std::move(*own));
         }
@@ -170,10 +173,10 @@ void Target::clearColorOfAnyFormat(int index, const std::array<double, 4>& rgba)
         return std::array{convert(rgba[0]), convert(rgba[1]), convert(rgba[2]), convert(rgba[3])};
     };
     if (rowOf(format).kind == base::TexelClass::integer)
-        return glClearBufferiv(GL_COLOR, index, converted(toInt).data());
+        return glClearBufferiv(GL_COLOR, index, converted(base::toInt).data());
     if (rowOf(format).kind == base::TexelClass::unsignedInteger)
-        return glClearBufferuiv(GL_COLOR, index, converted(toUnsigned).data());
-    clearColor(index, converted(toFloat));
+        return glClearBufferuiv(GL_COLOR, index, converted(base::toUnsigned).data());
+    clearColor(index, converted(base::toFloat));
 }
 
 void Target::clearDepth(float depth) const {
@@ -182,6 +185,10 @@ void Target::clearDepth(float depth) const {
 
 void Target::clearStencil(int value) const {
     glClearBufferiv(GL_STENCIL, 0, &value);
+}
+
+bool Target::hasSrgb() const {
+    return std::find(formats_.begin(), formats_.end(), TexelFormat::srgb8_alpha8) != formats_.end();
 }
 
 void Target::resolve() const {

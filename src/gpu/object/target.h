@@ -19,9 +19,9 @@ using SharedDepth = std::shared_ptr<const Renderbuffer>;
 
 class Target {
   public:
-    /// Makes a substitute for a window: one colour of that format and a depth buffer of 24 bits.
+    /// Makes a substitute for a window: one colour of that format and a depth buffer.
     static Result<Target> window(const Capabilities& capabilities, int width, int height, TexelFormat format,
-                                 int samples = 1);
+                                 int samples = 1, TexelFormat depthFormat = TexelFormat::depth24);
     /// Makes a target of 2D textures of one size, which must outlive the target: colour output i goes to
     /// textures[i]. With several samples, the textures get their content at resolve(). Without `depth` the
     /// target makes a depth buffer; a given one must have the same size and number of samples.
@@ -30,10 +30,12 @@ class Target {
 
     /// Makes a target of parts of textures, which must outlive it: colour output i goes to colors[i], depth
     /// and stencil to `depth`. All have the same size and number of samples; layered and other parts do not
-    /// go together. With colours only, the target makes a depth buffer; a given one must fit. Nothing is
-    /// resolved. Reports gpu-E05 if they do not fit together.
+    /// go together. With colours only, the target makes a depth buffer of `implicitFormat`; a given one must
+    /// fit, and only targets without layers use it. Nothing is resolved. Reports gpu-E05 if they do not fit
+    /// together.
     static Result<Target> parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
-                                const std::optional<TexturePart>& depth, SharedDepth implicitDepth = {});
+                                const std::optional<TexturePart>& depth, SharedDepth implicitDepth = {},
+                                TexelFormat implicitFormat = TexelFormat::depth24);
 
     /// Binds the target for drawing and sets the viewport to the whole of it.
     void bind() const;
@@ -54,6 +56,9 @@ class Target {
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] int samples() const { return samples_; }
     [[nodiscard]] TexelFormat format() const { return format_; }
+    /// True if a colour is sRGB: colours are encoded where GL_FRAMEBUFFER_SRGB is on.
+    [[nodiscard]] bool hasSrgb() const;
+    /// The depth buffer that the target made or was given; null for a depth texture and with layers.
     [[nodiscard]] const SharedDepth& depth() const { return depth_; }
 
   private:

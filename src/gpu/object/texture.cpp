@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/number.h"
 #include "gpu/context/errors.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/state/raster_tracker.h"
@@ -144,6 +145,29 @@ GLint glWrap(Wrap wrap) {
             break;
     }
     return GL_MIRRORED_REPEAT;
+}
+
+GLint glFilter(base::Filter filter) {
+    switch (filter) {
+        case base::Filter::nearest:
+            return GL_NEAREST;
+        case base::Filter::linear:
+            return GL_LINEAR;
+        case base::Filter::nearestMipmapNearest:
+            return GL_NEAREST_MIPMAP_NEAREST;
+        case base::Filter::linearMipmapNearest:
+            return GL_LINEAR_MIPMAP_NEAREST;
+        case base::Filter::nearestMipmapLinear:
+            return GL_NEAREST_MIPMAP_LINEAR;
+        case base::Filter::linearMipmapLinear:
+            break;
+    }
+    return GL_LINEAR_MIPMAP_LINEAR;
+}
+
+bool isNearest(base::Filter filter) {
+    return filter == base::Filter::nearest || filter == base::Filter::nearestMipmapNearest ||
+           filter == base::Filter::nearestMipmapLinear;
 }
 
 /// Calls `with` for a framebuffer with that layer of that texture attached, for drawing or reading.
@@ -401,6 +425,45 @@ void Texture::setSwizzle(const std::array<GLint, 4>& components) {
     glTexParameteriv(glTarget(shape_), GL_TEXTURE_SWIZZLE_RGBA, components.data());
 }
 
+Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer) const {
+    const std::string what = "a part of " + describe(shape_, format_, size_);
+    if ((layer && shape_ == TextureShape::texture3D) || level.value_or(0) >= levels_ ||
+        level.value_or(0) < 0 || layer.value_or(0) >= layers() || layer.value_or(0) < 0)
+        return diagnose("gpu-E03", what + " cannot be read alone");
+    Texture part;
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    part.name_ = Name<deleteTexture>(name);
+    part.shape_ = layer && (shape_ == TextureShape::cube || shape_ == TextureShape::array2D)
+                      ? TextureShape::texture2D
+                      : shape_;
+    part.format_ = format_;
+    part.size_ = sizeOfLevel(shape_, size_, level.value_or(0));
+    if (layer) part.size_.depth = 1;
+    part.levels_ = level ? 1 : levels_;
+    part.samples_ = samples_;
+    clearErrors();
+    const bool isLayered = shape_ == TextureShape::array2D || shape_ == TextureShape::cube;
+    glTextureView(name, glTarget(part.shape_), id(), internalFormat(format_),
+                  static_cast<GLuint>(level.value_or(0)), static_cast<GLuint>(part.levels_),
+                  static_cast<GLuint>(layer.value_or(0)),
+                  isLayered && !layer ? static_cast<GLuint>(layers()) : 1U);
+    if (const GLenum code = takeError(); code != GL_NO_ERROR) return allocationError(code, what);
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(part.shape_), name);
+    if (part.shape_ != TextureShape::multisampled)
+        glTexParameteri(glTarget(part.shape_), GL_TEXTURE_MAX_LEVEL, part.levels_ - 1);
+    return part;
+}
+
+void Texture::showLevels(int first, int count) const {
+    if (shape_ == TextureShape::multisampled) return;
+    glActiveTexture(kWorkUnit);
+    glBindTexture(glTarget(shape_), id());
+    glTexParameteri(glTarget(shape_), GL_TEXTURE_BASE_LEVEL, first);
+    glTexParameteri(glTarget(shape_), GL_TEXTURE_MAX_LEVEL, first + count - 1);
+}
+
 void Texture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(glTarget(shape_), id());
@@ -440,22 +503,34 @@ Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, T
     return {};
 }
 
-Sampler::Sampler(const Sampling& sampling) {
+void resolveSamples(const Texture& from, const Texture& to) {
+    const FramebufferBindings bindings;
+    const auto [width, height, depth] = from.size();
+    withAttached(GL_READ_FRAMEBUFFER, from, 0, 0, [&] {
+        withAttached(GL_DRAW_FRAMEBUFFER, to, 0, 0, [&, w = width, h = height] {
+            glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        });
+    });
+}
+
+Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> compare) {
     GLuint name = 0;
     glGenSamplers(1, &name);
     name_ = Name<deleteSampler>(name);
-    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, glWrap(sampling.wrapS));
-    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, glWrap(sampling.wrapT));
-    glSamplerParameteri(name, GL_TEXTURE_WRAP_R, glWrap(sampling.wrapR));
-    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(sampling.minify));
-    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(sampling.magnify));
-    if (sampling.anisotropy > 1)
-        glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
-    if (sampling.border != std::array<float, 4>{})
-        glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, sampling.border.data());
-    if (!sampling.compare) return;
+    constexpr std::array<GLenum, 3> kAxes{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
+    for (std::size_t i = 0; i < kAxes.size(); ++i) glSamplerParameteri(name, kAxes[i], glWrap(state.wrap[i]));
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, glFilter(state.filter));
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, isNearest(state.filter) ? GL_NEAREST : GL_LINEAR);
+    if (state.anisotropy > 1)
+        glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(state.anisotropy));
+    if (state.border != std::array<double, 4>{}) {
+        std::array<float, 4> border{};
+        std::transform(state.border.begin(), state.border.end(), border.begin(), base::toFloat);
+        glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, border.data());
+    }
+    if (!compare) return;
     glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, static_cast<GLint>(glFunction(*sampling.compare)));
+    glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, static_cast<GLint>(glFunction(*compare)));
 }
 
 }  // namespace glibra::gpu

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/raster_state.h"
+#include "base/sampler_state.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
 #include "gpu/object/name.h"
@@ -82,6 +83,12 @@ class Texture {
     /// Reads a whole level, laid out like Texels. Formats with stencil give their depth.
     [[nodiscard]] Result<std::vector<std::byte>> read(int level, int components, TexelType type) const;
 
+    /// A texture that shows one level of this one, or all, and one layer or face, or all; a layer or face is
+    /// 2D. Both share their texels. Needs GL 4.3. Not for a layer of a 3D texture.
+    [[nodiscard]] Result<Texture> view(std::optional<int> level, std::optional<int> layer) const;
+    /// Samplers read these levels only; the first counts from 0.
+    void showLevels(int first, int count) const;
+
     /// Sets what each component reads when sampled: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE.
     void setSwizzle(const std::array<GLint, 4>& components);
 
@@ -113,24 +120,20 @@ class Texture {
 /// Copies all texels between textures with equal layouts. Reports gpu-E03 for unequal ones.
 Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to);
 
-enum class Wrap { repeat, clampToEdge, mirroredRepeat, clampToBorder };
+/// Averages the samples of a multisampled texture into a 2D texture of the same format and size. Not for
+/// integers and depth. The scissor test must be off.
+void resolveSamples(const Texture& from, const Texture& to);
 
-/// How texels are filtered and wrapped. The default is linear without mipmaps.
-struct Sampling {
-    Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat, wrapR = Wrap::repeat;
-    GLenum minify = GL_LINEAR;
-    GLenum magnify = GL_LINEAR;
-    float anisotropy = 1;
-    std::array<float, 4> border{};  ///< what clampToBorder reads outside
-    /// For sampler2DShadow and its like: 1 if (reference compared with texel) holds, else 0.
-    std::optional<base::Comparison> compare{};
-};
+using base::SamplerState;
+using base::Wrap;
 
 class Sampler {
   public:
-    explicit Sampler(const Sampling& sampling = {});
-    /// The same wrapping in every direction.
-    explicit Sampler(Wrap wrap) : Sampler(Sampling{wrap, wrap, wrap, GL_LINEAR, GL_LINEAR, 1}) {}
+    /// `compare`: for sampler2DShadow and its like, which read 1 where (reference compared with texel) holds,
+    /// else 0. Anisotropy above 1 needs a driver that supports it.
+    explicit Sampler(const SamplerState& state = {}, std::optional<base::Comparison> compare = {});
+    /// Linear, with the same wrapping in every direction.
+    explicit Sampler(Wrap wrap) : Sampler(SamplerState{.wrap = {wrap, wrap, wrap}, .border = {}}) {}
     void bind(int unit) const { glBindSampler(static_cast<GLuint>(unit), name_.get()); }
     [[nodiscard]] GLuint id() const { return name_.get(); }
 

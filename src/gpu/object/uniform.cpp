@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "gpu/format/number.h"
+#include "base/number.h"
 
 namespace glibra::gpu {
 namespace {
@@ -141,19 +141,19 @@ ComponentBytes componentBytes(base::BaseType base, double value) {
     };
     switch (base) {
         case base::BaseType::floating:
-            store(toFloat(value));
+            store(base::toFloat(value));
             break;
         case base::BaseType::doublePrecision:
             store(value);
             break;
         case base::BaseType::unsignedInteger:
-            store(toUnsigned(value));
+            store(base::toUnsigned(value));
             break;
         case base::BaseType::boolean:
             store(static_cast<std::uint32_t>(value != 0 ? 1 : 0));
             break;
         default:
-            store(toInt(value));
+            store(base::toInt(value));
             break;
     }
     return result;
@@ -179,14 +179,15 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
     const GLint location = uniform.location + firstElement;
     switch (uniform.type.base) {
         case base::BaseType::floating:
-            setFloats(program.id(), uniform.type, location, count, Converted<GLfloat>(used, toFloat).data());
+            setFloats(program.id(), uniform.type, location, count,
+                      Converted<GLfloat>(used, base::toFloat).data());
             return count;
         case base::BaseType::doublePrecision:
             setDoubles(program.id(), uniform.type, location, count, used.data());
             return count;
         case base::BaseType::unsignedInteger:
             setUnsigneds(program.id(), uniform.type, location, count,
-                         Converted<GLuint>(used, toUnsigned).data());
+                         Converted<GLuint>(used, base::toUnsigned).data());
             return count;
         case base::BaseType::boolean: {
             const auto truth = [](double value) { return value != 0 ? 1 : 0; };
@@ -200,7 +201,7 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
         case base::BaseType::image:
             break;
     }
-    setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, toInt).data());
+    setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, base::toInt).data());
     return count;
 }
 

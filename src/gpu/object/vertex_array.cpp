@@ -1,6 +1,6 @@
 #include "gpu/object/vertex_array.h"
 
-#include "gpu/format/number.h"
+#include "base/number.h"
 
 namespace glibra::gpu {
 namespace {
@@ -16,6 +16,14 @@ void connect(const AttributeSource& source) {
     switch (source.type) {
         case AttributeSource::Type::floating:
             glVertexAttribPointer(source.location, source.components, GL_FLOAT, GL_FALSE, stride,
+                                  byteOffset(source.offset));
+            break;
+        case AttributeSource::Type::integerAsFloat:
+            glVertexAttribPointer(source.location, source.components, GL_INT, GL_FALSE, stride,
+                                  byteOffset(source.offset));
+            break;
+        case AttributeSource::Type::unsignedAsFloat:
+            glVertexAttribPointer(source.location, source.components, GL_UNSIGNED_INT, GL_FALSE, stride,
                                   byteOffset(source.offset));
             break;
         case AttributeSource::Type::integer:
@@ -49,11 +57,12 @@ void setConstantAttribute(GLuint location, const base::ValueType& type, const st
         const GLuint at = location + column;
         switch (type.base) {
             case base::BaseType::integer:
-                glVertexAttribI4i(at, toInt(value[0]), toInt(value[1]), toInt(value[2]), toInt(value[3]));
+                glVertexAttribI4i(at, base::toInt(value[0]), base::toInt(value[1]), base::toInt(value[2]),
+                                  base::toInt(value[3]));
                 break;
             case base::BaseType::unsignedInteger:
-                glVertexAttribI4ui(at, toUnsigned(value[0]), toUnsigned(value[1]), toUnsigned(value[2]),
-                                   toUnsigned(value[3]));
+                glVertexAttribI4ui(at, base::toUnsigned(value[0]), base::toUnsigned(value[1]),
+                                   base::toUnsigned(value[2]), base::toUnsigned(value[3]));
                 break;
             case base::BaseType::doublePrecision:
                 glVertexAttribL4dv(at, value.data());

@@ -18,7 +18,8 @@ inline void deleteVertexArray(GLuint name) {
 
 /// One vertex input read from a buffer.
 struct AttributeSource {
-    enum class Type { floating, integer, unsignedInteger };  ///< 32 bits each; how the shader declares it
+    /// 32 bits each. `...AsFloat`: integers in memory that the shader reads as floats.
+    enum class Type { floating, integer, unsignedInteger, integerAsFloat, unsignedAsFloat };
     const Buffer* buffer = nullptr;
     GLuint location = 0;
     int components = 4;  ///< 1..4; missing ones read as 0, 0, 1 (y, z, w)

@@ -51,13 +51,15 @@ std::vector<Vertex> vertices() {
     return lines;
 }
 
-/// The projection of the last draw into the window.
+/// The projection of the last draw into the window that has one.
 scene::Projection lastProjection(const scene::Scene& scene) {
     scene::Projection projection;
     for (const scene::Pass& pass : scene.frame.passes) {
-        if (!pass.targets.empty()) continue;
+        if (!pass.isWindow) continue;
         for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<scene::Draw>(&step)) projection = draw->projection;
+            if (const auto* draw = std::get_if<scene::Draw>(&step);
+                draw && !std::holds_alternative<scene::ClipSpace>(draw->projection))
+                projection = draw->projection;
     }
     return projection;
 }

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "gpu/object/compute.h"
 #include "gpu/object/uniform.h"
+#include "plan/accesses.h"
 #include "plan/uniform_names.h"
 #include "render/draw/patch_split.h"
 #include "render/draw/sight.h"
@@ -20,15 +23,11 @@ namespace {
 /// The colour of draws whose program failed.
 constexpr glm::dvec4 kMagenta{1, 0, 1, 1};
 
-std::array<float, 4> asFloats(const glm::dvec4& color) {
-    return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b),
-            static_cast<float>(color.a)};
+std::array<double, 4> asArray(const glm::dvec4& color) {
+    return {color.r, color.g, color.b, color.a};
 }
 
-bool writesImages(const plan::PlannedDraw& planned) {
-    return std::any_of(planned.textures.begin(), planned.textures.end(),
-                       [](const plan::TextureUse& use) { return use.isImage; });
-}
+constexpr std::array<float, 6> kOneLevel{1, 1, 1, 1, 1, 1};
 
 }  // namespace
 
@@ -54,7 +53,7 @@ void FrameDrawer::skipOpaqueBlending() {
     for (const plan::PlannedPass& pass : plan_.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || !plan_.passOf(pass).targets.empty()) continue;
+            if (!draw || !plan_.passOf(pass).isWindow) continue;
             const BuiltProgram* own = ownProgramOf(*draw);
             if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw->program).second)
                 continue;
@@ -65,8 +64,8 @@ void FrameDrawer::skipOpaqueBlending() {
 
 bool FrameDrawer::texturesComeFirst() const {
     bool windowSeen = false;
-    for (const plan::PlannedPass& pass : plan_.passes) {
-        if (plan_.passOf(pass).targets.empty())
+    for (const scene::NodeIndex& node : plan_.order) {
+        if (node.kind == scene::NodeIndex::Kind::pass && plan_.passOf(plan_.passes[node.index]).isWindow)
             windowSeen = true;
         else if (windowSeen)
             return false;
@@ -75,14 +74,33 @@ bool FrameDrawer::texturesComeFirst() const {
 }
 
 Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
+    Diagnostics diagnostics;
+    if (frame.texturePasses)
+        for (const scene::ObjectView& each : plan_.resets) append(diagnostics, device_.reset(each));
+    append(diagnostics, execute(&window, frame));
+    return diagnostics;
+}
+
+Diagnostics FrameDrawer::run(const Frame& frame) {
+    return execute(nullptr, frame);
+}
+
+Diagnostics FrameDrawer::execute(const gpu::Target* window, const Frame& frame) {
     frame_ = &frame;
     forgetState();
-    Diagnostics diagnostics = drawPasses(window, frame);
+    Diagnostics diagnostics = drawNodes(window, frame);
+    encodeSrgb(false);
     // Others that draw with this context expect the state in which a pass begins.
     raster_.limitTo({});
     raster_.apply({});
     raster_.limitTo(limit_);
+    setTessellationLevels(kOneLevel);
     return diagnostics;
+}
+
+void FrameDrawer::encodeSrgb(bool on) {
+    if (std::exchange(encodesSrgb_, on) == on) return;
+    on ? glEnable(GL_FRAMEBUFFER_SRGB) : glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
 void FrameDrawer::forgetState() {
@@ -91,18 +109,45 @@ void FrameDrawer::forgetState() {
     patchVertices_.reset();
 }
 
-Diagnostics FrameDrawer::drawPasses(const gpu::Target& window, const Frame& frame) {
+Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
     Diagnostics diagnostics;
-    std::size_t drawsBefore = 0;  // in the passes before this one
+    if (node >= plan_.exchanges.size()) return diagnostics;
+    for (const plan::PlannedExchange& each : plan_.exchanges[node]) {
+        if (const auto* buffer = std::get_if<scene::BufferIndex>(&each.object)) {
+            device_.buffers().exchange(*buffer, each.keepsContent);
+            continue;
+        }
+        const scene::TextureIndex texture = std::get<scene::TextureIndex>(each.object);
+        device_.exchange(texture);
+        if (each.keepsContent) append(diagnostics, device_.copyFromPrevious(texture));
+    }
+    return diagnostics;
+}
+
+Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame) {
+    Diagnostics diagnostics;
+    std::size_t draws = 0;  // in the passes before the next one
     std::size_t texturePass = 0;
-    for (const plan::PlannedPass& pass : plan_.passes) {
-        std::size_t drawIndex = drawsBefore;
-        drawsBefore += static_cast<std::size_t>(
+    for (std::size_t index = 0; index < plan_.order.size() && !hasError(diagnostics); ++index) {
+        const scene::NodeIndex& node = plan_.order[index];
+        if (node.kind != scene::NodeIndex::Kind::pass) {
+            if (!frame.texturePasses) continue;
+            append(diagnostics, exchangeCopies(index));
+            if (node.kind == scene::NodeIndex::Kind::dispatch)
+                append(diagnostics, dispatch(plan_.dispatches[node.index]));
+            else
+                clearObject(plan_.clearOf(plan_.clears[node.index]));
+            continue;
+        }
+        const plan::PlannedPass& pass = plan_.passes[node.index];
+        const std::size_t begin = draws;
+        draws += static_cast<std::size_t>(
             std::count_if(pass.steps.begin(), pass.steps.end(),
                           [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
-        const bool isWindow = plan_.passOf(pass).targets.empty();
-        if (!isWindow && !frame.texturePasses) continue;
-        const gpu::Target* target = &window;
+        const bool isWindow = plan_.passOf(pass).isWindow;
+        if (isWindow ? window == nullptr : !frame.texturePasses) continue;
+        append(diagnostics, exchangeCopies(index));
+        const gpu::Target* target = window;
         if (!isWindow) {
             Result<const gpu::Target*> made = device_.target(plan_.passOf(pass));
             append(diagnostics, std::move(made.diagnostics));
@@ -112,38 +157,74 @@ Diagnostics FrameDrawer::drawPasses(const gpu::Target& window, const Frame& fram
             textureShift_ = texturePass < textureShifts_.size() ? textureShifts_[texturePass] : glm::dvec2(0);
             ++texturePass;
         }
-        beginPass(pass, *target);
-        for (const auto& step : pass.steps) {
-            if (drawIndex >= drawLimit_) break;
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
-                append(diagnostics, drawOne(*draw, *target, isWindow));
-                ++drawIndex;
-            } else {
-                clear(*target, plan_.clearOf(std::get<plan::PlannedClear>(step)), isWindow);
-            }
-        }
-        stats_.add("passes", 1);
+        append(diagnostics, drawPass(pass, *target, begin));
     }
     return diagnostics;
 }
 
+Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Target& target,
+                                  std::size_t begin) {
+    Diagnostics diagnostics;
+    const bool isWindow = plan_.passOf(pass).isWindow;
+    completeReads(pass);
+    beginPass(pass, target);
+    std::size_t drawIndex = begin;
+    for (const auto& step : pass.steps) {
+        if (drawIndex >= drawLimit_) break;
+        if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
+            append(diagnostics, drawOne(*draw, target, isWindow));
+            ++drawIndex;
+        } else {
+            clear(target, plan_.clearOf(std::get<plan::PlannedClear>(step)), isWindow);
+        }
+    }
+    const scene::Pass& drawn = plan_.passOf(pass);
+    for (const scene::TextureIndex each : drawn.targets) device_.wasWritten(each);
+    stats_.add("passes", 1);
+    return diagnostics;
+}
+
+void FrameDrawer::completeReads(const plan::PlannedPass& pass) {
+    for (const auto& step : pass.steps)
+        if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) completeReads(draw->textures);
+}
+
+void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
+    bool isScissorOff = false;
+    for (const plan::TextureUse& use : textures) {
+        if (use.isImage || !device_.isIncomplete(use)) continue;
+        if (!std::exchange(isScissorOff, true)) {  // it would cut what resolving the samples writes
+            raster_.limitTo({});
+            raster_.openForClears();
+        }
+        device_.complete(use);
+    }
+    if (isScissorOff) raster_.limitTo(limit_);
+}
+
 void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) {
-    context_.debugLog().setPlace(plan_.passOf(pass).place);
+    const scene::Pass& begun = plan_.passOf(pass);
+    context_.debugLog().setPlace(begun.place);
+    isMoved_ = isMoved(*plan_.nodes, begun);
+    if (!isMoved_) unmovedView_ = frame_->view.unmoved();
     target.bind();
+    encodeSrgb(target.hasSrgb());
     raster_.targetBound(target.width(), target.height());
     raster_.openForClears();
-    for (std::size_t i = 0; i < plan_.passOf(pass).clearColors.size(); ++i)
-        if (const auto& color = plan_.passOf(pass).clearColors[i])
-            target.clearColor(static_cast<int>(i),
-                              asFloats(clearColor(*color, plan_.passOf(pass).targets.empty())));
-    if (plan_.passOf(pass).clearDepth) target.clearDepth();
+    for (std::size_t i = 0; i < begun.clearColors.size(); ++i)
+        if (const auto& color = begun.clearColors[i])
+            target.clearColorOfAnyFormat(static_cast<int>(i), asArray(clearColor(*color, begun.isWindow)));
+    if (begun.clearDepth) target.clearDepth(static_cast<float>(begun.depthValue));
+    if (begun.clearStencil) target.clearStencil(*begun.clearStencil);
 }
 
 void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) {
     raster_.openForClears();
-    const int colors = target.readable().colorCount();
-    for (int i = 0; i < colors; ++i) target.clearColor(i, asFloats(clearColor(clear.color, isWindow)));
-    target.clearDepth();
+    const int colors = clear.color ? target.readable().colorCount() : 0;
+    for (int i = 0; i < colors; ++i)
+        target.clearColorOfAnyFormat(i, asArray(clearColor(*clear.color, isWindow)));
+    if (clear.depth) target.clearDepth();
+    if (clear.stencil) target.clearStencil();
 }
 
 glm::dvec4 FrameDrawer::clearColor(const glm::dvec4& color, bool isWindow) const {
@@ -158,15 +239,8 @@ void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
     state.blocks.clear();
 }
 
-bool FrameDrawer::isCurrent(plan::PlannedProgramIndex program, const BuiltProgram& built) const {
-    if (built.initialValues.empty()) return true;
-    const auto current = current_.find(&built);
-    return current != current_.end() && current->second == program;
-}
-
 void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {
     if (built.initialValues.empty()) return;
-    current_[&built] = program;
     std::set<std::pair<plan::UniformIndex, int>> given;
     for (const plan::UniformBinding& each : plan_.programs[program].values)
         given.emplace(each.uniform, each.firstElement);
@@ -178,8 +252,9 @@ void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltPr
 
 void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built) {
     ProgramState& state = states_[program];
-    if (state.literalsSet && isCurrent(program, built)) return;
+    if (state.literalsSet && built.literalsOf == &state) return;
     state.literalsSet = true;
+    built.literalsOf = &state;
     resetUniforms(program, built);
     state.blocks.clear();
     std::vector<std::vector<std::byte>> blocks;
@@ -195,17 +270,24 @@ void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProg
         else
             gpu::setUniform(*built.program, uniform, literal->values, binding.firstElement);
     }
+    for (const plan::BlockUse& each : plan_.programs[program].blocks)
+        if (each.kind == plan::BlockUse::Kind::uniform) blocks.at(each.index).clear();
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         glUniformBlockBinding(built.program->id(), built.interface.blocks[i].index, static_cast<GLuint>(i));
-        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i]))
-            state.blocks.push_back(std::move(*buffer));
+        gpu::Buffer& values = state.blocks.emplace_back();
+        if (blocks[i].empty()) continue;
+        if (Result<gpu::Buffer> buffer = gpu::Buffer::create(blocks[i])) values = std::move(*buffer);
     }
+    for (std::size_t i = 0; i < built.interface.storageBlocks.size(); ++i)
+        glShaderStorageBlockBinding(built.program->id(), built.interface.storageBlocks[i].index,
+                                    static_cast<GLuint>(i));
 }
 
 DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect) const {
     DrawFacts facts;
-    facts.projection = frame_->view.projection(draw.projection, aspect);
-    facts.modelView = frame_->view.modelView(draw);
+    const ViewMatrices& view = isMoved_ ? frame_->view : unmovedView_;
+    facts.projection = view.projection(draw.projection, aspect);
+    facts.modelView = view.modelView(draw);
     facts.texture = frame_->view.texture();
     facts.timer = timerAt(frame_->time, draw.timerPeriod);
     facts.color = draw.color;
@@ -220,27 +302,30 @@ void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts)
                             suppliedValue(row->value, facts, built.interface.uniforms[i].arraySize).span());
 }
 
-void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                              const DrawFacts& facts, bool isWindow) {
-    for (const plan::UniformBinding& binding : plan_.programs[planned.program].values) {
+void FrameDrawer::setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built,
+                              const DrawFacts& facts) {
+    for (const plan::UniformBinding& binding : plan_.programs[program].values) {
         const auto* supplied = std::get_if<plan::Supplied>(&binding.value);
         if (!supplied) continue;
         const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
         gpu::setUniform(*built.program, uniform,
                         suppliedValue(supplied->value, facts, uniform.arraySize).span());
     }
+}
+
+void FrameDrawer::setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, bool isWindow) {
     // These names are the translator's; programs that are not made for tiles lack these uniforms.
     const Tile& part = isWindow ? frame_->tile : texture_;
     const glm::dvec2& shift = isWindow ? shift_ : textureShift_;
-    const double wholeWidth = isWindow ? frame_->width : part.width,
-                 wholeHeight = isWindow ? frame_->height : part.height;
+    const gpu::PixelRectangle port = gpu::pixelsOf(viewport, isWindow ? frame_->width : part.width,
+                                                   isWindow ? frame_->height : part.height);
     for (const base::ActiveUniform& uniform : built.interface.uniforms) {
         if (uniform.emittedName == "glibra_Tile") {
             const double width = part.width, height = part.height;
             gpu::setUniform(*built.program, uniform,
-                            std::array{wholeWidth / width, wholeHeight / height,
-                                       (wholeWidth - 2.0 * (part.x - shift.x) - width) / width,
-                                       (wholeHeight - 2.0 * (part.y - shift.y) - height) / height});
+                            std::array{port.width / width, port.height / height,
+                                       (port.width - 2.0 * (part.x - port.x - shift.x) - width) / width,
+                                       (port.height - 2.0 * (part.y - port.y - shift.y) - height) / height});
         } else if (uniform.emittedName == "glibra_TileOrigin") {
             gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
         }
@@ -249,39 +334,102 @@ void FrameDrawer::setSupplied(const plan::PlannedDraw& planned, const BuiltProgr
 
 void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                     const glm::dvec4& color) const {
-    const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
-    for (const base::ActiveInput& input : built.interface.inputs) {
+    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    const auto isInMesh = [&](const std::string& name) {
+        return std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
+                           [&](const DeviceMesh::Attribute& each) { return each.name == name; });
+    };
+    const std::vector<plan::InputSource>& sources = device_.inputSources(plan_, planned.inputs, built);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const base::ActiveInput& input = built.interface.inputs[i];
         if (input.location < 0) continue;
-        std::string_view attribute;
-        for (const glsl::BuiltinInput& each : glsl::builtinInputs())
-            if (each.name == input.name) attribute = each.attribute;
-        const bool fed =
-            std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
-                        [&](const DeviceMesh::Attribute& each) { return each.name == attribute; });
-        if (fed) continue;
         std::array<double, 4> value{0, 0, 0, 1};
-        if (attribute == geometry::kColor) value = {color.r, color.g, color.b, color.a};
+        if (const auto* name = std::get_if<std::string>(&sources[i].from)) {
+            if (isInMesh(*name)) continue;
+            if (*name == geometry::kColor) value = {color.r, color.g, color.b, color.a};
+        } else if (const auto* numbers = std::get_if<std::array<double, 4>>(&sources[i].from)) {
+            value = *numbers;
+        } else {
+            continue;
+        }
         gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, value);
     }
 }
 
-void FrameDrawer::bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built) {
-    for (const plan::TextureUse& use : planned.textures) {
-        const gpu::Texture* texture = use.texture ? device_.texture(use.texture) : nullptr;
-        if (!texture) texture = &device_.emptyTexture(use.target);
-        if (use.isImage) {
-            glBindImageTexture(static_cast<GLuint>(use.driverUnit), texture->id(), 0, GL_TRUE, 0,
-                               GL_READ_WRITE, gpu::internalFormat(texture->format()));
-        } else {
-            texture->bind(use.driverUnit);
-            device_.sampler(use.clamp).bind(use.driverUnit);
-        }
+void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built) {
+    // The units are in rising order. Below GL 4.3 binding a part of a texture may replace what is on unit 0,
+    // so that one comes last.
+    for (auto each = textures.rbegin(); each != textures.rend(); ++each) {
+        const plan::TextureUse& use = *each;
+        device_.bind(use);
         const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
         gpu::setUniform(*built.program, at(built.interface.uniforms, use.uniform), unit, use.element);
     }
 }
 
-void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built,
+void FrameDrawer::bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built) const {
+    const std::vector<gpu::Buffer>& blocks = states_[program].blocks;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (blocks[i].size() > 0) blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
+    for (const plan::BlockUse& each : plan_.programs[program].blocks) {
+        const gpu::Buffer* buffer = device_.buffers().buffer(each.buffer);
+        if (!buffer) continue;
+        const auto index = static_cast<GLuint>(each.index);
+        switch (each.kind) {
+            case plan::BlockUse::Kind::uniform:
+                buffer->bindBase(GL_UNIFORM_BUFFER, index);
+                break;
+            case plan::BlockUse::Kind::storage:
+                buffer->bindBase(GL_SHADER_STORAGE_BUFFER, index);
+                break;
+            case plan::BlockUse::Kind::counters:
+                buffer->bindBase(GL_ATOMIC_COUNTER_BUFFER,
+                                 static_cast<GLuint>(built.interface.counterBuffers.at(each.index).binding));
+                break;
+        }
+    }
+}
+
+void FrameDrawer::setTessellationLevels(const std::array<float, 6>& levels) {
+    if (levels_ == levels) return;
+    levels_ = levels;
+    glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, levels.data());
+    glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, levels.data() + 4);
+}
+
+void FrameDrawer::fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const {
+    const base::FractionRectangle all;
+    if (raster.viewport == all && !raster.scissor) return;
+    const Tile whole{0, 0, isWindow ? frame_->width : texture_.width,
+                     isWindow ? frame_->height : texture_.height};
+    const Tile& part = isWindow ? frame_->tile : texture_;
+    const bool isTiled = std::any_of(built.interface.uniforms.begin(), built.interface.uniforms.end(),
+                                     [](const auto& each) { return each.emittedName == "glibra_Tile"; });
+    if (!isTiled) return;
+    // setSupplied() maps the viewport to the tile; what GL would clip at its edges is cut off here.
+    const auto shown = [&](const base::FractionRectangle& fraction) {
+        const gpu::PixelRectangle pixels = gpu::pixelsOf(fraction, whole.width, whole.height);
+        return base::FractionRectangle{static_cast<double>(pixels.x - part.x) / part.width,
+                                       static_cast<double>(pixels.y - part.y) / part.height,
+                                       static_cast<double>(pixels.width) / part.width,
+                                       static_cast<double>(pixels.height) / part.height};
+    };
+    if (raster.scissor) raster.scissor = shown(*raster.scissor);
+    if (raster.viewport == all) return;
+    const base::FractionRectangle port = shown(raster.viewport);
+    if (raster.scissor) {
+        const double left = std::max(port.x, raster.scissor->x);
+        const double bottom = std::max(port.y, raster.scissor->y);
+        const double right = std::min(port.x + port.width, raster.scissor->x + raster.scissor->width);
+        const double top = std::min(port.y + port.height, raster.scissor->y + raster.scissor->height);
+        raster.scissor = {left, bottom, std::max(0., right - left), std::max(0., top - bottom)};
+    } else {
+        raster.scissor = port;
+    }
+    raster.viewport = all;
+}
+
+void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
                             Diagnostics& diagnostics) {
     scene::RasterState raster = plan_.drawOf(planned).raster;
     if (!blendsOpaque_ && built.interface.facts.isOpaque)
@@ -296,6 +444,7 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
                      plan_.drawOf(planned).place));
     }
     raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
+    fitToTile(raster, built, isWindow);
     if (wireframe_) raster.polygon = base::PolygonMode::line;
     raster_.apply(raster);
 
@@ -311,20 +460,30 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
         patchVertices_ = planned.submission.patchVertices;
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
     }
+    if (planned.submission.topology == geometry::Topology::patches) {
+        std::array<float, 6> levels = kOneLevel;
+        if (const auto& given = plan_.drawOf(planned).tessellationLevels)
+            std::transform(given->begin(), given->end(), levels.begin(),
+                           [](double each) { return static_cast<float>(each); });
+        setTessellationLevels(levels);
+    }
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                               const gpu::Target& target, bool isWindow) const {
-    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(plan_.drawOf(planned).shape) : nullptr;
-    if (!bounds || writesImages(planned)) return false;
+    const scene::Draw& draw = plan_.drawOf(planned);
+    const VertexBox* bounds = windowSamples_ > 0 ? device_.knownBounds(draw.shape) : nullptr;
+    if (!bounds || !isPlacedByMatrices(draw) ||
+        plan::writesMemory(plan_.programs[planned.program], planned.textures))
+        return false;
     const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
                         shift_ != glm::dvec2(0.0)};
     const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
-    DrawView drawView = drawViewOf(plan_.drawOf(planned), planned.submission.topology, frame_->view,
+    DrawView drawView = drawViewOf(draw, planned.submission.topology, isMoved_ ? frame_->view : unmovedView_,
                                    isWindow ? window : texture, context_.capabilities());
     if (wireframe_ && drawView.filled) {
         drawView.filled = false;
-        drawView.reach = plan_.drawOf(planned).raster.lineWidth / 2 + 1;
+        drawView.reach = draw.raster.lineWidth / 2 + 1;
     }
     return sightOf(placed(*bounds, built.interface.facts.placement), drawView) != Sight::possible;
 }
@@ -340,21 +499,67 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 }
 
 void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
-    const DeviceMesh& mesh = *device_.deviceMesh(planned.mesh);
+    const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
+    const scene::Draw& draw = plan_.drawOf(planned);
     const GLenum mode = glMode(planned.submission.topology);
+    if (draw.instancesFrom.buffer || draw.verticesFrom.buffer) return submitIndirect(planned, mesh, mode);
+    if (draw.instances <= 0) return;
     const auto drawPart = [&](int first, int count) {
-        glDrawElements(mode, count, GL_UNSIGNED_INT,
-                       // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
-                       reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint)));
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
+        const auto* at = reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(GLuint));
+        if (draw.instances == 1 && mesh.indices)
+            glDrawElements(mode, count, GL_UNSIGNED_INT, at);
+        else if (draw.instances == 1)
+            glDrawArrays(mode, first, count);
+        else if (mesh.indices)
+            glDrawElementsInstanced(mode, count, GL_UNSIGNED_INT, at, draw.instances);
+        else
+            glDrawArraysInstanced(mode, first, count, draw.instances);
     };
-    if (mode != GL_PATCHES) return drawPart(0, mesh.indexCount);
+    // gl_VertexID and the order of instances are those of one draw.
+    const bool isWhole = !mesh.indices || draw.instances != 1;
+    if (mode != GL_PATCHES || isWhole) return drawPart(0, mesh.indexCount);
     drawPatches(context_.capabilities(), programOf(planned)->interface.facts,
                 planned.submission.patchVertices, mesh.indexCount, drawPart);
 }
 
+void FrameDrawer::submitIndirect(const plan::PlannedDraw& planned, const DeviceMesh& mesh,
+                                 GLenum mode) const {
+    const scene::Draw& draw = plan_.drawOf(planned);
+    // count, instances, first index or vertex, base vertex, base instance (OpenGL 4.6 Core, 10.4)
+    const std::array<GLuint, 5> command{static_cast<GLuint>(mesh.indexCount),
+                                        static_cast<GLuint>(std::max(0, draw.instances)), 0, 0, 0};
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(command));
+    if (!command_) {
+        Result<gpu::Buffer> made = gpu::Buffer::create(bytes, GL_DYNAMIC_DRAW);
+        if (!made) return;
+        command_ = std::move(*made);
+    }
+    command_->update(0, bytes);
+    const auto take = [&](const scene::BufferView& from, std::size_t at) {
+        if (const gpu::Buffer* buffer = from.buffer ? device_.buffers().buffer(from) : nullptr)
+            command_->copyFrom(*buffer, 0, at, sizeof(GLuint));
+    };
+    take(draw.verticesFrom, 0);
+    take(draw.instancesFrom, sizeof(GLuint));
+    command_->bind(GL_DRAW_INDIRECT_BUFFER);
+    if (mesh.indices)
+        glDrawElementsIndirect(mode, GL_UNSIGNED_INT, nullptr);
+    else
+        glDrawArraysIndirect(mode, nullptr);
+}
+
+void FrameDrawer::finishWrites(plan::PlannedProgramIndex program,
+                               const std::vector<plan::TextureUse>& textures) {
+    if (!plan::writesMemory(plan_.programs[program], textures)) return;
+    gpu::finishShaderWrites();
+    for (const plan::TextureUse& each : textures)
+        if (each.isImage && each.view.texture) device_.wasWritten(each.view.texture);
+}
+
 Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
     Diagnostics diagnostics;
-    const DeviceMesh* mesh = device_.deviceMesh(planned.mesh);
+    const DeviceMesh* mesh = device_.deviceMesh(plan_, planned.mesh);
     if (!mesh) return diagnostics;
     const scene::Draw& draw = plan_.drawOf(planned);
     const BuiltProgram* drawnWith = programOf(planned);
@@ -372,27 +577,32 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     DrawFacts facts = factsOf(draw, aspect);
     if (isUsable) {
         setLiterals(planned.program, built);
-        setSupplied(planned, built, facts, isWindow);
+        if (!plan_.programs[planned.program].foundByName.empty()) {
+            const ViewMatrices& view = isMoved_ ? frame_->view : unmovedView_;
+            facts.model = view.model(draw);
+            facts.view = view.view(draw);
+        }
+        setSupplied(planned.program, built, facts);
+        setTile(built, draw.raster.viewport, isWindow);
     } else {
         facts.color = kMagenta;
         setBuiltins(built, facts);
     }
-    const std::vector<gpu::Buffer>& blocks = states_[planned.program].blocks;
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-        blocks[i].bindBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i));
+    if (isUsable) bindBlocks(planned.program, built);
     setConstantInputs(planned, built, facts.color);
-    bindTextures(planned, built);
-    setRaster(planned, built, diagnostics);
-    device_.vertexArray(planned.mesh, planned.program, built).bind();
+    bindTextures(planned.textures, built);
+    setRaster(planned, built, isWindow, diagnostics);
+    device_.vertexArray(plan_, planned.mesh, planned.inputs, built).bind();
     if (hook_) hook_(planned, isWindow, true);
     submit(planned);
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();
     }
-    if (writesImages(planned)) glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    finishWrites(planned.program, planned.textures);
     stats_.add("draws", 1);
-    stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount));
+    stats_.add("vertices drawn", static_cast<std::uint64_t>(mesh->indexCount) *
+                                     static_cast<std::uint64_t>(std::max(0, draw.instances)));
     return diagnostics;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 // Draws a FramePlan: the passes in order, each draw with its complete state.
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -44,6 +44,9 @@ class FrameDrawer {
 
     /// Draws one frame into `window`, which has the size of the frame's tile.
     Diagnostics draw(const gpu::Target& window, const Frame& frame);
+
+    /// Executes a plan without passes into the window. What it writes lasts.
+    Diagnostics run(const Frame& frame);
 
     /// Draws and clears only these pixels of every target.
     void limitTo(const std::optional<gpu::PixelRectangle>& pixels) {
@@ -91,33 +94,54 @@ class FrameDrawer {
     /// What a program keeps between draws: literal uniform values are set once.
     struct ProgramState {
         bool literalsSet = false;
-        std::vector<gpu::Buffer> blocks;
+        std::vector<gpu::Buffer> blocks;  ///< one per uniform block; without bytes: a buffer of the scene
     };
 
     [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
-    Diagnostics drawPasses(const gpu::Target& window, const Frame& frame);
+    /// `window` may be null if no pass draws into it.
+    Diagnostics execute(const gpu::Target* window, const Frame& frame);
+    Diagnostics drawNodes(const gpu::Target* window, const Frame& frame);
+    /// Exchanges the copies of objects with history that the node (index into FramePlan::order) writes.
+    Diagnostics exchangeCopies(std::size_t node);
+    /// `begin`: the number of draws of the plan before those of the pass.
+    Diagnostics drawPass(const plan::PlannedPass& pass, const gpu::Target& target, std::size_t begin);
+    Diagnostics dispatch(const plan::PlannedDispatch& planned);
+    void clearObject(const scene::ClearObject& clear);
     /// Nothing is known about the context's state.
     void forgetState();
+    /// Colours that are drawn into sRGB textures are encoded.
+    void encodeSrgb(bool on);
     void beginPass(const plan::PlannedPass& pass, const gpu::Target& target);
     void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow);
     [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
     Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
     void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
-    /// True if the GL program holds the literals of this planned program, and not those of another one.
-    [[nodiscard]] bool isCurrent(plan::PlannedProgramIndex program, const BuiltProgram& built) const;
     /// Gives uniforms without a literal the values that they had after linking, if other planned programs may
     /// have changed them.
     void resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built);
     [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                    const gpu::Target& target, bool isWindow) const;
     [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect) const;
-    void setSupplied(const plan::PlannedDraw& planned, const BuiltProgram& built, const DrawFacts& facts,
-                     bool isWindow);
+    void setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built, const DrawFacts& facts);
+    void setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, bool isWindow);
     void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                            const glm::dvec4& color) const;
-    void bindTextures(const plan::PlannedDraw& planned, const BuiltProgram& built);
-    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, Diagnostics& diagnostics);
+    void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
+    void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built) const;
+    void setTessellationLevels(const std::array<float, 6>& levels);
+    /// Draws with counts that buffers hold.
+    void submitIndirect(const plan::PlannedDraw& planned, const DeviceMesh& mesh, GLenum mode) const;
+    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+                   Diagnostics& diagnostics);
+    /// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the
+    /// viewport themselves; this leaves the rest to the scissor.
+    void fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const;
+    /// Makes what the pass reads from textures that were drawn into: mipmaps, resolved samples.
+    void completeReads(const plan::PlannedPass& pass);
+    void completeReads(const std::vector<plan::TextureUse>& textures);
+    /// After a draw or dispatch that may write by its shaders.
+    void finishWrites(plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& textures);
 
     const gpu::Context& context_;
     const plan::FramePlan& plan_;
@@ -125,8 +149,6 @@ class FrameDrawer {
     DeviceScene& device_;
     Stats& stats_;
     scene::List<ProgramState, plan::PlannedProgram> states_;
-    /// Whose literals a GL program holds, if several planned programs use it.
-    std::map<const BuiltProgram*, plan::PlannedProgramIndex> current_;
     const Frame* frame_ = nullptr;  ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;
@@ -138,10 +160,15 @@ class FrameDrawer {
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
     Tile texture_;                           ///< the whole target of the current pass into a texture
     glm::dvec2 textureShift_{0.0};           ///< of that pass
+    bool encodesSrgb_ = false;               ///< as set
+    bool isMoved_ = true;                    ///< the window's transforms move the current pass
+    ViewMatrices unmovedView_;               ///< for passes that they do not move
     gpu::RasterTracker raster_;
     std::optional<gpu::PixelRectangle> limit_;
     std::optional<int> clipDistances_;  ///< those below this index are enabled; nothing: not known
     std::optional<int> patchVertices_;  ///< as set; nothing: not known
+    std::array<float, 6> levels_{1, 1, 1, 1, 1, 1};  ///< of tessellation; GL's own while nothing is drawn
+    mutable std::optional<gpu::Buffer> command_;     ///< the arguments of an indirect draw
     bool lineWidthReported_ = false;
 };
 

@@ -132,6 +132,11 @@ VertexBox boundsOf(const geometry::Mesh& mesh) {
     }
 }
 
+bool isPlacedByMatrices(const scene::Draw& draw) {
+    return !draw.raster.depthClamp && draw.raster.polygon == base::PolygonMode::fill &&
+           draw.raster.viewport == base::FractionRectangle{} && !draw.attributes;
+}
+
 VertexBox placed(const VertexBox& bounds, glsl::Placement placement) {
     VertexBox result = bounds;
     if (placement == glsl::Placement::point) result.low.w = result.high.w = 1;
@@ -148,6 +153,7 @@ DrawView drawViewOf(const scene::Draw& draw, geometry::Topology topology, const 
     drawView.width = screen.width;
     drawView.height = screen.height;
     drawView.tile = screen.tile;
+    drawView.depthClamp = draw.raster.depthClamp;
     drawView.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
     drawView.oneSample = screen.samples <= 1 && !screen.mayShift;
     if (topology == Topology::points)
@@ -169,8 +175,8 @@ Sight sightOf(const VertexBox& bounds, const DrawView& drawView) {
         const double widened = 1 + 2 * drawView.reach / pixels;
         return largest(bounds, clip.w - coordinate) < 0 && largest(bounds, widened * clip.w - coordinate) < 0;
     };
-    if (largest(bounds, clip.w + clip.z) < 0) return Sight::nearer;
-    if (largest(bounds, clip.w - clip.z) < 0) return Sight::farther;
+    if (!drawView.depthClamp && largest(bounds, clip.w + clip.z) < 0) return Sight::nearer;
+    if (!drawView.depthClamp && largest(bounds, clip.w - clip.z) < 0) return Sight::farther;
     if (isBeyond(-1.0 * clip.x, drawView.tile.width)) return Sight::left;
     if (isBeyond(clip.x, drawView.tile.width)) return Sight::right;
     if (isBeyond(-1.0 * clip.y, drawView.tile.height)) return Sight::below;

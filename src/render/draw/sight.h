@@ -24,8 +24,9 @@ struct DrawView {
     Tile tile;                                   ///< the part of it that is drawn into
     /// The pixels by which a primitive may extend beyond its vertices: half the width of lines and points.
     double reach = 0;
-    bool filled = true;      ///< triangles, filled
-    bool oneSample = false;  ///< pixels are sampled at their centres only
+    bool depthClamp = false;  ///< the near and far plane do not clip
+    bool filled = true;       ///< triangles, filled
+    bool oneSample = false;   ///< pixels are sampled at their centres only
 };
 
 /// A target or picture, and the part of it that is drawn.
@@ -38,6 +39,9 @@ struct Screen {
 /// For a draw whose program places vertices by the matrices alone.
 DrawView drawViewOf(const scene::Draw& draw, geometry::Topology topology, const ViewMatrices& view,
                     const Screen& screen, const gpu::Capabilities& driver);
+/// True if nothing but the program and the matrices decides where the vertices land, and clipping is as
+/// sightOf() assumes: no depth clamping, no polygon mode, no viewport, no vertex inputs of the scene's own.
+bool isPlacedByMatrices(const scene::Draw& draw);
 /// The box as a program places it; unknown if it places vertices in another way.
 VertexBox placed(const VertexBox& bounds, glsl::Placement placement);
 

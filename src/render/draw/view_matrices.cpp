@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <numbers>
+#include <string_view>
 
 #include "scene/matrices.h"
 #include "scene/view.h"
@@ -51,6 +52,7 @@ ViewMatrices::ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, 
     : state_(state), sceneView_(sceneView), eyeDistance_(eyeDistance) {}
 
 glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double aspect) const {
+    if (std::holds_alternative<scene::ClipSpace>(projection)) return glm::dmat4(1);
     const auto* perspective = std::get_if<scene::Perspective>(&projection);
     const auto* box = std::get_if<scene::Orthographic>(&projection);
     glm::dmat4 matrix;
@@ -65,13 +67,42 @@ glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double 
     return matrix * asMatrix(state_.scene);
 }
 
+bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass) {
+    const auto cameraOf = [](const scene::Pass& each) {
+        return each.camera.empty() ? std::string_view("eye") : std::string_view(each.camera);
+    };
+    return std::any_of(nodes.passes.begin(), nodes.passes.end(), [&](const scene::Pass& each) {
+        return each.isWindow && cameraOf(each) == cameraOf(pass);
+    });
+}
+
+ViewMatrices ViewMatrices::unmoved() const {
+    ViewState state;
+    state.objects = state_.objects;
+    return {state, sceneView_, 0};
+}
+
+glm::dmat4 ViewMatrices::model(const scene::Draw& draw) const {
+    glm::dmat4 matrix = draw.model;
+    for (const ViewState::Object& each : state_.objects)
+        if (each.draw() == draw.id) matrix = matrix * asMatrix(each.matrix);
+    return matrix;
+}
+
+glm::dmat4 ViewMatrices::view(const scene::Draw& draw) const {
+    return modelView(draw) * scene::inverseOrZero(model(draw));
+}
+
 glm::dmat4 ViewMatrices::modelView(const scene::Draw& draw) const {
+    if (std::holds_alternative<scene::ClipSpace>(draw.projection)) return glm::dmat4(1);
     glm::dmat4 matrix = draw.modelView;
     if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
         matrix = scene::translation({0, 0, -eyeDistance_}) * matrix;
     if (state_.eye != kIdentity) matrix = asMatrix(state_.eye) * matrix;
     for (const ViewState::Object& each : state_.objects)
         if (each.draw() == draw.id) matrix = matrix * asMatrix(each.matrix);
+    // projection() applies the scene transform after this; the product has no translation.
+    if (draw.isSky) matrix[3] = scene::inverseOrZero(asMatrix(state_.scene))[3];
     return matrix;
 }
 

@@ -12,6 +12,10 @@ namespace glibra::render {
 glm::dmat4 asMatrix(const Matrix& numbers);
 Matrix asNumbers(const glm::dmat4& matrix);
 
+/// True if the window's transforms move what the pass draws: it is seen by the camera of a pass into the
+/// window. In classic scenes all passes are.
+bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass);
+
 class ViewMatrices {
   public:
     ViewMatrices() = default;
@@ -22,6 +26,12 @@ class ViewMatrices {
     [[nodiscard]] glm::dmat4 projection(const scene::Projection& projection, double aspect) const;
     /// eye transform * view policy * ModelView * object transform.
     [[nodiscard]] glm::dmat4 modelView(const scene::Draw& draw) const;
+    /// The two factors of modelView(): the transforms below the camera, and the camera's view. A singular
+    /// model matrix leaves no view.
+    [[nodiscard]] glm::dmat4 model(const scene::Draw& draw) const;
+    [[nodiscard]] glm::dmat4 view(const scene::Draw& draw) const;
+    /// The same view without the transforms of the window, for passes that it does not move.
+    [[nodiscard]] ViewMatrices unmoved() const;
     /// The same without a draw: for the axes, which are in world space.
     [[nodiscard]] glm::dmat4 worldView() const;
     [[nodiscard]] glm::dmat4 texture() const { return asMatrix(state_.texture); }

@@ -71,6 +71,7 @@ int mostDifferentFrames(const std::filesystem::path& path, const RenderOptions& 
     Stats stats;
     const Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     if (!interpreted || hasError(interpreted.diagnostics)) return 1;
+    if (!interpreted->scene.once.empty() || !interpreted->scene.steps.empty()) return 1;
     if (!options.skip || interpreted->changesWithTime()) return most;
     const scene::Scene* scene = &interpreted->scene;
     std::set<double> periods;

@@ -17,6 +17,7 @@
 #include "render/probe/nan_search.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
+#include "scene/texture_name.h"
 
 namespace glibra::render {
 namespace {
@@ -86,6 +87,7 @@ class JobRun {
   public:
     JobRun(gpu::Context& context, const Job& job) : context_(context), job_(job), options_(job.options) {
         options_.floatPixels = options_.floatPixels || wantsFloat(job.output);
+        for (const Job::Save& each : job.saves) options_.wantedTextures.push_back(each.texture);
         if (job.explain || job.stats) counter_.emplace();
     }
 
@@ -121,8 +123,24 @@ class JobRun {
         if (search_) append(remarks, search_->at(time));
         if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
         applyStrict(remarks, options_.strict);
+        if (picture && !hasError(remarks)) append(remarks, save(scene, index));
         keepFirst(std::move(remarks), index);
         return hasErrors() ? std::nullopt : std::move(picture.value);
+    }
+
+    /// Writes the textures of Job::saves.
+    Diagnostics save(SceneRenderer& scene, int index) {
+        Diagnostics problems;
+        for (const Job::Save& each : job_.saves) {
+            const Result<scene::TextureView> view = scene::textureNamed(scene.scene(), each.texture);
+            if (!view) return view.diagnostics;
+            Result<image::Image> content = scene.textureImage(*view);
+            append(problems, std::move(content.diagnostics));
+            if (!content) return problems;
+            const StageTimer timer(stats_, "write");
+            append(problems, image::writeImage(*content, frameFile(each.file, index, job_.frames)));
+        }
+        return problems;
     }
 
     /// Keeps a diagnostic only in the first frame that has one of its subject.
@@ -168,8 +186,8 @@ class JobRun {
     /// so that each has as much to do.
     [[nodiscard]] std::vector<bool> ownFrames(const SceneRenderer& scene,
                                               const std::vector<int>& firstAlike) const {
-        const bool isDivided =
-            job_.parts > 1 && !scene.remembersFrames() && context_.capabilities().isSoftware;
+        const bool isDivided = job_.parts > 1 && !scene.remembersFrames() && !scene.runsSteps() &&
+                               context_.capabilities().isSoftware;
         std::vector<bool> isOwn(firstAlike.size(), !isDivided && job_.part == 0);
         if (!isDivided) return isOwn;
         int turn = 0;
@@ -194,6 +212,7 @@ class JobRun {
             if (first[index] < i) {
                 ++copies;
                 if (!writer.addCopy(frameFile(job_.output, first[index], job_.frames), file)) break;
+                copySaves(first[index], i);
                 continue;
             }
             ++drawn;
@@ -209,6 +228,12 @@ class JobRun {
                                : fmt::format("{} of {} are copies of earlier frames with the same Timer",
                                              copies, job_.frames),
                     {job_.scene.string(), 1, 1});
+    }
+
+    void copySaves(int from, int to) {
+        for (const Job::Save& each : job_.saves)
+            append(result_.diagnostics,
+                   copyFile(frameFile(each.file, from, job_.frames), frameFile(each.file, to, job_.frames)));
     }
 
     void explainTiles() {

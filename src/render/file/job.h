@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "gpu/context/context.h"
 #include "image/image.h"
@@ -27,6 +28,12 @@ struct Job {
     int part = 0, parts = 1;
     bool explain = false;
     bool stats = false;
+    /// The content of a texture, which goes into a file after each picture (RenderOptions::wantedTextures).
+    struct Save {
+        std::string texture;
+        std::filesystem::path file;
+    };
+    std::vector<Save> saves{};
 };
 
 /// The outcome of a job. `failed`: the scene or its output has an error, which `diagnostics` name.

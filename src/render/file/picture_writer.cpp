@@ -10,15 +10,12 @@
 #include "image/write.h"
 
 namespace glibra::render {
-namespace {
 
 Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
     const auto bytes = image::readFile(from, {from.string(), {from.string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     return image::writeFileAtomically(to, *bytes);
 }
-
-}  // namespace
 
 PictureWriter::PictureWriter(const std::function<void(int)>& written, std::size_t mostThreads)
     : written_(written), mostThreads_(base::threadCount(static_cast<int>(mostThreads))) {

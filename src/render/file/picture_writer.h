@@ -18,6 +18,9 @@
 
 namespace glibra::render {
 
+/// Writes the bytes of one file to another.
+Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Encodes and writes pictures while the next ones are drawn. It starts with one thread and adds more when
 /// drawing is faster. At most two pictures wait, so that the use of memory is bounded.
 class PictureWriter {

@@ -1,22 +1,20 @@
 #include "render/load/device_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <new>
 #include <span>
 #include <utility>
 
-#include "glsl/types/builtins.h"
+#include "geometry/adjacency.h"
+#include "plan/submission.h"
+#include "plan/uniform_names.h"
 #include "render/load/reuse.h"
 #include "scene/primitives.h"
 
 namespace glibra::render {
 namespace {
-
-/// The mesh attribute that feeds the vertex input of that name; nothing for names that the user chose.
-std::optional<std::string_view> attributeOfInput(std::string_view input) {
-    for (const glsl::BuiltinInput& each : glsl::builtinInputs())
-        if (each.name == input) return each.attribute;
-    return std::nullopt;
-}
 
 /// True if a program that draws the planned mesh declares that attribute as an integer input.
 bool wantsIntegers(const plan::FramePlan& plan, plan::PlannedMeshIndex planned, std::string_view attribute,
@@ -24,11 +22,14 @@ bool wantsIntegers(const plan::FramePlan& plan, plan::PlannedMeshIndex planned, 
     for (const plan::PlannedPass& pass : plan.passes)
         for (const auto& step : pass.steps) {
             const auto* draw = std::get_if<plan::PlannedDraw>(&step);
-            if (!draw || draw->mesh != planned) continue;
+            if (!draw || draw->mesh != planned || !draw->inputs) continue;
             const BuiltProgram* built = programs.find(plan.programs[draw->program].variant);
             if (!built) continue;
-            for (const base::ActiveInput& input : built->interface.inputs)
-                if (input.type.isInteger() && attributeOfInput(input.name) == attribute) return true;
+            const std::vector<plan::InputSource>& sources = plan.inputs[draw->inputs].sources;
+            for (std::size_t i = 0; i < sources.size() && i < built->interface.inputs.size(); ++i) {
+                const auto* name = std::get_if<std::string>(&sources[i].from);
+                if (name && *name == attribute && built->interface.inputs[i].type.isInteger()) return true;
+            }
         }
     return false;
 }
@@ -59,21 +60,21 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The indices and the wanted attributes of a mesh on the device; `isInteger` says which attributes are also
-/// needed as ints.
+/// The wanted attributes of a mesh on the device, with these indices; `isInteger` says which attributes are
+/// also needed as ints.
 template <class IsInteger>
-Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<std::string>& wanted,
-                                const IsInteger& isInteger) {
+Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<std::uint32_t>& indices,
+                                const std::vector<std::string>& wanted, const IsInteger& isInteger) {
     DeviceMesh copy;
     copy.vertexCount = source.vertexCount();
-    copy.indexCount = static_cast<int>(source.indices.size());
+    copy.indexCount = static_cast<int>(indices.size());
     Diagnostics diagnostics;
     const auto upload = [&](auto values) {
         Result<gpu::Buffer> buffer = gpu::Buffer::create(std::as_bytes(values));
         append(diagnostics, std::move(buffer.diagnostics));
         return std::move(buffer.value);
     };
-    copy.indices = upload(std::span(source.indices));
+    copy.indices = upload(std::span(indices));
     if (!copy.indices) return diagnostics;
     for (const geometry::Attribute& each : source.attributes) {
         if (!contains(wanted, each.name)) continue;
@@ -91,35 +92,88 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
     return {std::move(copy), std::move(diagnostics)};
 }
 
+/// How the numbers of a buffer reach an input of that type.
+gpu::AttributeSource::Type typeOf(plan::NumberKind kind, const base::ValueType& input) {
+    using Type = gpu::AttributeSource::Type;
+    const bool isFloat = kind == plan::NumberKind::floating || kind == plan::NumberKind::doublePrecision;
+    if (isFloat) return Type::floating;
+    const bool isSigned = kind == plan::NumberKind::integer;
+    if (!input.isInteger()) return isSigned ? Type::integerAsFloat : Type::unsignedAsFloat;
+    return isSigned ? Type::integer : Type::unsignedInteger;
+}
+
+void addMeshSource(const DeviceMesh& mesh, const std::string& name, const base::ActiveInput& input,
+                   std::vector<gpu::AttributeSource>& sources) {
+    for (const DeviceMesh::Attribute& each : mesh.attributes) {
+        if (each.name != name) continue;
+        gpu::AttributeSource source;
+        const bool integer = input.type.isInteger() && each.integers;
+        source.buffer = integer ? &*each.integers : &each.floats;
+        source.type = integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;
+        source.location = static_cast<GLuint>(input.location);
+        source.components = each.components;
+        sources.push_back(source);
+    }
+}
+
 }  // namespace
 
-void DeviceScene::beginMoment() {
+void DeviceScene::forgetShapes() {
     keptMeshes_.clear();
     keptDeviceMeshes_.clear();
     for (auto& [shape, made] : meshes_)
         if (!made.key.empty() && made.mesh) keptMeshes_.try_emplace(made.key, std::move(made.mesh));
-    for (const plan::PlannedMeshIndex i : deviceMeshes_.indices())
-        if (deviceMeshes_[i] && !deviceMeshKeys_[i].empty())
-            keptDeviceMeshes_.try_emplace(deviceMeshKeys_[i], deviceMeshes_[i]);
+    for (const auto& [plan, parts] : plans_)
+        for (const plan::PlannedMeshIndex i : parts.meshes.indices())
+            if (parts.meshes[i] && !parts.keys[i].empty())
+                keptDeviceMeshes_.try_emplace(parts.keys[i], parts.meshes[i]);
     meshes_.clear();
     bounds_.clear();
-    deviceMeshes_.clear();
-    deviceMeshKeys_.clear();
-    vertexArrays_.clear();
+}
+
+void DeviceScene::beginMoment(const plan::FramePlan& plan) {
+    forgetShapes();
+    plans_.erase(&plan);
+}
+
+void DeviceScene::noteWrites(const plan::FramePlan& plan) {
+    const auto add = [this](const std::vector<plan::TextureUse>& textures) {
+        for (const plan::TextureUse& each : textures)
+            if (each.isImage) written_.insert(each.view.texture);
+    };
+    for (const plan::PlannedDispatch& each : plan.dispatches) add(each.textures);
+    for (const plan::PlannedPass& pass : plan.passes) {
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) add(draw->textures);
+        const scene::Pass& drawn = plan.passOf(pass);
+        if (!scene_.isModern) continue;
+        written_.insert(drawn.targets.begin(), drawn.targets.end());
+        if (drawn.depth) written_.insert(drawn.depth->texture);
+    }
+}
+
+Diagnostics DeviceScene::reset(const scene::ObjectView& object) {
+    if (const auto* buffer = std::get_if<scene::BufferView>(&object)) return buffers_.reset(buffer->buffer);
+    const scene::TextureIndex texture = std::get<scene::TextureView>(object).texture;
+    if (!std::holds_alternative<scene::EmptySource>(scene_.textures[texture].source)) return {};
+    clear(texture);
+    if (!scene_.textures[texture].hasHistory) return {};
+    exchange(texture);
+    clear(texture);
+    return {};
 }
 
 Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs) {
     Diagnostics diagnostics;
-    deviceMeshes_.resize(plan.meshes.size());
-    deviceMeshKeys_.resize(plan.meshes.size());
-    for (const plan::PlannedPass& pass : plan.passes)
-        for (const auto& step : pass.steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                for (const plan::TextureUse& use : draw->textures)
-                    if (use.isImage) written_.insert(use.texture);
+    PlanParts& parts = plans_[&plan];
+    parts.meshes.resize(plan.meshes.size());
+    parts.keys.resize(plan.meshes.size());
+    noteWrites(plan);
     for (const plan::PlannedMeshIndex each : plan.meshes.indices())
         append(diagnostics, upload(plan, each, programs));
     for (const scene::TextureIndex texture : plan.textures) append(diagnostics, makeTexture(texture));
+    append(diagnostics, buffers_.prepare(plan));
+    append(diagnostics, checkParts(plan));
     previous_ = nullptr;
     return diagnostics;
 }
@@ -203,9 +257,9 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
     if (key.empty()) return nullptr;
     if (const auto kept = keptDeviceMeshes_.find(key); kept != keptDeviceMeshes_.end()) return kept->second;
     if (previous_)
-        for (const plan::PlannedMeshIndex i : previous_->deviceMeshes_.indices())
-            if (previous_->deviceMeshes_[i] && previous_->deviceMeshKeys_[i] == key)
-                return previous_->deviceMeshes_[i];
+        for (const auto& [earlier, parts] : previous_->plans_)
+            for (const plan::PlannedMeshIndex i : parts.meshes.indices())
+                if (parts.meshes[i] && parts.keys[i] == key) return parts.meshes[i];
     std::shared_ptr<const DeviceMesh> found =
         shared_ ? shared_->deviceMeshes.find(key).value_or(nullptr) : nullptr;
     if (!found) return nullptr;
@@ -218,22 +272,45 @@ std::shared_ptr<const DeviceMesh> DeviceScene::earlierDeviceMesh(const std::stri
 Diagnostics DeviceScene::upload(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
                                 const ProgramLibrary& programs) {
     const plan::PlannedMesh& wanted = plan.meshes[planned];
+    PlanParts& parts = plans_.at(&plan);
+    const scene::Shape& shape = scene_.shapes[wanted.shape];
+    if (shape.bare) {
+        DeviceMesh bare;
+        bare.indexCount = shape.numbers.empty() ? 0 : static_cast<int>(shape.numbers.front());
+        parts.meshes[planned] = std::make_shared<const DeviceMesh>(std::move(bare));
+        return {};
+    }
     const auto isInteger = [&](std::string_view attribute) {
         return wantsIntegers(plan, planned, attribute, programs);
     };
     std::string key = reuseKey(scene_, scene_.shapes[wanted.shape]);
     if (!key.empty())
         for (const std::string& each : wanted.attributes) key += (isInteger(each) ? " i" : " ") + each;
-    deviceMeshKeys_[planned] = key;
-    deviceMeshes_[planned] = earlierDeviceMesh(key, plan, planned);
-    if (deviceMeshes_[planned]) return {};
+    if (!key.empty() && wanted.adjacency) key.append(" ").append(plan::wordOf(*wanted.adjacency));
+    parts.keys[planned] = key;
+    parts.meshes[planned] = earlierDeviceMesh(key, plan, planned);
+    if (parts.meshes[planned]) return {};
     Diagnostics diagnostics;
     const geometry::Mesh* source =
         mesh(wanted.shape, contains(wanted.attributes, geometry::kTangent), &diagnostics);
     if (!source || source->indices.empty()) return diagnostics;
 
+    std::vector<std::uint32_t> adjacency;
+    if (wanted.adjacency) {
+        const StageTimer timer(stats_, "geometry");
+        try {
+            adjacency = geometry::adjacencyIndices(*source, *wanted.adjacency);
+        } catch (const std::bad_alloc& problem) {
+            const scene::Draw* draw = drawOf(plan, planned);
+            diagnostics.push_back(diagnose("draw-E05",
+                                           fmt::format("cannot find neighbours: {}", problem.what()),
+                                           draw ? draw->place : Place{scene_.path, 1, 1}));
+            return diagnostics;
+        }
+    }
     const StageTimer timer(stats_, "upload");
-    Result<DeviceMesh> made = copyToDevice(*source, wanted.attributes, isInteger);
+    Result<DeviceMesh> made =
+        copyToDevice(*source, wanted.adjacency ? adjacency : source->indices, wanted.attributes, isInteger);
     append(diagnostics, std::move(made.diagnostics));
     if (!made) return diagnostics;
     const auto uploaded = std::make_shared<const DeviceMesh>(std::move(*made));
@@ -241,38 +318,74 @@ Diagnostics DeviceScene::upload(const plan::FramePlan& plan, plan::PlannedMeshIn
     stats_.add("vertices stored", uploaded->vertexCount);
     if (shared_ && !key.empty() && meshes_.at(wanted.shape).remarks.empty())
         shared_->deviceMeshes.add(key, uploaded, bytesOf(*uploaded));
-    deviceMeshes_[planned] = uploaded;
+    parts.meshes[planned] = uploaded;
     return diagnostics;
 }
 
-const DeviceMesh* DeviceScene::deviceMesh(plan::PlannedMeshIndex planned) const {
-    return deviceMeshes_[planned].get();
+const DeviceMesh* DeviceScene::deviceMesh(const plan::FramePlan& plan, plan::PlannedMeshIndex planned) const {
+    const auto found = plans_.find(&plan);
+    return found == plans_.end() ? nullptr : found->second.meshes[planned].get();
 }
 
-const gpu::VertexArray& DeviceScene::vertexArray(plan::PlannedMeshIndex planned,
-                                                 plan::PlannedProgramIndex program,
-                                                 const BuiltProgram& built) {
-    const auto known = vertexArrays_.find({planned, program});
-    if (known != vertexArrays_.end()) return known->second;
-    const DeviceMesh& mesh = *deviceMeshes_[planned];
+const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
+                                                 plan::PlannedInputsIndex inputs, const BuiltProgram& built) {
+    PlanParts& parts = plans_.at(&plan);
+    std::vector<GLuint> buffers;
+    if (inputs)
+        for (const plan::InputSource& each : plan.inputs[inputs].sources)
+            if (const auto* view = std::get_if<scene::BufferView>(&each.from)) {
+                const gpu::Buffer* buffer = buffers_.buffer(*view);
+                buffers.push_back(buffer ? buffer->id() : 0);
+            }
+    const auto known = parts.vertexArrays.find({planned, inputs, buffers});
+    if (known != parts.vertexArrays.end()) return known->second;
+    const DeviceMesh& mesh = *parts.meshes[planned];
     std::vector<gpu::AttributeSource> sources;
-    for (const base::ActiveInput& input : built.interface.inputs) {
-        const auto name = attributeOfInput(input.name);
-        if (!name || input.location < 0) continue;
-        for (const DeviceMesh::Attribute& each : mesh.attributes) {
-            if (each.name != *name) continue;
-            gpu::AttributeSource source;
-            const bool integer = input.type.isInteger() && each.integers;
-            source.buffer = integer ? &*each.integers : &each.floats;
-            source.type =
-                integer ? gpu::AttributeSource::Type::integer : gpu::AttributeSource::Type::floating;
-            source.location = static_cast<GLuint>(input.location);
-            source.components = each.components;
-            sources.push_back(source);
-        }
+    const std::vector<plan::InputSource>& feeds = inputSources(plan, inputs, built);
+    for (std::size_t i = 0; i < feeds.size(); ++i) {
+        const base::ActiveInput& input = built.interface.inputs[i];
+        if (input.location < 0) continue;
+        if (const auto* name = std::get_if<std::string>(&feeds[i].from))
+            addMeshSource(mesh, *name, input, sources);
+        else if (const auto* view = std::get_if<scene::BufferView>(&feeds[i].from))
+            addBufferSources(*view, feeds[i].isPerInstance, input, sources);
     }
-    return vertexArrays_.try_emplace({planned, program}, gpu::VertexArray(sources, &*mesh.indices))
+    return parts.vertexArrays
+        .try_emplace({planned, inputs, buffers},
+                     gpu::VertexArray(sources, mesh.indices ? &*mesh.indices : nullptr))
         .first->second;
+}
+
+const std::vector<plan::InputSource>& DeviceScene::inputSources(const plan::FramePlan& plan,
+                                                                plan::PlannedInputsIndex inputs,
+                                                                const BuiltProgram& built) {
+    if (inputs) return plan.inputs[inputs].sources;
+    const auto [entry, isNew] = suppliedSources_.try_emplace(&built);
+    if (isNew) entry->second = plan::inputSources(scene_, {}, built.interface);
+    return entry->second;
+}
+
+void DeviceScene::addBufferSources(const scene::BufferView& view, bool isPerInstance,
+                                   const base::ActiveInput& input,
+                                   std::vector<gpu::AttributeSource>& sources) const {
+    const gpu::Buffer* buffer = buffers_.buffer(view);
+    const plan::BufferLayout* layout = buffers_.layout(view.buffer);
+    if (!buffer || !layout || layout->pattern.element.empty()) return;
+    const plan::MemoryPattern& pattern = layout->pattern;
+    const auto rows = static_cast<std::size_t>(input.type.rows);
+    for (std::size_t column = 0; column < static_cast<std::size_t>(input.type.columns); ++column) {
+        const std::size_t first = column * rows;
+        if (first >= pattern.element.size()) return;
+        gpu::AttributeSource source;
+        source.buffer = buffer;
+        source.location = static_cast<GLuint>(input.location) + static_cast<GLuint>(column);
+        source.components = static_cast<int>(std::min(rows, pattern.element.size() - first));
+        source.offset = pattern.elementsAt + pattern.element[first].offset;
+        source.stride = pattern.stride;
+        source.divisor = isPerInstance ? 1 : 0;
+        source.type = typeOf(pattern.element[first].kind, input.type);
+        sources.push_back(source);
+    }
 }
 
 }  // namespace glibra::render

@@ -1,11 +1,14 @@
 #pragma once
 // The meshes, textures and targets of a scene on the device, each made at its first use.
 
+#include <array>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "gpu/context/context.h"
@@ -17,6 +20,7 @@
 #include "image/limits.h"
 #include "noise/texel_bytes.h"
 #include "plan/frame_plan.h"
+#include "render/load/device_buffers.h"
 #include "render/load/programs.h"
 #include "render/load/shared_parts.h"
 #include "render/stats.h"
@@ -34,10 +38,15 @@ struct DeviceMesh {
             integers;  ///< the same values as ints, if a program declares an integer input
     };
     std::vector<Attribute> attributes;
-    std::optional<gpu::Buffer> indices;
-    int indexCount = 0;
+    std::optional<gpu::Buffer> indices;  ///< nothing: vertices without data
+    int indexCount = 0;                  ///< without `indices` the vertices of the shape, or 0
     std::size_t vertexCount = 0;
 };
+
+/// The format of depth buffers that the scene does not name. Only modern scenes have a stencil.
+inline gpu::TexelFormat depthFormat(const scene::Scene& scene) {
+    return scene.isModern ? gpu::TexelFormat::depth24_stencil8 : gpu::TexelFormat::depth24;
+}
 
 class DeviceScene {
   public:
@@ -45,16 +54,29 @@ class DeviceScene {
     /// one texture.
     DeviceScene(const gpu::Context& context, const scene::Scene& scene, Stats& stats,
                 SharedParts* shared = nullptr, bool sharesTextures = true)
-        : context_(context), scene_(scene), stats_(stats), shared_(shared), sharesTextures_(sharesTextures) {}
+        : context_(context),
+          scene_(scene),
+          stats_(stats),
+          shared_(shared),
+          sharesTextures_(sharesTextures),
+          buffers_(context, scene, stats) {}
 
     /// Sets the device scene before the scene was read again; it must exist until prepare(), which takes over
     /// unchanged meshes and textures.
     void inherit(DeviceScene& previous) { previous_ = &previous; }
-    /// Call it after the scene has been interpreted for another moment, before prepare(): shapes may have
-    /// other indices, textures have not. Meshes that both moments have stay on the device.
-    void beginMoment();
-    /// Makes all meshes and textures of the plan. Errors name the scene line that needs them.
+    /// Call it after the scene has been interpreted for another moment, before prepare() of that plan: shapes
+    /// may have other indices, textures have not. Meshes that both moments have stay on the device.
+    void beginMoment(const plan::FramePlan& plan);
+    /// Forgets the shapes of the scene, because it has been interpreted for another moment. Meshes on the
+    /// device stay.
+    void forgetShapes();
+    /// Textures that shaders of the plan write to are not shared. Call it before the first prepare().
+    void noteWrites(const plan::FramePlan& plan);
+    /// Makes all meshes, textures and buffers of the plan, which must not move. Errors name the scene line
+    /// that needs them.
     Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
+    /// Forgets the meshes of a plan that is prepared no longer.
+    void forget(const plan::FramePlan& plan) { plans_.erase(&plan); }
 
     /// The CPU mesh of a shape, kept until releaseMeshes(); null if it could not be made, with the reason in
     /// `remarks`. If `remarks` is null, the next call with `remarks` gets them. No GL.
@@ -75,16 +97,45 @@ class DeviceScene {
     void releaseMeshes() { meshes_.clear(); }
 
     /// Null if the mesh has nothing to draw.
-    [[nodiscard]] const DeviceMesh* deviceMesh(plan::PlannedMeshIndex planned) const;
-    /// Null if it has not been made.
+    [[nodiscard]] const DeviceMesh* deviceMesh(const plan::FramePlan& plan,
+                                               plan::PlannedMeshIndex planned) const;
+    /// The texture, or the current copy of one with history. Null if it has not been made.
     [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex texture) const;
-    /// A texture that reads (0, 0, 0, 1) everywhere.
-    const gpu::Texture& emptyTexture(scene::TextureTarget target);
-    const gpu::Sampler& sampler(bool clamp);
-    /// The vertex array that connects the mesh's buffers to the program's inputs; cached.
-    const gpu::VertexArray& vertexArray(plan::PlannedMeshIndex planned, plan::PlannedProgramIndex program,
-                                        const BuiltProgram& built);
-    /// The render target of a pass into textures; cached.
+    /// The copy that the view names; the whole of it, whatever its level and layer.
+    [[nodiscard]] const gpu::Texture* texture(const scene::TextureView& view) const;
+    /// The copies of a texture with history change their places: what was current is the previous one.
+    void exchange(scene::TextureIndex texture);
+    /// Gives the current copy the content of the previous one.
+    Diagnostics copyFromPrevious(scene::TextureIndex texture);
+    /// Sets a texture that nodes write to zero; with history only the current copy.
+    void clear(scene::TextureIndex texture);
+    /// Makes a buffer or an empty texture as declared, in both copies of one with history.
+    Diagnostics reset(const scene::ObjectView& object);
+    /// Something has been drawn or stored into the current copy.
+    void wasWritten(scene::TextureIndex texture);
+    /// True if mipmaps or resolved samples that the sampler reads are older than the texture.
+    [[nodiscard]] bool isIncomplete(const plan::TextureUse& use) const;
+    /// Makes them. The scissor test must be off.
+    void complete(const plan::TextureUse& use);
+    /// Binds the texture and sampler, or the image, to the unit of the use.
+    void bind(const plan::TextureUse& use);
+
+    /// SceneRenderer::textureImage.
+    Result<image::Image> imageOf(const scene::TextureView& view);
+
+    [[nodiscard]] bool isModern() const { return scene_.isModern; }
+    /// The vertex array that connects the program's inputs to what feeds them; cached. Without `inputs` they
+    /// read what glibra supplies.
+    const gpu::VertexArray& vertexArray(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
+                                        plan::PlannedInputsIndex inputs, const BuiltProgram& built);
+    /// What feeds the inputs of the program; without `inputs` what glibra supplies.
+    const std::vector<plan::InputSource>& inputSources(const plan::FramePlan& plan,
+                                                       plan::PlannedInputsIndex inputs,
+                                                       const BuiltProgram& built);
+    [[nodiscard]] DeviceBuffers& buffers() { return buffers_; }
+    [[nodiscard]] const DeviceBuffers& buffers() const { return buffers_; }
+    /// The render target of a pass into textures; cached. In modern scenes draw-E10 if a part does not
+    /// exist.
     Result<const gpu::Target*> target(const scene::Pass& pass);
 
   private:
@@ -94,6 +145,15 @@ class DeviceScene {
         Diagnostics remarks;
         bool areReported = false;
         std::string key;
+    };
+    /// What belongs to one plan.
+    struct PlanParts {
+        scene::List<std::shared_ptr<const DeviceMesh>, plan::PlannedMesh> meshes;
+        scene::List<std::string, plan::PlannedMesh> keys;
+        /// By mesh, inputs, and the names of the scene's buffers that feed them.
+        std::map<std::tuple<plan::PlannedMeshIndex, plan::PlannedInputsIndex, std::vector<GLuint>>,
+                 gpu::VertexArray>
+            vertexArrays;
     };
     using PictureTexels = Result<image::TexelBlock>;
     using NoiseTexels = Result<noise::TexelShorts>;
@@ -106,8 +166,21 @@ class DeviceScene {
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);
     Diagnostics upload(const plan::FramePlan& plan, plan::PlannedMeshIndex planned,
                        const ProgramLibrary& programs);
+    void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
+                          std::vector<gpu::AttributeSource>& sources) const;
     Diagnostics makeTexture(scene::TextureIndex index);
     Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key);
+    Result<gpu::Texture> createNamed(const scene::Texture& texture, image::TexelBlock block);
+    /// Makes the second copy of a texture with history, and what its samples are resolved into.
+    Diagnostics makeCopies(scene::TextureIndex index, std::shared_ptr<gpu::Texture> first);
+    /// Reports draw-E10 for parts of textures that this driver cannot read alone.
+    [[nodiscard]] Diagnostics checkParts(const plan::FramePlan& plan) const;
+    /// A texture that reads (0, 0, 0, 1) everywhere.
+    const gpu::Texture& emptyTexture(scene::TextureTarget target);
+    const gpu::Sampler& sampler(const base::SamplerState& state, bool compares);
+    /// The texture or the part of it that the use reads.
+    const gpu::Texture* readable(const plan::TextureUse& use);
+    Result<gpu::Target> makeTarget(const scene::Pass& pass);
     NoiseTexels noiseTexels(const scene::NoiseSource& source, const Place& place);
     PictureTexels pictureTexels(const scene::Texture& texture, const scene::PictureSource& picture);
     /// Takes the bytes of a texture from what is left for the scene; draw-E08 if it is not enough.
@@ -123,22 +196,54 @@ class DeviceScene {
     std::map<std::string, std::shared_ptr<const DeviceMesh>> keptDeviceMeshes_;
     std::map<scene::ShapeIndex, MadeMesh> meshes_;
     std::map<scene::ShapeIndex, VertexBox> bounds_;
-    scene::List<std::string, plan::PlannedMesh> deviceMeshKeys_;
     std::map<scene::TextureIndex, std::string> textureKeys_;
-    scene::List<std::shared_ptr<const DeviceMesh>, plan::PlannedMesh> deviceMeshes_;
+    std::map<const plan::FramePlan*, PlanParts> plans_;
     std::map<scene::TextureIndex, std::shared_ptr<const gpu::Texture>> textures_;
-    std::set<scene::TextureIndex> written_;  ///< textures that programs may write to as images; never shared
-    /// Files and target of a picture -> the texture that holds it.
-    std::map<std::pair<std::vector<scene::FileIndex>, scene::TextureTarget>, scene::TextureIndex> pictures_;
+    std::set<scene::TextureIndex> written_;  ///< textures that nodes may write to; never shared
+    /// A texture that nodes write to and that has a name.
+    struct Copies {
+        struct Copy {
+            std::shared_ptr<gpu::Texture> texture;
+            std::shared_ptr<gpu::Texture> resolved;  ///< of a multisampled texture
+            bool isComplete = true;                  ///< mipmaps and `resolved` are up to date
+        };
+        std::array<Copy, 2> copies;  ///< the second one only with history
+        std::size_t current = 0;
+    };
+    std::map<scene::TextureIndex, Copies> copies_;
+    /// Parts of textures as samplers read them: texture, level, layer.
+    std::map<std::tuple<const gpu::Texture*, int, int>, gpu::Texture> views_;
+    /// What decides the texels of a picture -> the texture that holds it.
+    struct PictureKey {
+        std::vector<scene::FileIndex> files;
+        scene::TextureTarget target{};
+        bool isFlipped = false, isSrgb = false, hasMipmaps = false;
+        friend auto operator<=>(const PictureKey&, const PictureKey&) = default;
+    };
+    std::map<PictureKey, scene::TextureIndex> pictures_;
     std::map<scene::TextureIndex, scene::TextureIndex> sameTexture_;
     std::map<std::string, PictureTexels> picturesAhead_;  ///< by reuseKey()
     std::map<std::string, NoiseTexels> noiseAhead_;
     std::uint64_t texelBytesLeft_ = image::kSceneTexelBytes;
     std::map<scene::TextureTarget, gpu::Texture> emptyTextures_;
-    std::map<bool, gpu::Sampler> samplers_;
-    std::map<std::pair<plan::PlannedMeshIndex, plan::PlannedProgramIndex>, gpu::VertexArray> vertexArrays_;
+    struct MadeSampler {
+        base::SamplerState state;
+        bool compares = false;
+        gpu::Sampler sampler;
+    };
+    std::deque<MadeSampler> samplers_;  ///< few, so that a search is fast
     std::map<int, gpu::SharedDepth> depthBuffers_;
-    std::map<std::pair<std::vector<scene::TextureIndex>, int>, gpu::Target> targets_;
+    struct MadeTarget {
+        std::vector<scene::TextureIndex> targets;
+        std::vector<scene::TargetPart> parts;
+        std::optional<scene::TextureView> depth;
+        int depthBuffer = 0;
+        std::vector<const gpu::Texture*> textures;  ///< of the targets and the depth
+        gpu::Target target;
+    };
+    std::deque<MadeTarget> targets_;
+    DeviceBuffers buffers_;
+    std::map<const BuiltProgram*, std::vector<plan::InputSource>> suppliedSources_;
 };
 
 }  // namespace glibra::render

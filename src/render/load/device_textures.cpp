@@ -7,11 +7,14 @@
 #include <memory>
 #include <utility>
 
+#include "image/cube_map.h"
+#include "image/texel_block.h"
 #include "image/texture_file.h"
 #include "noise/noise.h"
 #include "plan/texture_uses.h"
 #include "render/load/device_scene.h"
 #include "render/load/reuse.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::render {
 namespace {
@@ -24,6 +27,8 @@ gpu::TextureShape shapeOf(scene::TextureTarget target) {
             return gpu::TextureShape::texture2D;
         case scene::TextureTarget::texture3D:
             return gpu::TextureShape::texture3D;
+        case scene::TextureTarget::texture2DArray:
+            return gpu::TextureShape::array2D;
         case scene::TextureTarget::cube:
             break;
     }
@@ -35,6 +40,7 @@ int dimensionsOf(scene::TextureTarget target) {
         case scene::TextureTarget::texture1D:
             return 1;
         case scene::TextureTarget::texture3D:
+        case scene::TextureTarget::texture2DArray:
             return 3;
         case scene::TextureTarget::texture2D:
         case scene::TextureTarget::cube:
@@ -80,6 +86,12 @@ std::uint64_t texelsOf(gpu::TextureSize size, scene::TextureTarget target) {
            static_cast<std::uint64_t>(size.depth) * (target == scene::TextureTarget::cube ? 6U : 1U);
 }
 
+/// "unit 5 / 3D", or "'brick'".
+std::string textOf(const scene::Texture& texture) {
+    if (!texture.name.empty()) return "'" + texture.name + "'";
+    return "unit " + plan::slotText(texture.unit, texture.target);
+}
+
 /// The files of a picture, in order.
 std::vector<std::filesystem::path> pathsOf(const scene::Scene& scene, const scene::PictureSource& picture) {
     std::vector<std::filesystem::path> paths;
@@ -115,19 +127,22 @@ DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& text
     stats_.add("files read", paths.size());
     image::ReadOptions options;
     options.limits.sceneBytesLeft = texelBytesLeft_;
-    PictureTexels read =
-        texture.target == scene::TextureTarget::cube
-            ? image::readCubeMap(paths, texture.place, options)
-            : image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
-    if (read) texelBytesLeft_ -= read->data.size();
-    return read;
+    const auto read = [&]() -> PictureTexels {
+        if (texture.target == scene::TextureTarget::cube)
+            return paths.size() == 1 ? image::readCubePicture(paths.front(), texture.place, options)
+                                     : image::readCubeMap(paths, texture.place, options);
+        return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
+    };
+    PictureTexels texels = read();
+    if (texels) texelBytesLeft_ -= texels->data.size();
+    return texels;
 }
 
 std::optional<Diagnostic> DeviceScene::charge(std::uint64_t bytes, const scene::Texture& texture) {
     image::Limits limits;
     limits.sceneBytesLeft = texelBytesLeft_;
     auto over = image::checkSceneBytes(
-        bytes, limits, fmt::format("the texture of unit {}", plan::slotText(texture.unit, texture.target)),
+        bytes, limits, (texture.name.empty() ? "the texture of " : "texture ") + textOf(texture),
         texture.place);
     if (!over) texelBytesLeft_ -= bytes;
     return over;
@@ -151,16 +166,20 @@ void DeviceScene::readAhead(scene::TextureIndex index) {
 
 Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
     const scene::Texture& texture = scene_.textures[index];
+    const bool isNamed = !texture.name.empty();
+    // An animation plans each moment anew; its textures stay.
+    if (isNamed && (copies_.contains(index) || (textures_.contains(index) && !written_.contains(index))))
+        return {};
     const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
-    if (picture && sharesTextures_) {
+    if (picture && sharesTextures_ && !(isNamed && written_.contains(index))) {
         // Files used twice are read once: statements that name the same files share one texture.
-        const auto [first, isNew] = pictures_.try_emplace({picture->files, texture.target}, index);
+        const auto [first, isNew] = pictures_.try_emplace(
+            {picture->files, texture.target, texture.isFlipped, texture.isSrgb, texture.hasMipmaps}, index);
         if (!isNew) {
             sameTexture_[index] = first->second;
             stats_.skip("texture",
-                        fmt::format("unit {}: shares the texture that line {} makes from the same file",
-                                    plan::slotText(texture.unit, texture.target),
-                                    scene_.textures[first->second].place.line),
+                        fmt::format("{}: shares the texture that line {} makes from the same file",
+                                    textOf(texture), scene_.textures[first->second].place.line),
                         texture.place);
             return {};
         }
@@ -181,6 +200,11 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
     const std::uint64_t texels = texelsOf(made->size(), texture.target);
     stats_.add("textures", 1);
     stats_.add("texels", texels);
+    if (isNamed && (isOwn || texture.hasHistory)) {
+        Diagnostics remarks = std::move(made.diagnostics);
+        append(remarks, makeCopies(index, std::make_shared<gpu::Texture>(std::move(*made))));
+        return remarks;
+    }
     auto kept = std::make_shared<const gpu::Texture>(std::move(*made));
     if (shared_ && !isOwn && made.diagnostics.empty())
         shared_->textures.add(key, kept, texels * gpu::bytesPerTexel(kept->format()));
@@ -198,8 +222,7 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     if (!found) return nullptr;
     stats_.add("textures kept", 1);
     const bool isNoise = std::holds_alternative<scene::NoiseSource>(texture.source);
-    stats_.skip(isNoise ? "noise texture" : "texture",
-                fmt::format("unit {}: already on the device", plan::slotText(texture.unit, texture.target)),
+    stats_.skip(isNoise ? "noise texture" : "texture", textOf(texture) + ": already on the device",
                 texture.place);
     return found;
 }
@@ -207,9 +230,16 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
 Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, const std::string& key) {
     const gpu::Capabilities& capabilities = context_.capabilities();
     const gpu::TextureShape shape = shapeOf(texture.target);
-    if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source))
-        return gpu::Texture::create(capabilities, shape, empty->format,
-                                    {empty->width, empty->height, empty->depth});
+    if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) {
+        gpu::TextureLayout layout{shape, empty->format, {empty->width, empty->height, empty->depth}};
+        if (texture.name.empty()) return gpu::Texture::create(capabilities, layout);
+        layout.levels = scene::levelsOf(texture).value_or(1);
+        layout.samples = texture.samples;
+        if (texture.samples > 1) layout.shape = gpu::TextureShape::multisampled;
+        Result<gpu::Texture> made = gpu::Texture::create(capabilities, layout);
+        for (Diagnostic& each : made.diagnostics) each.place = texture.place;
+        return made;
+    }
 
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) {
         const auto side = static_cast<std::uint64_t>(noise->size);
@@ -241,11 +271,30 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
     const StageTimer timer(stats_, "read");
     append(diagnostics, std::move(block.diagnostics));
     if (!block) return diagnostics;
-    Result<gpu::Texture> made = gpu::Texture::create(capabilities, shape, formatOf(block->type),
-                                                     {block->width, block->height, block->depth},
-                                                     {block->data, block->components, typeOf(block->type)});
+    Result<gpu::Texture> made =
+        texture.name.empty() ? gpu::Texture::create(capabilities, shape, formatOf(block->type),
+                                                    {block->width, block->height, block->depth},
+                                                    {block->data, block->components, typeOf(block->type)})
+                             : createNamed(texture, std::move(*block));
     append(diagnostics, std::move(made.diagnostics));
     made.diagnostics = std::move(diagnostics);
+    return made;
+}
+
+Result<gpu::Texture> DeviceScene::createNamed(const scene::Texture& texture, image::TexelBlock block) {
+    if (texture.isFlipped) image::flipRows(block);
+    // Only bytes have an sRGB format; wider texels are decoded here.
+    const bool isSrgbFormat = texture.isSrgb && block.type == image::Component::u8;
+    if (texture.isSrgb && !isSrgbFormat) image::decodeSrgb(block);
+    gpu::TextureLayout layout{shapeOf(texture.target),
+                              isSrgbFormat ? gpu::TexelFormat::srgb8_alpha8 : formatOf(block.type),
+                              {block.width, block.height, block.depth}};
+    if (texture.hasMipmaps) layout.levels = gpu::mostLevels(layout.shape, layout.size);
+    Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), layout);
+    if (made) append(made.diagnostics, made->upload(0, {block.data, block.components, typeOf(block.type)}));
+    for (Diagnostic& each : made.diagnostics) each.place = texture.place;
+    if (made && hasError(made.diagnostics)) return std::move(made.diagnostics);
+    if (made && layout.levels > 1) made->generateMipmaps();
     return made;
 }
 
@@ -265,29 +314,6 @@ const gpu::Texture& DeviceScene::emptyTexture(scene::TextureTarget target) {
         gpu::Texture::create(context_.capabilities(), shapeOf(target), gpu::TexelFormat::rgba8, {1, 1, 1},
                              {std::as_bytes(std::span(texels)), 4});
     return emptyTextures_.emplace(target, made ? std::move(*made) : gpu::Texture{}).first->second;
-}
-
-const gpu::Sampler& DeviceScene::sampler(bool clamp) {
-    const auto known = samplers_.find(clamp);
-    if (known != samplers_.end()) return known->second;
-    return samplers_.emplace(clamp, gpu::Sampler(clamp ? gpu::Wrap::clampToEdge : gpu::Wrap::repeat))
-        .first->second;
-}
-
-Result<const gpu::Target*> DeviceScene::target(const scene::Pass& pass) {
-    // This runs in every frame, so it compares without making a key.
-    for (const auto& [key, known] : targets_)
-        if (key.second == pass.depthBuffer && key.first == pass.targets) return &known;
-    std::vector<const gpu::Texture*> textures;
-    for (const scene::TextureIndex each : pass.targets) textures.push_back(texture(each));
-    gpu::SharedDepth& depth = depthBuffers_[pass.depthBuffer];
-    Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
-    if (!made) {
-        for (Diagnostic& each : made.diagnostics) each.place = pass.place;
-        return std::move(made.diagnostics);
-    }
-    depth = made->depth();
-    return &targets_.emplace(std::pair(pass.targets, pass.depthBuffer), std::move(*made)).first->second;
 }
 
 }  // namespace glibra::render

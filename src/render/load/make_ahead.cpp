@@ -83,17 +83,19 @@ void SceneRenderer::State::makeAhead() {
         const plan::ProgramInterface guess = samplersIn(*translated);
         std::vector<bool> used;
         const auto samplers =
-            plan::resolveUniforms(scene.programs[variant.program], scene.path, guess, *overrides, used)
+            plan::resolveUniforms(scene.programs[variant.program], scene.path, guess, *overrides, used,
+                                  {scene.isModern ? &scene : nullptr,
+                                   draw.uniforms ? &scene.uniformSets[draw.uniforms] : nullptr})
                 .samplers;
         const gpu::Capabilities& driver = context.capabilities();
         const auto units = plan::assignUnits(guess, samplers, driver.combinedTextureUnits, 0);
         if (!units) return textures;
-        for (const plan::TextureUse& use : plan::textureUses(scene, draw, guess, *units))
-            textures.push_back(use.texture);
+        for (const plan::TextureUse& use : plan::textureUses(scene, draw.slots, draw.sampling, guess, *units))
+            textures.push_back(use.view.texture);
         return textures;
     };
     const plan::Needs needs = plan::findNeeds(
-        scene,
+        scene, scene.frame,
         {texturesOf, [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
          [this](const scene::Draw& draw, const scene::Pass& pass) {
              return outOfSight(draw, pass, nullptr);

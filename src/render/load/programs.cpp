@@ -10,6 +10,7 @@
 #include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
 #include "image/file.h"
+#include "plan/accesses.h"
 #include "render/load/gl_names.h"
 #include "scene/file_lookup.h"
 
@@ -38,6 +39,7 @@ glsl::SamplerKind samplerKind(scene::TextureTarget target) {
         case scene::TextureTarget::texture1D:
             return glsl::SamplerKind::sampler1D;
         case scene::TextureTarget::texture2D:
+        case scene::TextureTarget::texture2DArray:  // never on a unit
             return glsl::SamplerKind::sampler2D;
         case scene::TextureTarget::texture3D:
             return glsl::SamplerKind::sampler3D;
@@ -159,6 +161,8 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.name = program.name;
     request.place = program.place;
     request.shim = options_.shim;
+    request.suppliesFullScreenVertex = variant.isFullScreen;
+    request.acceptsStorage = scene_.isModern && context_.capabilities().compute;
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;
     request.geometryVerticesOut = program.geometryVerticesOut;
@@ -273,6 +277,10 @@ const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) co
 }
 
 bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
+    if (scene_.isModern) {
+        const Translation& translation = translationOf(plan::ProgramVariant{program});
+        return translation.program != nullptr && plan::writesMemory(*translation.program);
+    }
     for (const scene::StageFile& stage : scene_.programs[program].stages) {
         const SourceFile& source = sourceFile(stage.file);
         if (source.text && source.text->find("image") != std::string::npos &&

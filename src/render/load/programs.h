@@ -43,6 +43,8 @@ struct BuiltProgram {
     bool isLastGood = false;  ///< the current sources fail; this program is of an earlier state
     std::vector<InitialValue>
         initialValues;  ///< if draws of the scene set values of their own; otherwise empty
+    mutable const void* literalsOf =
+        nullptr;  ///< the part of a FrameDrawer whose constants the uniforms have; null: none
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 
@@ -80,7 +82,8 @@ class ProgramLibrary {
     /// A source of the program whose text may not be shown, because it lies outside of the scene's folder and
     /// the library; empty if there is none. It is known after interfaceOf.
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const;
-    /// True if any source of the program names an image function.
+    /// True if the program may write to an image, a storage block or an atomic counter. In a classic scene:
+    /// if a source names an image function.
     bool mayWriteImages(scene::ProgramIndex program);
 
   private:

@@ -31,6 +31,9 @@ std::string reuseKey(const scene::Scene& scene, const scene::Texture& texture) {
     std::string key = fmt::format("{}", static_cast<int>(texture.target));
     if (const auto* picture = std::get_if<scene::PictureSource>(&texture.source)) {
         for (const scene::FileIndex each : picture->files) key += stampOf(scene, each);
+        if (texture.isFlipped) key += " flip";
+        if (texture.isSrgb) key += " srgb";
+        if (texture.hasMipmaps) key += " mipmaps";
         return key;
     }
     if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source))

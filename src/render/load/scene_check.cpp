@@ -21,6 +21,8 @@ const char* suffix(glsl::Stage stage) {
             return "tese";
         case glsl::Stage::geometry:
             return "geom";
+        case glsl::Stage::compute:
+            return "comp";
         case glsl::Stage::fragment:
             break;
     }

@@ -79,6 +79,24 @@ SuppliedNumbers suppliedValue(glsl::Builtin builtin, const DrawFacts& facts, int
             return {facts.color.r, facts.color.g, facts.color.b, facts.color.a};
         case Builtin::pointSize:
             return {facts.pointSize};
+        case Builtin::model:
+            return numbers<4>(facts.model);
+        case Builtin::modelInverse:
+            return numbers<4>(inverse(facts.model));
+        case Builtin::modelInverseTranspose:
+            return numbers<4>(glm::transpose(inverse(facts.model)));
+        case Builtin::modelNormalMatrix:
+            return numbers<3>(scene::normalMatrix(facts.model));
+        case Builtin::view:
+            return numbers<4>(facts.view);
+        case Builtin::viewInverse:
+            return numbers<4>(inverse(facts.view));
+        case Builtin::viewProjection:
+            return numbers<4>(facts.projection * facts.view);
+        case Builtin::eyePosition: {
+            const glm::dvec4 eye = inverse(facts.view)[3];
+            return {eye.x, eye.y, eye.z};
+        }
     }
     return {};
 }

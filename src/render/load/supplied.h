@@ -13,6 +13,8 @@ namespace glibra::render {
 
 struct DrawFacts {
     glm::dmat4 modelView{1.0};
+    glm::dmat4 view{1.0};   ///< of the camera
+    glm::dmat4 model{1.0};  ///< modelView = view * model
     glm::dmat4 projection{1.0};
     double timer = 0;  ///< 0..1
     glm::dvec4 color{1.0};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glib/number.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::render {
 namespace {
@@ -75,7 +76,7 @@ class Search {
                                                     return std::holds_alternative<plan::PlannedDraw>(step);
                                                 }));
             const std::vector<scene::TextureIndex>& textures = plan.passOf(plan.passes[pass]).targets;
-            if (first < end && textures.empty()) all.push_back({pass, 0, first, end});
+            if (first < end && plan.passOf(plan.passes[pass]).isWindow) all.push_back({pass, 0, first, end});
             for (std::size_t i = 0; first < end && i < textures.size(); ++i)
                 if (isFloat(textures[i])) all.push_back({pass, static_cast<int>(i), first, end});
             first = end;
@@ -90,7 +91,7 @@ class Search {
 
     [[nodiscard]] bool isFloat(scene::TextureIndex texture) const {
         const auto* made = std::get_if<scene::EmptySource>(&renderer_.scene().textures[texture].source);
-        return made != nullptr && made->format != scene::TexelFormat::rgba8;
+        return made != nullptr && base::isFloat(made->format);
     }
 
     std::vector<bool> brokenAfter(std::size_t draws, const Searched& where) {
@@ -129,8 +130,8 @@ class Search {
     [[nodiscard]] int widthOf(const Searched& where) const {
         const std::vector<scene::TextureIndex>& textures = targetsOf(where.pass);
         if (textures.empty()) return renderer_.width();
-        const scene::Texture& texture = renderer_.scene().textures[textures.front()];
-        return std::get<scene::EmptySource>(texture.source).width;
+        const plan::FramePlan& plan = renderer_.plan();
+        return scene::targetSize(renderer_.scene(), plan.passOf(plan.passes[where.pass])).value()[0];
     }
 
     SceneRenderer& renderer_;
@@ -139,15 +140,19 @@ class Search {
     std::vector<Found> found_;
 };
 
+std::string textureText(const scene::Texture& texture) {
+    return texture.name.empty() ? fmt::format("of unit {}", texture.unit) : fmt::format("'{}'", texture.name);
+}
+
 /// "Sphere draws NaN or infinity into 12 pixels of texture unit 6, the first at 3, 4".
 std::string describe(const Found& found, const scene::Draw& draw, const scene::Scene& scene,
                      const std::map<scene::TextureIndex, int>& lines) {
     std::string text = fmt::format("{} leaves NaN or infinity in {} pixel{}", draw.word, found.pixels,
                                    found.pixels == 1 ? "" : "s");
-    if (found.texture) text += fmt::format(" of the texture of unit {}", scene.textures[found.texture].unit);
+    if (found.texture) text += " of the texture " + textureText(scene.textures[found.texture]);
     text += fmt::format(", the first at {}, {}", found.x, found.y);
     for (const plan::TextureUse& use : found.draw->textures)
-        if (const auto line = lines.find(use.texture); line != lines.end())
+        if (const auto line = lines.find(use.view.texture); line != lines.end())
             return text + fmt::format("; it samples what line {} drew", line->second);
     return text;
 }

@@ -8,6 +8,7 @@
 
 #include "base/matrices.h"
 #include "base/suggest.h"
+#include "expression/name_table.h"
 #include "scene/camera.h"
 #include "scene/matrices.h"
 #include "scene/modern/evaluate.h"
@@ -23,25 +24,17 @@ using glib::CommandId;
 using glib::KeyedValues;
 using Numbers = std::optional<std::vector<double>>;
 
+/// True if the shape of the target decides the projection.
+bool followsTarget(const SceneCamera& camera) {
+    return !camera.aspect && !std::holds_alternative<glm::dmat4>(camera.projection);
+}
+
 glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
 void refuse(Interpreter& in, const Command& command, std::string text) {
     in.reportAt(command, "glib-E29", "Camera: " + std::move(text));
-}
-
-/// The camera that another one is made from.
-std::optional<SceneCamera> otherCamera(Interpreter& in, const KeyedValues& key) {
-    const std::string& name = key.values.front().text;
-    if (const SceneCamera* known = findCamera(in, name)) return *known;
-    std::vector<std::string_view> names{"eye"};
-    for (const auto& [each, camera] : in.modern.cameras) names.push_back(each);
-    in.report(diagnose(
-        "glib-E27",
-        fmt::format("no camera '{}' is declared before this line{}", name, base::suggestion(name, names)),
-        in.script->place(key.values.front().position)));
-    return std::nullopt;
 }
 
 std::span<const glib::Value> afterName(const KeyedValues& key) {
@@ -118,7 +111,7 @@ std::optional<SceneCamera> atAxes(Interpreter& in, const Command& command, const
 }
 
 std::optional<SceneCamera> reflected(Interpreter& in, const Command& command, const KeyedValues& key) {
-    auto camera = otherCamera(in, key);
+    auto camera = cameraNamed(in, key.values.front());
     const Numbers n = numbersOf(in, afterName(key), 4, "Camera: Reflect");
     if (!camera || !n) return std::nullopt;
     const glm::dvec3 normal = vectorAt(*n, 0);
@@ -138,7 +131,7 @@ std::optional<SceneCamera> reflected(Interpreter& in, const Command& command, co
 }
 
 std::optional<SceneCamera> shifted(Interpreter& in, const KeyedValues& key) {
-    auto camera = otherCamera(in, key);
+    auto camera = cameraNamed(in, key.values.front());
     const Numbers n = numbersOf(in, afterName(key), 3, "Camera: Shift");
     if (!camera || !n) return std::nullopt;
     camera->view = translation(-vectorAt(*n, 0)) * camera->view;
@@ -181,7 +174,27 @@ std::optional<SceneCamera> read(Interpreter& in, const Command& command) {
     return ofMatrices(in, command);
 }
 
-void doCamera(Interpreter& in, const Command& command) {
+/// Gives expressions the values of the camera. Its aspect is that of the passes that it sees; if they differ,
+/// it has no projection outside of them.
+void publish(Interpreter& in, const SceneCamera& camera) {
+    Environment& names = in.shared->environment;
+    const auto& [name, element] = camera.name;
+    const auto known = in.shared->aspects.find(camera.name);
+    const std::size_t aspects = known != in.shared->aspects.end() ? known->second.size() : 0;
+    names.setCamera(name, valuesOf(camera, aspects > 0 ? *known->second.begin() : windowAspect(in)), element);
+    if (aspects < 2 || !followsTarget(camera)) return;
+    for (const char* field : {".projection", ".viewProjection", ".shadow", ".aspect"})
+        names.forget(name + field, "the camera sees targets of different shapes, so write its aspect");
+}
+
+/// What the camera depends on passes to the expressions that read it, and to the passes that it sees.
+void addCameraDepends(Interpreter& in, const std::string& name, expression::Depends depends) {
+    for (const expression::NameRow& each : expression::cameraFields())
+        if (const auto symbol = in.shared->environment.find(name + "." + std::string(each.path)))
+            in.shared->environment.addDepends(symbol->slot, depends);
+}
+
+void declareCamera(Interpreter& in, const Command& command) {
     const glib::Value& target = command.values.front();
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     Environment& names = in.shared->environment;
@@ -195,6 +208,7 @@ void doCamera(Interpreter& in, const Command& command) {
         if (!(count >= 1 && count <= kMostCameras))
             return refuse(in, command, "an array has 1 to 256 cameras");
     }
+    if (!declareName(in, command, name, DeclaredName::Kind::camera)) return;
     names.declareCamera(name, isArray ? static_cast<std::size_t>(count) : 0);
     for (double i = 0; i < count; ++i) {
         names.beginScope();
@@ -203,16 +217,22 @@ void doCamera(Interpreter& in, const Command& command) {
             symbol.depends = expression::Depends::counter;
             names.set(names.declareScoped(&command, "i", symbol), {&i, 1});
         }
-        const auto camera = read(in, command);
+        auto camera = read(in, command);
         names.endScope();
         if (!camera) return;
-        in.modern.cameras[isArray ? fmt::format("{}[{}]", name, i) : name] = *camera;
-        names.setCamera(name, valuesOf(in, *camera), static_cast<std::size_t>(i));
-        if (name == "eye" && !isArray) {
-            in.scene.usesLookAt = true;
-            in.scene.view = camera->view;
-        }
+        camera->name = {name, static_cast<std::size_t>(i)};
+        publish(in, *camera);
+        in.scene.usesLookAt = true;
+        if (name == "eye" && !isArray) in.scene.view = camera->view;
+        in.modern.cameras[camera->name] = std::move(*camera);
     }
+}
+
+void doCamera(Interpreter& in, const Command& command) {
+    const DependsOnly own(in);
+    declareCamera(in, command);
+    const glib::Value& target = command.values.front();
+    addCameraDepends(in, target.path.empty() ? target.text : target.path.front().name, own.depends());
 }
 
 constexpr CommandAction kActions[] = {{CommandId::camera, doCamera}};
@@ -223,15 +243,75 @@ std::span<const CommandAction> cameraActions() {
     return kActions;
 }
 
-const SceneCamera* findCamera(const Interpreter& in, std::string_view name) {
+const SceneCamera* findCamera(const Interpreter& in, const CameraName& name) {
     const auto known = in.modern.cameras.find(name);
     return known != in.modern.cameras.end() ? &known->second : nullptr;
 }
 
-CameraValues valuesOf(const Interpreter& in, const SceneCamera& camera) {
+void noteCameraDepends(Interpreter& in, const CameraName& name) {
+    if (const auto symbol = in.shared->environment.find(name.first + ".view"))
+        addDepends(in, in.shared->environment.dependsOf(symbol->slot));
+}
+
+SceneCamera classicCamera(const Interpreter& in) {
+    SceneCamera camera;
+    camera.view = in.scene.view;
+    camera.projection = in.state.projection;
+    camera.name = {"eye", 0};
+    return camera;
+}
+
+std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value) {
+    const auto refuse = [&](std::string text) {
+        in.report(diagnose("glib-E27", std::move(text), in.script->place(value.position)));
+        return std::nullopt;
+    };
+    const glib::NamePart first = value.path.empty() ? glib::NamePart{value.text, {}} : value.path.front();
+    const auto declared = in.modern.names.find(first.name);
+    const bool isEye = first.name == "eye" && declared == in.modern.names.end();
+    if (value.path.size() > 1)
+        return refuse(fmt::format("'{}' is part of a camera; a camera is wanted", value.text));
+    if (isEye && first.index.empty()) return classicCamera(in);
+    if (declared == in.modern.names.end() || declared->second.kind != DeclaredName::Kind::camera) {
+        std::vector<std::string_view> names{"eye"};
+        for (const auto& [each, camera] : in.modern.cameras) names.push_back(each.first);
+        return refuse(fmt::format("no camera '{}' is declared before this line{}", first.name,
+                                  base::suggestion(first.name, names)));
+    }
+    const auto symbol = in.shared->environment.find(first.name);
+    const std::size_t count = symbol ? symbol->count : 0;
+    CameraName name{first.name, 0};
+    if (count == 0 && !first.index.empty())
+        return refuse(fmt::format("'{}' is one camera, not an array", first.name));
+    if (count > 0) {
+        if (first.index.empty())
+            return refuse(
+                fmt::format("'{0}' is an array of cameras; write {0}[0] to {0}[{1}]", first.name, count - 1));
+        const auto index = integerIn(in, first.index.front(), fmt::format("{}: the index", first.name), 0,
+                                     static_cast<int>(count) - 1);
+        if (!index) return std::nullopt;
+        name.second = static_cast<std::size_t>(*index);
+    }
+    noteCameraDepends(in, name);
+    const SceneCamera* found = findCamera(in, name);
+    return found != nullptr ? std::optional(*found) : std::nullopt;  // a faulty one has been reported
+}
+
+SceneCamera currentCamera(const Interpreter& in) {
+    const SceneCamera* found = findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
+    return found != nullptr ? *found : classicCamera(in);
+}
+
+double currentAspect(const Interpreter& in) {
+    if (in.modern.pass) return in.modern.pass->aspect;
+    const TargetList& target = in.state.target;
+    return target.units.empty() ? windowAspect(in) : static_cast<double>(target.width) / target.height;
+}
+
+CameraValues valuesOf(const SceneCamera& camera, double aspect) {
     CameraValues values;
     values.view = camera.view;
-    values.aspect = camera.aspect.value_or(windowAspect(in));
+    values.aspect = camera.aspect.value_or(aspect);
     values.projection = projectionOf(camera, values.aspect);
     if (const auto* lens = std::get_if<Perspective>(&camera.projection)) {
         values.near = lens->near;
@@ -244,9 +324,39 @@ CameraValues valuesOf(const Interpreter& in, const SceneCamera& camera) {
     return values;
 }
 
+void setPrevious(Interpreter& in, std::string_view name, const CameraName& camera) {
+    const auto known = in.shared->previousCameras.find(camera);
+    if (known != in.shared->previousCameras.end())
+        in.shared->environment.setCamera(std::string(name) + ".prev", known->second);
+}
+
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect) {
     const glm::dmat4 projection = projectionMatrix(camera.projection, camera.aspect.value_or(aspect));
     return camera.clip ? withNearPlane(projection, *camera.clip) : projection;
+}
+
+void noteAspect(Interpreter& in, const SceneCamera& camera, double aspect) {
+    if (followsTarget(camera)) in.shared->foundAspects[camera.name].insert(aspect);
+}
+
+void lookAt(Interpreter& in, Draw& draw) {
+    const SceneCamera* camera =
+        findCamera(in, in.modern.pass ? in.modern.pass->camera : CameraName{"eye", 0});
+    draw.model = in.state.model;
+    if (camera == nullptr) {
+        draw.modelView = in.state.modelView;
+        draw.projection = in.state.projection;
+        return;
+    }
+    const double aspect = currentAspect(in);
+    if (!in.modern.pass) noteAspect(in, *camera, aspect);
+    draw.modelView = camera->view * in.state.model;
+    if (camera->clip || camera->aspect)
+        draw.projection = projectionOf(*camera, aspect);
+    else
+        draw.projection = camera->projection;
+    if (camera->isMirrored)
+        draw.raster.front = draw.raster.front == base::Winding::ccw ? base::Winding::cw : base::Winding::ccw;
 }
 
 }  // namespace glibra::scene

@@ -1,5 +1,7 @@
 #include "scene/modern/environment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -28,6 +30,9 @@ Symbol record(std::string what, std::size_t count = 0) {
     return symbol;
 }
 
+/// The number of elements of a buffer is known when it is read; an expression is checked before.
+constexpr std::uint32_t kElementsOfBuffers = 0x7fffffff;
+
 std::span<const double> componentsOf(const glm::dmat4& matrix) {
     return {&matrix[0][0], 16};
 }
@@ -49,7 +54,8 @@ Environment::Slot Environment::add(const Symbol& symbol) {
     Variable variable;
     variable.symbol = symbol;
     variable.symbol.slot = slot;
-    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
+    variable.isBuffer = symbol.count == kElementsOfBuffers;
+    const std::size_t elements = variable.isBuffer ? 0 : std::max<std::size_t>(1, symbol.count);
     variable.components.resize(elements * symbol.type.size());
     variable.has.resize(elements);
     variables_.push_back(std::move(variable));
@@ -75,6 +81,29 @@ void Environment::declareCamera(std::string_view name, std::size_t count) {
     for (const expression::NameRow& each : expression::cameraFields())
         for (const char* moment : {".", ".prev."})
             declare(camera + moment + std::string(each.path), symbolOf(each.type, each.depends, count));
+}
+
+std::optional<Environment::Slot> Environment::declareTexture(std::string_view name, std::size_t components) {
+    if (!declare(name, record("texture"))) return std::nullopt;
+    return declare(std::string(name) + ".size", symbolOf(Type::vector(components), Depends::texture));
+}
+
+bool Environment::declareBuffer(std::string_view name, const std::optional<Type>& element) {
+    const bool isNew =
+        declare(name, element ? symbolOf(*element, Depends::buffer, kElementsOfBuffers) : record("buffer"))
+            .has_value();
+    return isNew && declare(std::string(name) + ".count", symbolOf(Type::number(), Depends::buffer));
+}
+
+void Environment::setElements(std::string_view name, std::vector<double> components) {
+    const auto known = slots_.find(name);
+    if (known == slots_.end() || !variables_[known->second].isBuffer) return;
+    Variable& variable = variables_[known->second];
+    const std::size_t count = components.size() / variable.symbol.type.size();
+    variable.components = std::move(components);
+    variable.has.assign(count, true);
+    variable.why = fmt::format("'{}' has {} elements", name, count);
+    setNumber(std::string(name) + ".count", static_cast<double>(count));
 }
 
 void Environment::set(Slot slot, std::span<const double> components, std::size_t element) {
@@ -108,7 +137,35 @@ void Environment::setCamera(std::string_view name, const CameraValues& values, s
 }
 
 void Environment::forgetValues() {
-    for (Variable& each : variables_) std::fill(each.has.begin(), each.has.end(), false);
+    for (Variable& each : variables_) {
+        std::fill(each.has.begin(), each.has.end(), false);
+        each.why.clear();
+        if (each.isBuffer) each.why = "only Expect reads the elements of buffers";
+    }
+}
+
+void Environment::forget(std::string_view path, std::string why) {
+    const auto known = slots_.find(path);
+    if (known == slots_.end()) return;
+    Variable& variable = variables_[known->second];
+    std::fill(variable.has.begin(), variable.has.end(), false);
+    variable.why = std::move(why);
+}
+
+std::string Environment::whyMissing(std::uint32_t slot, std::size_t) const {
+    return variables_.at(slot).why;
+}
+
+std::vector<double> Environment::valuesOf(Slot slot) const {
+    const Variable& variable = variables_.at(slot);
+    const std::size_t size = variable.symbol.type.size();
+    std::vector<double> values;
+    for (std::size_t i = 0; i < variable.has.size(); ++i) {
+        if (!variable.has[i]) continue;
+        const auto first = variable.components.begin() + static_cast<std::ptrdiff_t>(i * size);
+        values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(size));
+    }
+    return values;
 }
 
 void Environment::endScope() {
@@ -151,7 +208,7 @@ const double* Environment::find(std::uint32_t slot, std::size_t element) const {
 
 std::vector<double> Environment::save(Slot slot) const {
     const Variable& variable = variables_.at(slot);
-    return variable.has[0] ? variable.components : std::vector<double>();
+    return !variable.has.empty() && variable.has[0] ? variable.components : std::vector<double>();
 }
 
 void Environment::restore(Slot slot, std::vector<double> values) {

@@ -36,8 +36,18 @@ class Environment final : public expression::Names, public expression::Values {
     void set(std::string_view path, std::span<const double> components, std::size_t element = 0);
     void setNumber(std::string_view path, double number) { set(path, {&number, 1}); }
     void setCamera(std::string_view name, const CameraValues& values, std::size_t element = 0);
+    /// Declares the name of a texture with its field NAME.size, a vector of `components`.
+    std::optional<Slot> declareTexture(std::string_view name, std::size_t components);
+    /// Declares the name of a buffer with its field NAME.count. With the type of its elements the buffer is
+    /// an array, which has no values until setElements(). False if the name is declared with another type.
+    bool declareBuffer(std::string_view name, const std::optional<expression::Type>& element);
+    /// Sets all elements of a buffer, and how many there are.
+    void setElements(std::string_view name, std::vector<double> components);
+
     /// Forgets all values, before a frame is interpreted.
     void forgetValues();
+    /// Forgets one value. Expressions that read the name are told `why`.
+    void forget(std::string_view path, std::string why);
 
     /// Makes a name mean something else until endScope(): parameters of groups and counters of repetitions.
     /// `owner` tells the declarations of one name apart; equal owners get the same slot.
@@ -48,6 +58,17 @@ class Environment final : public expression::Names, public expression::Values {
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override;
     [[nodiscard]] const double* find(std::uint32_t slot, std::size_t element) const override;
+    [[nodiscard]] std::string whyMissing(std::uint32_t slot, std::size_t element) const override;
+
+    /// What the value of a name can change with.
+    [[nodiscard]] expression::Depends dependsOf(Slot slot) const {
+        return variables_.at(slot).symbol.depends;
+    }
+    void addDepends(Slot slot, expression::Depends depends) {
+        variables_.at(slot).symbol.depends = variables_.at(slot).symbol.depends | depends;
+    }
+    /// The components of all elements that have a value, in order.
+    [[nodiscard]] std::vector<double> valuesOf(Slot slot) const;
 
     /// The values of a slot, to be put back after a group that called itself through another: all elements.
     [[nodiscard]] std::vector<double> save(Slot slot) const;
@@ -58,6 +79,8 @@ class Environment final : public expression::Names, public expression::Values {
         expression::Symbol symbol;
         std::vector<double> components;  ///< of all elements; a missing value is empty
         std::vector<bool> has;           ///< one per element
+        std::string why;                 ///< there is no value, if that is known
+        bool isBuffer = false;           ///< it has as many elements as setElements() gives it
     };
     Slot add(const expression::Symbol& symbol);
 

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 
+#include "glib/number.h"
+#include "glib/text.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -15,7 +20,7 @@ void supply(Interpreter& in, expression::Depends depends) {
     using expression::Depends;
     Environment& names = in.shared->environment;
     if (any(depends & Depends::model)) names.set("model", {&in.state.model[0][0], 16});
-    if (any(depends & Depends::window)) {
+    if (any(depends & Depends::window) && in.modern.block == nullptr) {
         const std::array window{
             static_cast<double>(in.inputs.width > 0 ? in.inputs.width : in.scene.width),
             static_cast<double>(in.inputs.height > 0 ? in.inputs.height : in.scene.height)};
@@ -23,25 +28,46 @@ void supply(Interpreter& in, expression::Depends depends) {
         names.setNumber("aspect", window[0] / window[1]);
     }
     if (!any(depends & Depends::camera)) return;
-    SceneCamera seen;
-    if (const SceneCamera* eye = findCamera(in, "eye")) {
-        seen = *eye;
-    } else {
-        seen.view = in.scene.view;
-        seen.projection = in.state.projection;
-        names.setCamera("eye", valuesOf(in, seen));
+    const SceneCamera seen = currentCamera(in);
+    names.setCamera("camera", valuesOf(seen, currentAspect(in)));
+    setPrevious(in, "camera", seen.name);
+    const CameraName eye{"eye", 0};
+    if (findCamera(in, eye) == nullptr) names.setCamera("eye", valuesOf(classicCamera(in), windowAspect(in)));
+}
+
+/// True for the fields of a camera that change with the shape of the target.
+bool readsShape(std::string_view path) {
+    constexpr std::array<std::string_view, 4> kFields{".projection", ".viewProjection", ".shadow", ".aspect"};
+    return std::any_of(kFields.begin(), kFields.end(),
+                       [&](std::string_view field) { return path.ends_with(field); });
+}
+
+/// What the value can change with, through variables too. Remembers which variables a block reads.
+expression::Depends dependsOf(Interpreter& in, const expression::Expression& expression) {
+    expression::Depends depends = expression.depends();
+    for (const expression::Use& each : expression.uses()) {
+        const expression::Depends now = in.shared->environment.dependsOf(each.symbol.slot);
+        depends = depends | now;
+        using expression::Depends;
+        if (any(now & (Depends::variable | Depends::camera | Depends::texture)))
+            noteRead(in, each.symbol.slot);
     }
-    names.setCamera("camera", valuesOf(in, seen));
+    return depends;
 }
 
 ExpressionCache::Entry& entryOf(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
     const auto [known, isNew] = in.shared->expressions.entries.try_emplace(&value);
     if (!isNew) return known->second;
-    const Place origin = in.script->place(glib::placeIn(value, 0));
+    const bool isWord = value.kind == glib::Value::Kind::word;
+    const Place origin = in.script->place(isWord ? value.position : glib::placeIn(value, 0));
     auto parsed = expression::parse(value.text, origin, in.shared->environment, wanted);
     if (parsed) {
-        for (const expression::Use& each : parsed->uses())
+        for (const expression::Use& each : parsed->uses()) {
             if (each.path.find(".prev.") != std::string::npos) in.shared->readsPrevious = true;
+            if (!readsShape(each.path)) continue;
+            known->second.readsShape = true;
+            if (!each.path.starts_with("camera.")) in.shared->readsShapes = true;
+        }
         known->second.expression = std::move(*parsed);
     } else {
         in.report(parsed.problem.message);
@@ -56,11 +82,40 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     ExpressionCache::Entry& entry = entryOf(in, value, wanted);
     if (!entry.expression) return std::nullopt;
     supply(in, entry.expression->depends());
-    in.shared->depends = in.shared->depends | entry.expression->depends();
+    expression::Depends depends = dependsOf(in, *entry.expression);
+    if (entry.readsShape) depends = depends | expression::Depends::window;
+    addDepends(in, depends);
     auto result = entry.expression->evaluate(in.shared->environment);
     if (result) return std::move(*result);
     if (!std::exchange(entry.isProblemReported, true)) in.report(result.problem.message);
     return std::nullopt;
+}
+
+void noteRead(Interpreter& in, Environment::Slot slot) {
+    if (in.modern.readSlots != nullptr) in.modern.readSlots->push_back(slot);
+    if (in.modern.block == nullptr || !in.modern.block->readSlots.insert(slot).second) return;
+    const std::vector<double> values = in.shared->environment.valuesOf(slot);
+    in.modern.block->reads.insert(in.modern.block->reads.end(), values.begin(), values.end());
+}
+
+namespace {
+
+/// What the scene, or the block that is open, depends on.
+expression::Depends& currentDepends(Interpreter& in) {
+    return in.modern.block != nullptr ? in.modern.block->depends : in.shared->depends;
+}
+
+}  // namespace
+
+void addDepends(Interpreter& in, expression::Depends depends) {
+    currentDepends(in) = currentDepends(in) | depends;
+}
+
+DependsOnly::DependsOnly(Interpreter& in)
+    : all_(currentDepends(in)), before_(std::exchange(all_, expression::Depends::nothing)) {}
+
+bool isReadable(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
+    return entryOf(in, value, wanted).expression.has_value();
 }
 
 std::optional<double> numberOf(Interpreter& in, const glib::Value& value) {
@@ -75,6 +130,43 @@ std::optional<double> numberOf(Interpreter& in, const glib::Value& value) {
 std::optional<bool> truthOf(Interpreter& in, const glib::Value& value) {
     const std::optional<double> number = numberOf(in, value);
     return number ? std::optional(*number != 0) : std::nullopt;
+}
+
+std::optional<std::size_t> wordOf(Interpreter& in, const glib::Value& value,
+                                  std::span<const std::string_view> words) {
+    if (value.kind == glib::Value::Kind::expression) {
+        static constexpr expression::Type kTypes[] = {expression::Type::word()};
+        const auto result = evaluate(in, value, {.types = kTypes, .words = words});
+        return result ? std::optional(result->word()) : std::nullopt;
+    }
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [&](std::string_view each) { return glib::sameWord(each, value.text); });
+    return found != words.end() ? std::optional(static_cast<std::size_t>(found - words.begin()))
+                                : std::nullopt;
+}
+
+std::optional<double> numberIn(Interpreter& in, const glib::Value& value, std::string_view what, double least,
+                               double most) {
+    const auto number = numberOf(in, value);
+    if (!number || (*number >= least && *number <= most)) return number;
+    in.report(diagnose("glib-E26",
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(*number),
+                                   glib::numberText(least), glib::numberText(most)),
+                       in.script->place(value.position)));
+    return std::nullopt;
+}
+
+std::optional<int> integerIn(Interpreter& in, const glib::Value& value, std::string_view what, int least,
+                             int most) {
+    const auto number = numberOf(in, value);
+    if (!number) return std::nullopt;
+    const double whole = std::trunc(*number);
+    if (whole >= least && whole <= most) return static_cast<int>(whole);
+    in.report(diagnose("glib-E26",
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(whole),
+                                   glib::groupedText(least), glib::groupedText(most)),
+                       in.script->place(value.position)));
+    return std::nullopt;
 }
 
 std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const glib::Value> values) {

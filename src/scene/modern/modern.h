@@ -12,6 +12,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "glib/script.h"
@@ -24,6 +26,19 @@ namespace glibra::scene {
 
 struct Interpreter;
 
+/// A camera, and its element if it belongs to an array.
+using CameraName = std::pair<std::string, std::size_t>;
+
+/// The values of `Buffer name type n (expression of i)`, which are computed again only if what the expression
+/// reads has changed.
+struct ComputedElements {
+    bool isSteady = false;  ///< it changes with variables alone
+    std::size_t count = 0;
+    std::vector<Environment::Slot> slots;  ///< of these variables
+    std::vector<double> reads, values;
+    expression::Depends depends = expression::Depends::nothing;
+};
+
 /// What all frames of a script share.
 struct SharedState {
     Environment environment;
@@ -34,10 +49,15 @@ struct SharedState {
     List<FileReference> files;  ///< of all frames so far, so that a file keeps its index
     std::map<std::string, FileIndex> fileIndices;
     expression::Depends depends = expression::Depends::nothing;  ///< of all that the last frame evaluated
-    double interval = 1.0 / 60;                                  ///< dt
-    std::map<std::string, CameraValues> cameras;                 ///< of the last frame
-    std::map<std::string, CameraValues> previousCameras;  ///< of the frame before the one that is interpreted
-    bool readsPrevious = false;  ///< an expression reads a camera of the frame before
+    double frameRate = 60;                                       ///< 1 / dt
+    std::map<CameraName, CameraValues> cameras;                  ///< of the last frame
+    std::map<CameraName, CameraValues> previousCameras;  ///< of the frame before the one that is interpreted
+    bool readsPrevious = false;                          ///< an expression reads a camera of the frame before
+    bool readsShapes = false;  ///< an expression reads what depends on the aspect of a camera with a name
+    /// The aspects of the passes that each camera sees: as they were when the last frame ended, and as they
+    /// are taken to be while a frame is interpreted.
+    std::map<CameraName, std::set<double>> foundAspects, aspects;
+    std::map<const glib::Value*, ComputedElements> elements;
 };
 
 /// A camera of a Camera statement.
@@ -48,6 +68,37 @@ struct SceneCamera {
     std::optional<glm::dvec4> clip;  ///< a plane of eye space that replaces the near plane
     double near = 0, far = 0;        ///< of a projection matrix
     bool isMirrored = false;         ///< it turns the winding of triangles
+    CameraName name;
+};
+
+/// A name of the namespace that variables, cameras, textures, samplers and buffers share.
+struct DeclaredName {
+    enum class Kind { variable, computed, camera, texture, sampler, buffer };
+    Kind kind = Kind::variable;
+    Place place;
+    const glib::Command* command = nullptr;
+    /// Of a texture, sampler or buffer; none of them if its declaration has an error.
+    std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex> object;
+};
+
+/// The Pass that the current statement stands in.
+struct OpenPass {
+    std::size_t index = 0;  ///< in NodeList::passes
+    Place place;
+    double aspect = 1;
+    CameraName camera;
+    bool hasStencil = false;
+    bool isStencilReported = false;  ///< that it has none
+};
+
+/// The Once or Step block that the current statement stands in.
+struct OpenBlock {
+    const char* word = "Once";
+    Place place;
+    bool isStep = false;
+    std::vector<double> reads;  ///< the values of the variables and cameras that were read
+    std::set<std::uint32_t> readSlots;
+    expression::Depends depends = expression::Depends::nothing;
 };
 
 /// A group of statements with a name.
@@ -71,7 +122,7 @@ struct ProgramTags {
 
 /// What modern statements change during one frame.
 struct ModernState {
-    std::map<std::string, SceneCamera, std::less<>> cameras;
+    std::map<CameraName, SceneCamera> cameras;
     std::map<std::string, ProgramIndex, std::less<>> programs;
     std::map<std::string, GroupDefinition, std::less<>> groups;
     std::map<ProgramIndex, ProgramTags> programTags;
@@ -81,6 +132,11 @@ struct ModernState {
     std::size_t blocks = 0;  ///< blocks that the current statement stands in
     bool isFull = false;     ///< the limit of statements has been reported
     std::set<const glib::Script*> including;
+    std::map<std::string, DeclaredName, std::less<>> names;
+    std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
+    std::optional<OpenPass> pass;
+    OpenBlock* block = nullptr;
+    std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
 };
 
 // structure.cpp
@@ -98,14 +154,68 @@ int fileNumber(const Interpreter&);
 /// The value of a parameter or variable: an expression, or one to four numbers. Nothing with the reason
 /// reported.
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
-/// The uniform variables that tags with expressions, Set and Material give to a draw that is made now.
-UniformSetIndex currentUniforms(Interpreter&);
+/// The uniform variables and objects that tags with expressions, Set and Material give to a draw or dispatch
+/// of the program that is made now. `own` are the tags of its own statement, which count most.
+UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
+/// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
+std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
+/// The values of `element` for i from 0 to count - 1, one after the other. `owner` is the value that they
+/// stand in. Nothing with the reason reported, which is glib-E15 if they are more than `most` numbers.
+std::optional<std::vector<double>> elementsOf(Interpreter&, const glib::Value& owner,
+                                              std::span<const glib::Value> element, int count, double most);
+/// The values of all variables, for uniform variables of the same name.
+std::vector<glib::UniformSpec> namedValues(Interpreter&);
+/// The program of that name, if it draws or if it computes, as wanted. Nothing with glib-E27 reported.
+std::optional<ProgramIndex> programNamed(Interpreter&, const glib::Value& name, bool isCompute);
 
 // cameras.cpp
 
-const SceneCamera* findCamera(const Interpreter&, std::string_view name);
-/// What expressions may ask of the camera; the aspect ratio is the window's unless the camera has its own.
-CameraValues valuesOf(const Interpreter&, const SceneCamera& camera);
+const SceneCamera* findCamera(const Interpreter&, const CameraName& name);
+/// The camera that a value names. Nothing with the reason reported.
+std::optional<SceneCamera> cameraNamed(Interpreter&, const glib::Value& name);
+/// Remembers that the scene, or the block that is open, depends on what the camera depends on.
+void noteCameraDepends(Interpreter&, const CameraName& name);
+/// The camera that sees what is drawn now: that of the pass, or `eye`, which may be the classic view.
+SceneCamera currentCamera(const Interpreter&);
+/// Width / height of the current target.
+double currentAspect(const Interpreter&);
+/// The view and projection of classic commands as a camera.
+SceneCamera classicCamera(const Interpreter&);
+/// What expressions may ask of the camera.
+CameraValues valuesOf(const SceneCamera& camera, double aspect);
+/// Gives expressions the values of a camera of the frame before.
+void setPrevious(Interpreter&, std::string_view name, const CameraName& camera);
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect);
+/// Remembers the shape of a target that the camera sees.
+void noteAspect(Interpreter&, const SceneCamera& camera, double aspect);
+/// Sets what the current camera decides for a draw: its matrices, and the winding if it is mirrored.
+void lookAt(Interpreter&, Draw& draw);
+
+// blocks.cpp
+
+/// Remembers that a pass of a Once block is seen by the camera.
+void noteCamera(Interpreter&, const SceneCamera& camera);
+
+// buffers.cpp
+
+/// `Clear NAME`.
+void doClearObject(Interpreter&, const glib::Command&);
+
+// names.cpp
+
+/// Declares the name that the statement's first value states. False with glib-E27 if it has a meaning
+/// already.
+bool declareName(Interpreter&, const glib::Command&, const std::string& name, DeclaredName::Kind kind);
+/// Sets the object of a declared name.
+void setObject(Interpreter&, const std::string& name,
+               const std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex>& object);
+/// True if the value names a texture or buffer, or a part of one.
+bool namesObject(const Interpreter&, const glib::Value& value);
+/// The texture or buffer that a value names, with its part. Nothing with the reason reported.
+std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
+std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);
+std::optional<BufferView> bufferNamed(Interpreter&, const glib::Value& value);
+/// True for the word `window`.
+bool isWindow(const glib::Value& value);
 
 }  // namespace glibra::scene

@@ -9,11 +9,13 @@
 
 #include "base/suggest.h"
 #include "glib/limits.h"
+#include "glib/modern/statement_table.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -27,55 +29,10 @@ constexpr std::size_t kMostStatements = 1'000'000;
 /// Nested groups and included files.
 constexpr std::size_t kMostCalls = 64;
 
-std::size_t indexOf(const Interpreter& in, const Command& command) {
-    return static_cast<std::size_t>(&command - in.script->commands.data());
-}
-
-/// Gives back at its end what is local to a scope.
-class Scope {
-  public:
-    explicit Scope(Interpreter& in)
-        : in_(in),
-          modelView_(in.state.modelView),
-          model_(in.state.model),
-          program_(in.state.program),
-          set_(in.modern.set),
-          stack_(std::exchange(in.state.stack, {})) {
-        in.shared->environment.beginScope();
-    }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-    ~Scope() {
-        in_.shared->environment.endScope();
-        in_.state.modelView = modelView_;
-        in_.state.model = model_;
-        in_.state.program = program_;
-        in_.modern.set = std::move(set_);
-        in_.state.stack = std::move(stack_);
-    }
-
-  private:
-    Interpreter& in_;
-    glm::dmat4 modelView_, model_;
-    ProgramIndex program_;
-    std::vector<ScopedTag> set_;
-    std::vector<SavedMatrix> stack_;
-};
-
 expression::Symbol counter() {
     expression::Symbol symbol;
     symbol.depends = expression::Depends::counter;
     return symbol;
-}
-
-/// Runs the statements between two commands of the current script.
-void runBody(Interpreter& in, std::size_t first, std::size_t last) {
-    ++in.modern.blocks;
-    run(in, first, last);
-    --in.modern.blocks;
-    if (in.state.stack.empty()) return;
-    in.report(diagnose("glib-W31", "PushMatrix without PopMatrix at the end of the block",
-                       in.state.stack.back().place));
 }
 
 /// True if one more level of groups or files may be entered; otherwise glib-E28 is reported.
@@ -244,8 +201,11 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
     return script.get();
 }
 
-/// Programs and textures keep their indices from frame to frame, so they stand outside all blocks.
+/// What is declared keeps its index from frame to frame, so it stands outside all blocks.
 bool declares(const Command& command) {
+    const glib::StatementRow* row = command.isModern ? glib::statementOf(command.id) : nullptr;
+    if (row != nullptr && row->standing != glib::Standing::notInPass)
+        return row->standing != glib::Standing::anywhere && command.id != CommandId::let;
     switch (command.id) {
         case CommandId::program:
         case CommandId::texture:
@@ -301,6 +261,54 @@ constexpr CommandAction kActions[] = {
 
 std::span<const CommandAction> structureActions() {
     return kActions;
+}
+
+Scope::Scope(Interpreter& in)
+    : in_(in),
+      modelView_(in.state.modelView),
+      model_(in.state.model),
+      program_(in.state.program),
+      set_(in.modern.set),
+      stack_(std::exchange(in.state.stack, {})),
+      local_(in.state.local),
+      raster_(in.state.raster) {
+    in.shared->environment.beginScope();
+}
+
+Scope::~Scope() {
+    in_.shared->environment.endScope();
+    in_.state.modelView = modelView_;
+    in_.state.model = model_;
+    in_.state.program = program_;
+    in_.modern.set = std::move(set_);
+    in_.state.stack = std::move(stack_);
+    in_.state.local = local_;
+    // Classic commands set these, which no scope ends.
+    raster_.lineWidth = in_.state.raster.lineWidth;
+    raster_.pointSize = in_.state.raster.pointSize;
+    raster_.pointSizeFromShader = in_.state.raster.pointSizeFromShader;
+    in_.state.raster = raster_;
+}
+
+void resetRaster(Interpreter& in) {
+    RasterState fresh;
+    fresh.lineWidth = in.state.raster.lineWidth;
+    fresh.pointSize = in.state.raster.pointSize;
+    fresh.pointSizeFromShader = in.state.raster.pointSizeFromShader;
+    in.state.raster = fresh;
+}
+
+void runBody(Interpreter& in, std::size_t first, std::size_t last) {
+    ++in.modern.blocks;
+    run(in, first, last);
+    --in.modern.blocks;
+    if (in.state.stack.empty()) return;
+    in.report(diagnose("glib-W31", "PushMatrix without PopMatrix at the end of the block",
+                       in.state.stack.back().place));
+}
+
+std::size_t indexOf(const Interpreter& in, const Command& command) {
+    return static_cast<std::size_t>(&command - in.script->commands.data());
 }
 
 void run(Interpreter& in, std::size_t first, std::size_t last) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/suggest.h"
+#include "glib/number.h"
 #include "scene/modern/evaluate.h"
 #include "scene/modern/materials.h"
 #include "scene/modern/modern.h"
@@ -21,7 +22,7 @@ using glib::Command;
 using glib::CommandId;
 using glib::Value;
 
-constexpr double kMostElements = 65'536;
+constexpr int kMostElements = 65'536;
 
 Place placeOf(const Interpreter& in, const Value& value) {
     return in.script->place(value.position);
@@ -143,13 +144,20 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     names.endScope();
 }
 
-void doLet(Interpreter& in, const Command& command) {
+void declareVariable(Interpreter& in, const Command& command) {
     if (command.values.size() < 2) return;
     const Value& target = command.values[0];
     const Value& value = command.values[1];
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
-    if (isArray && value.kind == Value::Kind::expression)
+    const bool isComputed = value.kind == Value::Kind::expression;
+    if (!declareName(in, command, name,
+                     isComputed ? DeclaredName::Kind::computed : DeclaredName::Kind::variable))
+        return;
+    const auto isSame = [&](const auto& each) { return each.first == name; };
+    if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
+        in.modern.variables.emplace_back(name, command.position);
+    if (isArray && isComputed)
         return declareArray(in, command, name, target.path.front().index.front(), value);
     switch (value.kind) {
         case Value::Kind::range:
@@ -184,6 +192,16 @@ void doLet(Interpreter& in, const Command& command) {
     declare(in, command, name, variable(result->type), result->all());
 }
 
+/// What a variable depends on passes to the expressions that read it.
+void doLet(Interpreter& in, const Command& command) {
+    const DependsOnly own(in);
+    declareVariable(in, command);
+    const Value& target = command.values.front();
+    const auto symbol =
+        in.shared->environment.find(target.path.empty() ? target.text : target.path.front().name);
+    if (symbol) in.shared->environment.addDepends(symbol->slot, own.depends());
+}
+
 /// Puts tags into the list of the scope; the last one of a name counts.
 void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
     for (const glib::KeyedValues& each : tags) {
@@ -209,17 +227,7 @@ void doMaterial(Interpreter& in, const Command& command) {
 }
 
 void doUse(Interpreter& in, const Command& command) {
-    const std::string& name = command.values.front().text;
-    const auto known = in.modern.programs.find(name);
-    if (known != in.modern.programs.end()) {
-        in.state.program = known->second;
-        return;
-    }
-    std::vector<std::string_view> names;
-    for (const auto& [each, program] : in.modern.programs) names.push_back(each);
-    const std::string hint = base::suggestion(name, names);
-    in.report(diagnose("glib-E27", fmt::format("no program '{}' is declared before this line{}", name, hint),
-                       placeOf(in, command.values.front())));
+    if (const auto program = programNamed(in, command.values.front(), false)) in.state.program = *program;
 }
 
 void doFps(Interpreter& in, const Command& command) {
@@ -231,7 +239,8 @@ void doFps(Interpreter& in, const Command& command) {
                            placeOf(in, command.values.front())));
         return;
     }
-    setFrameRate(in, *rate);
+    in.shared->frameRate = *rate;
+    setTime(in);
 }
 
 constexpr CommandAction kActions[] = {
@@ -265,7 +274,83 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
     return value;
 }
 
+std::optional<std::vector<double>> listOf(Interpreter& in, const Value& list) {
+    if (list.count.empty()) return numbersOf(in, {&list, 1});
+    const auto count = integerIn(in, list.count.front(), "the number of elements", 1, kMostElements);
+    if (!count) return std::nullopt;
+    constexpr double kMostComponents = 16.0 * kMostElements;
+    return elementsOf(in, list, list.items, *count, kMostComponents);
+}
+
+std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owner,
+                                              std::span<const Value> element, int count, double most) {
+    Environment& names = in.shared->environment;
+    names.beginScope();
+    expression::Symbol symbol;
+    symbol.depends = expression::Depends::counter;
+    const Environment::Slot counter = names.declareScoped(&owner, "i", symbol);
+    std::optional<std::vector<double>> all(std::in_place);
+    for (double i = 0; i < count && all; ++i) {
+        names.set(counter, {&i, 1});
+        const auto numbers = numbersOf(in, element);
+        if (!numbers) {
+            all.reset();
+        } else if (static_cast<double>(numbers->size()) * count > most) {
+            in.report(diagnose(
+                "glib-E15",
+                fmt::format("{} elements of {} numbers; the limit is {} numbers", glib::groupedText(count),
+                            numbers->size(), glib::groupedText(static_cast<long long>(most))),
+                placeOf(in, owner)));
+            all.reset();
+        } else {
+            all->insert(all->end(), numbers->begin(), numbers->end());
+        }
+    }
+    names.endScope();
+    return all;
+}
+
+std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, bool isCompute) {
+    const auto computes = [&](ProgramIndex program) {
+        return in.scene.programs[program].hasStage(glsl::Stage::compute);
+    };
+    const auto refuse = [&](std::string text) {
+        in.report(diagnose("glib-E27", std::move(text), placeOf(in, name)));
+        return std::nullopt;
+    };
+    const auto known = in.modern.programs.find(name.text);
+    if (known == in.modern.programs.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [each, program] : in.modern.programs)
+            if (computes(program) == isCompute) names.push_back(each);
+        return refuse(fmt::format("no program '{}' is declared before this line{}", name.text,
+                                  base::suggestion(name.text, names)));
+    }
+    if (computes(known->second) == isCompute) return known->second;
+    return refuse(isCompute ? fmt::format("program '{}' has no compute stage; it draws", name.text)
+                            : fmt::format("program '{}' has a compute stage; Dispatch runs it", name.text));
+}
+
 namespace {
+
+/// The form of a variable that is a colour stays a colour, so that it fits three and four components.
+bool isColor(const Interpreter& in, const std::string& name) {
+    for (const Variable& each : in.scene.variables)
+        if (each.name == name) return each.form == glib::UniformForm::color;
+    return false;
+}
+
+/// The values of a variable; nothing if it has none.
+void setToVariable(const Interpreter& in, const std::string& name, const expression::Symbol& symbol,
+                   glib::UniformSpec& spec) {
+    const std::size_t elements = std::max<std::size_t>(1, symbol.count);
+    for (std::size_t i = 0; i < elements; ++i)
+        if (const double* values = in.shared->environment.find(symbol.slot, i))
+            spec.values.insert(spec.values.end(), values, values + symbol.type.size());
+    spec.form = symbol.type.isBoolean() && elements == 1 ? glib::UniformForm::truth
+                : isColor(in, name)                      ? glib::UniformForm::color
+                                                         : glib::UniformForm::list;
+}
 
 /// The tag with its values of this moment, in the form in which a Program line would state it.
 std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues& tag) {
@@ -276,34 +361,36 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
     const Value& first = tag.values.front();
     if (first.kind == Value::Kind::word) {
         const auto symbol = in.shared->environment.find(first.text);
-        if (!symbol || symbol->type.kind == expression::Kind::record) {
-            const std::vector<std::string> names = in.shared->environment.known("");
+        const bool isPlain = symbol && symbol->type.kind != expression::Kind::record;
+        if (isPlain && symbol->words.empty() && first.path.size() <= 1 &&
+            (first.path.empty() || first.path.front().index.empty())) {
+            // Reading the name as an expression notes what it depends on.
+            if (symbol->count == 0 && !evaluate(in, first)) return std::nullopt;
+            if (symbol->count > 0) {
+                noteRead(in, symbol->slot);
+                addDepends(in, in.shared->environment.dependsOf(symbol->slot));
+            }
+            setToVariable(in, first.text, *symbol, spec);
+        } else if (isPlain || first.path.size() > 1 ||
+                   (!first.path.empty() && !first.path.front().index.empty())) {
+            const auto value = evaluate(in, first);
+            if (!value) return std::nullopt;
+            spec.values.assign(value->all().begin(), value->all().end());
+            spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
+        } else {
+            std::vector<std::string> names = in.shared->environment.known("");
+            for (const auto& [each, declared] : in.modern.names) names.push_back(each);
             const std::vector<std::string_view> views(names.begin(), names.end());
-            const std::string hint = base::suggestion(first.text, views);
-            in.report(diagnose("glib-E27", fmt::format("'{}' is not a variable{}", first.text, hint),
+            in.report(diagnose("glib-E27",
+                               fmt::format("'{}' is no variable, texture or buffer{}", first.text,
+                                           base::suggestion(first.text, views)),
                                placeOf(in, first)));
             return std::nullopt;
         }
-        const std::size_t elements = std::max<std::size_t>(1, symbol->count);
-        for (std::size_t i = 0; i < elements; ++i)
-            if (const double* values = in.shared->environment.find(symbol->slot, i))
-                spec.values.insert(spec.values.end(), values, values + symbol->type.size());
-        spec.form =
-            symbol->type.isBoolean() && elements == 1 ? glib::UniformForm::truth : glib::UniformForm::list;
-    } else if (!first.count.empty()) {
-        const auto count = numberOf(in, first.count.front());
-        if (!count || !(*count >= 1 && *count <= kMostElements)) return std::nullopt;
-        in.shared->environment.beginScope();
-        expression::Symbol symbol;
-        symbol.depends = expression::Depends::counter;
-        const Environment::Slot counter = in.shared->environment.declareScoped(&first, "i", symbol);
-        for (double i = 0; i < std::trunc(*count); ++i) {
-            in.shared->environment.set(counter, {&i, 1});
-            const auto numbers = numbersOf(in, first.items);
-            if (!numbers) break;
-            spec.values.insert(spec.values.end(), numbers->begin(), numbers->end());
-        }
-        in.shared->environment.endScope();
+    } else if (first.kind == Value::Kind::list) {
+        const auto numbers = listOf(in, first);
+        if (!numbers) return std::nullopt;
+        spec.values = *numbers;
         spec.form = glib::UniformForm::list;
     } else if (first.kind == Value::Kind::expression && tag.values.size() == 1) {
         const auto value = evaluate(in, first);
@@ -325,30 +412,76 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
     return spec;
 }
 
+/// A number for each different object, for keys of sets.
+std::vector<double> keyOf(const ObjectView& object) {
+    if (const auto* buffer = std::get_if<BufferView>(&object))
+        return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
+    const auto& view = std::get<TextureView>(object);
+    return {-2,
+            static_cast<double>(view.texture.position()),
+            static_cast<double>(view.level.value_or(-1)),
+            static_cast<double>(view.layer.value_or(-1)),
+            view.isPrevious ? 1.0 : 0,
+            view.sampler ? static_cast<double>(view.sampler.position()) : -1};
+}
+
 }  // namespace
 
-UniformSetIndex currentUniforms(Interpreter& in) {
-    std::vector<glib::UniformSpec> set;
+UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
+    UniformSet set;
     const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown) {
-        const glib::Script* const own = std::exchange(in.script, script);
-        if (auto spec = specOf(in, tag)) {
+        const glib::Script* const before = std::exchange(in.script, script);
+        const auto forget = [&] {
+            std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
+            std::erase_if(set.objects, [&](const auto& each) { return each.tag == tag.key; });
+        };
+        if (namesObject(in, tag.values.front())) {
+            if (auto object = objectNamed(in, tag.values.front())) {
+                forget();
+                set.objects.push_back(
+                    {tag.key, *object, tag.position, tag.values.front().position, mayBeUnknown});
+            }
+        } else if (auto spec = specOf(in, tag)) {
             spec->mayBeUnknown = mayBeUnknown;
-            std::erase_if(set, [&](const glib::UniformSpec& each) { return each.tag == spec->tag; });
-            set.push_back(std::move(*spec));
+            forget();
+            set.values.push_back(std::move(*spec));
         }
-        in.script = own;
+        in.script = before;
     };
-    if (const auto tags = in.modern.programTags.find(in.state.program); tags != in.modern.programTags.end())
+    if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
         for (const glib::KeyedValues& each : tags->second.command->tags)
             add(each, tags->second.script, false);
     for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true);
-    if (set.empty()) return {};
+    for (const glib::KeyedValues& each : own) add(each, in.script, false);
+    if (set.values.empty() && set.objects.empty()) return {};
     std::vector<std::pair<std::string, std::vector<double>>> key;
-    key.reserve(set.size());
-    for (const glib::UniformSpec& each : set) key.emplace_back(each.tag, each.values);
+    key.reserve(set.values.size() + set.objects.size());
+    for (const glib::UniformSpec& each : set.values)
+        key.emplace_back(fmt::format("{}\n{}{}", each.tag, static_cast<int>(each.form), each.mayBeUnknown),
+                         each.values);
+    for (const ObjectBinding& each : set.objects)
+        key.emplace_back(fmt::format("{}\n{}", each.tag, each.mayBeUnknown), keyOf(each.object));
     UniformSetIndex& index = in.uniformSets[std::move(key)];
     if (!index) index = in.scene.uniformSets.add(std::move(set));
     return index;
+}
+
+std::vector<glib::UniformSpec> namedValues(Interpreter& in) {
+    std::vector<glib::UniformSpec> all;
+    for (const auto& [name, position] : in.modern.variables) {
+        const auto symbol = in.shared->environment.find(name);
+        if (!symbol || symbol->type.kind == expression::Kind::record) continue;
+        glib::UniformSpec spec;
+        spec.tag = name;
+        spec.tagPosition = spec.valuePosition = position;
+        spec.mayBeUnknown = true;
+        setToVariable(in, name, *symbol, spec);
+        if (spec.values.empty()) continue;
+        if (spec.form == glib::UniformForm::list && spec.values.size() == 1)
+            spec.form = glib::UniformForm::number;
+        all.push_back(std::move(spec));
+    }
+    return all;
 }
 
 }  // namespace glibra::scene

@@ -60,6 +60,8 @@ constexpr OptionRow kRows[] = {
     {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
      "size of the picture in pixels instead of the scene's WindowSize"},
     {"time", "time", TimeValue{kTo<&Options::time>, -1e9, 1e9}, "seconds since the start of the scene"},
+    {"steps", "steps", WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
+     "steps of Step blocks that one picture may need"},
     {"set", "set", UniformsValue{kTo<&Options::set>},
      "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
      "repeated"},

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "render/check/answers.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
 
@@ -13,6 +14,7 @@ ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
     Source source{shot.script, shot.options};
     source.options.time = 0;
     source.options.skip = skip_;
+    source.options.checks = true;
     return source;
 }
 
@@ -84,7 +86,9 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
     if (loaded_ && loaded_->source == source && !loaded_->renderer.remembersFrames())
         prepare(coming, source);
     else if (Diagnostics problems = load(source, coming); !loaded_) {
-        rendering.diagnostics = std::move(problems);
+        rendering.diagnostics =
+            render::withoutExpected(render::checksOf(source.script, source.options), std::move(problems));
+        rendering.failsAsExpected = !hasError(rendering.diagnostics);
         return rendering;
     }
     rendering.diagnostics = loaded_->diagnostics;
@@ -95,6 +99,9 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
         append(rendering.diagnostics,
                render::remarksOn(*rendering.picture, shot.script, loaded_->renderer.plan()));
         render::applyStrict(rendering.diagnostics, shot.options.strict);
+        if (rendering.hasChecks = loaded_->renderer.hasChecks(); rendering.hasChecks)
+            rendering.failedChecks =
+                loaded_->renderer.answerChecks(shot.options.time, rendering.diagnostics, *loaded_->stats);
     }
     return rendering;
 }

@@ -119,6 +119,8 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         Result<Golden> golden = goldens_.find(shot, family_);
         append(found.problems, std::move(golden.diagnostics));
         found.golden = std::move(golden.value);
+        if (!found.golden && attempt.own.hasChecks && !options_.update && !hasError(found.problems))
+            found.goldenHolds = true;
     }
     if (found.golden) {
         found.pixels = hashOf(got);
@@ -193,7 +195,17 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     }
     if (!attempt.own.picture) {
         Judged judged{begin(attempt), std::nullopt};
-        judged.result.reason = firstError(attempt.own.diagnostics);
+        if (attempt.own.failsAsExpected)
+            judged.result.verdict = Verdict::passed;
+        else
+            judged.result.reason = firstError(attempt.own.diagnostics);
+        return judged;
+    }
+    if (!attempt.own.failedChecks.empty()) {
+        Judged judged{begin(attempt), std::nullopt};
+        append(judged.result.diagnostics, attempt.own.failedChecks);
+        judged.result.reason = firstError(attempt.own.failedChecks);
+        judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
         return judged;
     }
     Findings found = look(attempt, false);

@@ -15,7 +15,10 @@ namespace glibra::suite {
 struct Rendering {
     std::optional<image::Image> picture;
     Diagnostics diagnostics;
-    double milliseconds = 0;  ///< load, draw and read back
+    bool hasChecks = false;        ///< the scene has Expect statements; it needs no golden
+    Diagnostics failedChecks;      ///< those that do not hold
+    bool failsAsExpected = false;  ///< no picture, and Expect error names all errors
+    double milliseconds = 0;       ///< load, draw and read back
 };
 
 /// A shot with everything that its verdict needs.

@@ -207,7 +207,8 @@ Diagnostics DebugRenderer::draw(const gpu::Target& picture, const ViewState& vie
     if (!target_ || target_->width() != width_ || target_->height() != height_) {
         target_.reset();
         Result<gpu::Target> made =
-            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f);
+            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f, 1,
+                                gpu::TexelFormat::depth24_stencil8);
         if (!made) return std::move(made.diagnostics);
         target_ = std::move(made.value);
     }

@@ -32,6 +32,8 @@ const char* word(scene::TextureTarget target) {
             return "2D";
         case scene::TextureTarget::texture3D:
             return "3D";
+        case scene::TextureTarget::texture2DArray:
+            return "2D array";
         case scene::TextureTarget::cube:
             break;
     }

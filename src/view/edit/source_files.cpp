@@ -17,6 +17,8 @@ const char* wordOf(glsl::Stage stage) {
             return "tessellation evaluation";
         case glsl::Stage::geometry:
             return "geometry";
+        case glsl::Stage::compute:
+            return "compute";
         case glsl::Stage::fragment:
             break;
     }

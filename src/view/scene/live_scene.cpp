@@ -9,6 +9,7 @@
 #include "gpu/context/loop_limit.h"
 #include "plan/loop_rounds.h"
 #include "render/draw/axes.h"
+#include "render/draw/dispatch.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/scene_renderer.h"
@@ -96,7 +97,7 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
     scene = source->at(inputs);
     append(diagnostics, std::move(scene.diagnostics));
     scene.diagnostics.clear();
-    device.beginMoment();
+    device.beginMoment(plan);
     append(diagnostics, makePlan());
     applyKnobs();
     isViewSet = false;
@@ -117,9 +118,10 @@ void LiveScene::State::applyKnobs() {
 Diagnostics LiveScene::State::makePlan() {
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
+    planOptions.lacksCompute = render::lackOfCompute(context.capabilities());
     planOptions.loopLimit = [this] { return measuredLoopLimit(); };
     plan = plan::planFrame(
-        scene,
+        scene, scene.frame,
         [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
             return programs.interfaceOf(variant);
         },
@@ -322,7 +324,7 @@ const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     return state_->device.mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
 const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
-    return state_->device.deviceMesh(draw.mesh);
+    return state_->device.deviceMesh(state_->plan, draw.mesh);
 }
 const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
     return state_->device.texture(index);

@@ -15,7 +15,7 @@ namespace {
 int ordinalOf(const scene::Scene& scene, scene::StepIndex wanted) {
     int ordinal = 0;
     for (std::size_t pass = 0; pass <= wanted.pass; ++pass) {
-        if (!scene.frame.passes[pass].targets.empty()) continue;
+        if (!scene.frame.passes[pass].isWindow) continue;
         const auto& steps = scene.frame.passes[pass].steps;
         for (std::size_t step = 0; step < steps.size() && scene::StepIndex{pass, step} < wanted; ++step)
             if (std::holds_alternative<scene::Draw>(steps[step])) ++ordinal;

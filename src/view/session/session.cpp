@@ -18,7 +18,7 @@ constexpr int kLargestSide = 16384;
 std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene) {
     std::vector<const scene::Draw*> draws;
     for (const scene::Pass& pass : scene.frame.passes) {
-        if (!pass.targets.empty()) continue;
+        if (!pass.isWindow) continue;
         for (const auto& step : pass.steps)
             if (const auto* draw = std::get_if<scene::Draw>(&step)) draws.push_back(draw);
     }
@@ -234,8 +234,10 @@ Surroundings Session::surroundings(TransformMode mode) const {
     const render::ViewMatrices view(without, live_->scene().view, live_->eyeDistance());
     const scene::Draw* draw = pickedDraw();
     if (mode != TransformMode::object || !draw) {
-        const std::vector<const scene::Draw*> draws = windowDraws(live_->scene());
-        draw = draws.empty() ? nullptr : draws.back();
+        // The last one that a projection acts on.
+        draw = nullptr;
+        for (const scene::Draw* each : windowDraws(live_->scene()))
+            if (!std::holds_alternative<scene::ClipSpace>(each->projection)) draw = each;
     }
     Surroundings around;
     if (!draw) return around;
@@ -320,7 +322,8 @@ bool Session::drawIfNeeded() {
     if (!target_ || target_->width() != width_ || target_->height() != height_) {
         target_.reset();
         Result<gpu::Target> made =
-            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8);
+            gpu::Target::window(context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, 1,
+                                gpu::TexelFormat::depth24_stencil8);
         isStale_ = false;
         if (!made) {
             append(diagnostics_, std::move(made.diagnostics));

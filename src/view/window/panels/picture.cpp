@@ -48,7 +48,7 @@ void cursor(const Ui& ui, ImDrawList& list) {
     for (const scene::Pass& pass : ui.session.live().scene().frame.passes)
         for (const auto& step : pass.steps)
             if (const auto* each = std::get_if<scene::Draw>(&step))
-                if (pass.targets.empty() && each->id == picked.draw) draw = each;
+                if (pass.isWindow && each->id == picked.draw) draw = each;
     if (!draw) return;
     const render::ViewMatrices& view = ui.session.live().view();
     const glm::dmat4 projection = view.projection(draw->projection, ui.picture[2] / ui.picture[3]);

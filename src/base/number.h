@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace glibra::gpu {
+namespace glibra::base {
 
 /// Truncates and limits to the type's range; NaN becomes 0.
 constexpr std::int32_t toInt(double value) {
@@ -31,4 +31,4 @@ constexpr float toFloat(double value) {
     return static_cast<float>(value);
 }
 
-}  // namespace glibra::gpu
+}  // namespace glibra::base

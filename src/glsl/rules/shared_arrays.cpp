@@ -1,0 +1,146 @@
+// Limits the subscripts of `shared` variables to their sizes, because a store outside one ends the process on
+// some drivers. `a[i]` becomes `a[glibra_within(i, a.length())]`, and `s[i].m[j]` becomes
+// `s[glibra_within(i, s.length())].m[glibra_within(j, s[0].m.length())]`: sizes are constant expressions, and
+// every subscript is evaluated once. Constant subscripts stay, because compilers check them.
+
+#include <algorithm>
+#include <set>
+
+#include "glsl/parse/usage.h"
+#include "glsl/read/words.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+class SharedArrays {
+  public:
+    SharedArrays(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report)
+        : unit_(unit), walk_(walk), result_(result), report_(report) {}
+
+    void run() {
+        for (const Variable& each : unit_.variables) {
+            if (each.storage != Storage::shared || each.removed) continue;
+            const auto uses = unit_.uses.find(each.name);
+            if (uses == unit_.uses.end()) continue;
+            for (const std::uint32_t at : uses->second) use(at);
+        }
+        if (limited_.empty()) return;
+        // So that a message about a subscript of another type reads "no function 'subscript(float, int)'".
+        result_.userNames["glibra_within"] = "subscript";
+        unit_.declare("int glibra_within(int i, int size) { return clamp(i, 0, size - 1); }");
+        unit_.declare("uint glibra_within(uint i, int size) { return min(i, uint(size - 1)); }");
+    }
+
+  private:
+    /// Limits the subscripts after the name at `at`.
+    void use(std::uint32_t at) {
+        std::string path = spelled(unit_, std::string(unit_.text(at)));
+        std::uint32_t first = at++;
+        while (at < unit_.view.size()) {
+            const std::string_view text = unit_.text(at);
+            if (text == "[") {
+                const std::uint32_t close = unit_.bodies.matches[at];
+                if (close >= unit_.view.size()) return;
+                subscript(at, close, path);
+                path += "[0]";
+                at = close + 1;
+            } else if (text == "." && unit_.text(at + 2) != "(") {
+                path += "." + member(unit_.text(at + 1));
+                at += 2;
+            } else if (text == ")" && first > 0 && unit_.text(first - 1) == "(" && !isCall(first - 1)) {
+                --first;
+                ++at;
+            } else {
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] bool isCall(std::uint32_t open) const {
+        if (open == 0) return false;
+        const ViewToken& before = unit_.view[open - 1];
+        return before.text == "]" || (before.kind == TokenKind::word && !isStatementWord(before.text));
+    }
+    /// `renames` do not count after a '.'.
+    [[nodiscard]] std::string member(std::string_view word) const {
+        const auto found = unit_.wordRenames.find(word);
+        return found == unit_.wordRenames.end() ? std::string(word) : found->second;
+    }
+
+    /// True for literals, constants at file scope, and what is computed from them.
+    [[nodiscard]] bool isConstant(Range range) {
+        for (std::uint32_t at = range.first; at < range.end; ++at) {
+            const ViewToken& token = unit_.view[at];
+            if (token.kind != TokenKind::word) continue;
+            const Variable* variable =
+                unit_.bodies.roles[at] == WordRole::global ? unit_.variable(token.text) : nullptr;
+            if (!variable || variable->storage != Storage::constant || variable->isArray()) return false;
+        }
+        return true;
+    }
+
+    void subscript(std::uint32_t open, std::uint32_t close, std::string size) {
+        const Range inside{open + 1, close};
+        if (inside.empty() || isConstant(inside)) return;
+        const ViewToken& left = unit_.view[open];
+        const ViewToken& right = unit_.view[close];
+        // The brackets of a macro are the same for all of its uses, so they get what stands before them
+        // there.
+        if (left.body) size = sizeInMacro(left.raw);
+        const bool isPair = left.body == right.body && (!left.body || left.site == right.site) &&
+                            unit_.tokens[left.raw].text == "[" && unit_.tokens[right.raw].text == "]";
+        if (size.empty() || !isPair) {
+            report_.reportOnce(unit_.path + std::to_string(left.raw), "glsl-E03",
+                               "this subscript of a shared array cannot be limited to the size of the array; "
+                               "write '[' and ']' with what is before them in one place",
+                               unit_.place(open));
+            return;
+        }
+        if (!limited_.insert(left.raw).second) return;
+        // Brackets around a subscript with a comma, `a[i, j]`, keep it one argument.
+        const bool hasComma = text(inside, ",");
+        unit_.edits.after(left.raw, hasComma ? "glibra_within((" : "glibra_within(");
+        unit_.edits.before(right.raw, std::string(hasComma ? "), " : ", ") + size + ".length())");
+    }
+
+    [[nodiscard]] bool text(Range range, std::string_view word) const {
+        for (std::uint32_t at = range.first; at < range.end; ++at)
+            if (unit_.text(at) == word) return true;
+        return false;
+    }
+
+    /// What the bracket `open` in the body of a macro follows, with 0 for all subscripts: a word, perhaps a
+    /// parameter, with subscripts and members. Empty for anything else.
+    [[nodiscard]] std::string sizeInMacro(std::uint32_t open) const {
+        std::string path;
+        for (std::uint32_t at = walk_.previous(open); at != kNone;) {
+            if (walk_.text(at) == "]") {
+                if (walk_.match(at) == kNone) return {};
+                path.insert(0, "[0]");
+                at = walk_.previous(walk_.match(at));
+                continue;
+            }
+            if (unit_.tokens[at].kind != TokenKind::word) return {};
+            const std::uint32_t dot = walk_.previous(at);
+            if (walk_.text(dot) != ".") return spelled(unit_, std::string(walk_.text(at))) + path;
+            path.insert(0, "." + member(walk_.text(at)));
+            at = walk_.previous(dot);
+        }
+        return {};
+    }
+
+    Unit& unit_;
+    const TokenWalk& walk_;
+    TranslatedProgram& result_;
+    Report& report_;
+    std::set<std::uint32_t> limited_;  ///< the opening brackets, as tokens
+};
+
+}  // namespace
+
+void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report) {
+    if (unit.stage == Stage::compute) SharedArrays(unit, walk, result, report).run();
+}
+
+}  // namespace glibra::glsl

@@ -1,0 +1,174 @@
+#include "plan/accesses.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace glibra::plan {
+namespace {
+
+ObjectUse textureUseOf(const PlannedProgram& program, const TextureUse& use) {
+    if (!use.isImage) return {use.view, true, false};
+    const auto& images = program.interface->facts.memory.images;
+    const auto found = images.find(at(program.interface->uniforms, use.uniform).name);
+    if (found == images.end()) return {use.view, true, true};
+    return {use.view, !found->second.isWriteonly, !found->second.isReadonly};
+}
+
+ObjectUse blockUseOf(const PlannedProgram& program, const BlockUse& use) {
+    if (use.kind == BlockUse::Kind::uniform) return {use.buffer, true, false};
+    if (use.kind == BlockUse::Kind::counters) return {use.buffer, true, true};
+    const std::string_view name = program.interface->storageBlocks.at(use.index).name;
+    const glsl::MemoryBlock* block =
+        program.interface->facts.memory.block(name.substr(0, name.find('[')), true);
+    if (block == nullptr) return {use.buffer, true, true};
+    return {use.buffer, !block->isWriteonly, !block->isReadonly};
+}
+
+void addDraw(const FramePlan& plan, const PlannedDraw& planned, std::vector<ObjectUse>& to) {
+    const std::vector<ObjectUse> own = shaderUses(plan.programs[planned.program], planned.textures);
+    to.insert(to.end(), own.begin(), own.end());
+    const auto read = [&](const scene::BufferView& view) {
+        if (view.buffer) to.push_back({view, true, false});
+    };
+    read(plan.drawOf(planned).instancesFrom);
+    read(plan.drawOf(planned).verticesFrom);
+    if (!planned.inputs) return;
+    for (const InputSource& each : plan.inputs[planned.inputs].sources)
+        if (const auto* view = std::get_if<scene::BufferView>(&each.from)) read(*view);
+}
+
+void addPass(const FramePlan& plan, const PlannedPass& planned, std::vector<ObjectUse>& to) {
+    const scene::Pass& pass = plan.passOf(planned);
+    for (std::size_t i = 0; i < pass.targets.size(); ++i)
+        to.push_back({scene::TextureView{.texture = pass.targets[i]},
+                      i >= pass.clearColors.size() || !pass.clearColors[i], true});
+    if (pass.depth) to.push_back({*pass.depth, !pass.clearDepth, true});
+    for (const auto& step : planned.steps)
+        if (const auto* draw = std::get_if<PlannedDraw>(&step)) addDraw(plan, *draw, to);
+}
+
+using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
+
+Object objectOf(const scene::ObjectView& view) {
+    if (const auto* buffer = std::get_if<scene::BufferView>(&view)) return buffer->buffer;
+    return std::get<scene::TextureView>(view).texture;
+}
+
+bool isPrevious(const scene::ObjectView& view) {
+    return std::visit([](const auto& each) { return each.isPrevious; }, view);
+}
+
+bool hasHistory(const scene::Scene& scene, const Object& object) {
+    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
+        return scene.buffers[*buffer].hasHistory;
+    return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
+}
+
+/// The objects that the node gives a new content, whatever they held: it clears all of them first.
+std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, const scene::NodeIndex& node) {
+    std::set<Object> objects;
+    if (node.kind == scene::NodeIndex::Kind::clear)
+        std::visit([&](auto index) { objects.insert(index); },
+                   plan.clearOf(plan.clears.at(node.index)).object);
+    if (node.kind != scene::NodeIndex::Kind::pass) return objects;
+    const scene::Pass& pass = plan.passOf(plan.passes.at(node.index));
+    const auto isWhole = [&](scene::TextureIndex texture, const scene::TargetPart& part) {
+        return !part.layer && scene.textures[texture].levels == 1;
+    };
+    for (std::size_t i = 0; i < pass.targets.size() && i < pass.clearColors.size(); ++i)
+        if (pass.clearColors[i] &&
+            isWhole(pass.targets[i], i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{}))
+            objects.insert(pass.targets[i]);
+    if (pass.depth && pass.clearDepth && isWhole(pass.depth->texture, {pass.depth->level, pass.depth->layer}))
+        objects.insert(pass.depth->texture);
+    return objects;
+}
+
+}  // namespace
+
+std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
+    std::vector<ObjectUse> uses;
+    for (const TextureUse& each : textures)
+        if (each.view.texture) uses.push_back(textureUseOf(program, each));
+    for (const BlockUse& each : program.blocks) uses.push_back(blockUseOf(program, each));
+    return uses;
+}
+
+std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
+    std::vector<ObjectUse> uses;
+    const scene::NodeIndex& at = plan.order.at(node);
+    if (at.kind == scene::NodeIndex::Kind::pass) {
+        addPass(plan, plan.passes.at(at.index), uses);
+    } else if (at.kind == scene::NodeIndex::Kind::dispatch) {
+        const PlannedDispatch& planned = plan.dispatches.at(at.index);
+        uses = shaderUses(plan.programs[planned.program], planned.textures);
+        if (const auto* groups = std::get_if<scene::GroupsFrom>(&plan.dispatchOf(planned).groups))
+            uses.push_back({groups->buffer, true, false});
+    } else {
+        const scene::ClearObject& clear = plan.clearOf(plan.clears.at(at.index));
+        if (const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object))
+            uses.push_back({scene::BufferView{*buffer}, false, true});
+        else
+            uses.push_back(
+                {scene::TextureView{.texture = std::get<scene::TextureIndex>(clear.object)}, false, true});
+    }
+    return uses;
+}
+
+std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan) {
+    std::vector<std::vector<PlannedExchange>> exchanges(plan.order.size());
+    bool isAny = false;
+    for (std::size_t node = 0; node < plan.order.size(); ++node) {
+        const std::set<Object> covered = overwritten(scene, plan, plan.order[node]);
+        std::set<Object> done;
+        for (const ObjectUse& each : usesOf(plan, node)) {
+            const Object object = objectOf(each.object);
+            if (!each.writes || isPrevious(each.object) || !hasHistory(scene, object)) continue;
+            if (!done.insert(object).second) continue;
+            exchanges[node].push_back({object, !covered.contains(object)});
+            isAny = true;
+        }
+    }
+    if (!isAny) exchanges.clear();
+    return exchanges;
+}
+
+std::vector<scene::ObjectView> resetsOf(const scene::Scene& scene, const FramePlan& plan) {
+    std::set<Object> fresh;    // their content is of this frame
+    std::set<Object> touched;  // read or written before that
+    std::set<Object> written;
+    for (std::size_t node = 0; node < plan.order.size(); ++node) {
+        const std::set<Object> covered = overwritten(scene, plan, plan.order[node]);
+        for (const ObjectUse& each : usesOf(plan, node)) {
+            const Object object = objectOf(each.object);
+            if (each.writes) written.insert(object);
+            const bool isRead = each.reads && !(each.writes && covered.contains(object));
+            if (!fresh.contains(object) && (isRead || !covered.contains(object))) touched.insert(object);
+        }
+        fresh.insert(covered.begin(), covered.end());
+    }
+    std::vector<scene::ObjectView> resets;
+    for (const Object& each : written) {
+        if (!touched.contains(each) && !hasHistory(scene, each)) continue;
+        if (const auto* buffer = std::get_if<scene::BufferIndex>(&each))
+            resets.emplace_back(scene::BufferView{*buffer});
+        else
+            resets.emplace_back(scene::TextureView{.texture = std::get<scene::TextureIndex>(each)});
+    }
+    return resets;
+}
+
+bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures) {
+    return std::any_of(textures.begin(), textures.end(),
+                       [&](const TextureUse& each) { return textureUseOf(program, each).writes; }) ||
+           std::any_of(program.blocks.begin(), program.blocks.end(),
+                       [&](const BlockUse& each) { return blockUseOf(program, each).writes; });
+}
+
+bool writesMemory(const glsl::TranslatedProgram& program) {
+    return std::any_of(program.stages.begin(), program.stages.end(),
+                       [](const glsl::TranslatedStage& each) { return each.facts.writesMemory; });
+}
+
+}  // namespace glibra::plan

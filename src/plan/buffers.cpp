@@ -1,0 +1,271 @@
+#include "plan/buffers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "glib/number.h"
+#include "plan/frame_plan.h"
+
+namespace glibra::plan {
+namespace {
+
+std::string_view plainName(std::string_view block) {
+    return block.substr(0, block.find('['));
+}
+
+/// The declaration of the block in the shaders' text; null if the text does not show it.
+const glsl::MemoryBlock* declarationOf(const ProgramInterface& interface, std::string_view name,
+                                       bool isStorage) {
+    return interface.facts.memory.block(plainName(name), isStorage);
+}
+
+/// The buffer that a tag binds, or the one of that name; nothing if there is neither.
+class BufferFinder {
+  public:
+    BufferFinder(const scene::Scene& scene, scene::UniformSetIndex set)
+        : scene_(scene), objects_(set ? &scene.uniformSets[set].objects : nullptr) {}
+
+    [[nodiscard]] std::optional<scene::BufferView> find(std::string_view name) const {
+        if (name.empty()) return std::nullopt;
+        if (objects_ != nullptr)
+            for (auto each = objects_->rbegin(); each != objects_->rend(); ++each)
+                if (const auto* view = std::get_if<scene::BufferView>(&each->object);
+                    view != nullptr && each->tag == name)
+                    return *view;
+        for (const scene::BufferIndex i : scene_.buffers.indices())
+            if (scene_.buffers[i].name == name) return scene::BufferView{i, false};
+        return std::nullopt;
+    }
+
+  private:
+    const scene::Scene& scene_;
+    const std::vector<scene::ObjectBinding>* objects_;
+};
+
+std::string wordOf(std::uint64_t count, std::string_view one, std::string_view several) {
+    return fmt::format("{} {}", glib::groupedText(static_cast<long long>(count)), count == 1 ? one : several);
+}
+
+/// Adds the buffers of one plan to the layouts.
+class LayoutFinder {
+  public:
+    LayoutFinder(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
+                 std::uint64_t (*fileBytes)(const std::filesystem::path&),
+                 std::map<scene::BufferIndex, BufferLayout>& layouts)
+        : scene_(scene), plan_(plan), mostBytes_(mostBytes), fileBytes_(fileBytes), layouts_(layouts) {}
+
+    Diagnostics add() && {
+        for (const PlannedProgram& each : plan_.programs)
+            for (const BlockUse& use : each.blocks) addBlock(*each.interface, use);
+        for (const scene::BufferIndex each : plan_.buffers)
+            if (!layouts_.contains(each) && !failed_.contains(each)) addByType(each);
+        return std::move(diagnostics_);
+    }
+
+  private:
+    void fail(scene::BufferIndex buffer, const char* id, std::string text) {
+        if (failed_.insert(buffer).second)
+            diagnostics_.push_back(diagnose(id, std::move(text), scene_.buffers[buffer].place));
+    }
+
+    void addBlock(const ProgramInterface& interface, const BlockUse& use) {
+        const scene::BufferIndex index = use.buffer.buffer;
+        if (failed_.contains(index)) return;
+        const std::string what = describe(use, interface);
+        std::optional<MemoryPattern> pattern;
+        if (use.kind == BlockUse::Kind::uniform) pattern = patternOf(interface, use.index);
+        if (use.kind == BlockUse::Kind::storage) pattern = patternOf(interface.storageBlocks.at(use.index));
+        if (use.kind == BlockUse::Kind::counters) pattern = patternOf(interface.counterBuffers.at(use.index));
+        if (!pattern)
+            return fail(index, "memory-E04",
+                        fmt::format("{} has too many members for a buffer of a scene", what));
+        const auto known = layouts_.find(index);
+        if (known == layouts_.end()) return addLayout(index, std::move(*pattern), what, use.place);
+        const BufferLayout& first = known->second;
+        const std::string& name = scene_.buffers[index].name;
+        if (firstDifference(first.pattern, *pattern, first.pattern.numbers(first.elements)))
+            return fail(index, "memory-E03",
+                        fmt::format("{} ({}:{}) and {} ({}:{}) lay out buffer '{}' differently; give both "
+                                    "the same members and layout",
+                                    first.from, first.place.file, first.place.line, what, use.place.file,
+                                    use.place.line, name));
+        if (pattern->least > first.bytes) reportSmall(index, first.bytes, *pattern, what);
+    }
+
+    void reportSmall(scene::BufferIndex index, std::uint64_t bytes, const MemoryPattern& pattern,
+                     const std::string& what) {
+        fail(index, "memory-E04",
+             fmt::format("buffer '{}' has {}, but {} needs {}", scene_.buffers[index].name,
+                         wordOf(bytes, "byte", "bytes"), what,
+                         glib::groupedText(static_cast<long long>(pattern.least))));
+    }
+
+    /// The numbers of one element of the declared type; 0 if no type is declared or known.
+    std::uint64_t numbersOfType(const scene::Buffer& buffer) const {
+        const std::optional<MemoryPattern> pattern = declaredPattern(buffer);
+        return pattern ? pattern->element.size() : 0;
+    }
+
+    std::optional<MemoryPattern> declaredPattern(const scene::Buffer& buffer) const {
+        if (buffer.type.empty()) return std::nullopt;
+        if (std::optional<MemoryPattern> basic = patternOf(buffer.type, glsl::MemoryStructures()))
+            return basic;
+        for (const PlannedProgram& each : plan_.programs)
+            if (std::optional<MemoryPattern> known =
+                    patternOf(buffer.type, each.interface->facts.memory.structures))
+                return known;
+        return std::nullopt;
+    }
+
+    void addByType(scene::BufferIndex index) {
+        const scene::Buffer& buffer = scene_.buffers[index];
+        std::optional<MemoryPattern> pattern = declaredPattern(buffer);
+        if (!pattern)
+            return fail(index, "memory-E05",
+                        buffer.type.empty()
+                            ? fmt::format("buffer '{}' has no type, and no block of a shader is called '{}'; "
+                                          "write 'Buffer {} float' or another type",
+                                          buffer.name, buffer.name, buffer.name)
+                            : fmt::format("no shader has a structure '{}', which is the type of buffer '{}'",
+                                          buffer.type, buffer.name));
+        addLayout(index, std::move(*pattern), "type " + buffer.type, buffer.place);
+    }
+
+    void addLayout(scene::BufferIndex index, MemoryPattern pattern, const std::string& from,
+                   const Place& place) {
+        const scene::Buffer& buffer = scene_.buffers[index];
+        const std::uint64_t ofType = numbersOfType(buffer);
+        if (!buffer.type.empty() && ofType == 0 && buffer.count)
+            return fail(index, "memory-E05",
+                        fmt::format("no shader has a structure '{}', which is the type of buffer '{}'",
+                                    buffer.type, buffer.name));
+        const std::uint64_t head = pattern.head.size();
+        const std::uint64_t perElement = std::max<std::uint64_t>(1, pattern.element.size());
+        const auto elementsFor = [&](std::uint64_t numbers) {
+            return numbers <= head ? 0 : (numbers - head + perElement - 1) / perElement;
+        };
+        const bool countsElements = ofType == 0 || ofType == pattern.element.size();
+        std::uint64_t elements = elementsFor(buffer.values.size());
+        std::uint64_t fileBytes = 0;
+        if (buffer.file) {
+            fileBytes = fileBytes_(scene_.files[buffer.file].path);
+            if (pattern.stride > 0)
+                elements = (fileBytes - std::min(fileBytes, pattern.elementsAt)) / pattern.stride;
+        }
+        // Products of larger counts might overflow; such buffers are too large in any case.
+        const std::uint64_t count = std::min(buffer.count.value_or(0), mostBytes_ + 1);
+        if (buffer.count)
+            elements = countsElements ? count : elementsFor(count * std::min(ofType, mostBytes_));
+        elements = std::min(elements, mostBytes_ + 1);
+        BufferLayout layout{std::move(pattern), elements, 0, from, place};
+        if (layout.pattern.elements != 0) layout.elements = layout.pattern.elements;
+        std::uint64_t written = layout.pattern.numbers(layout.elements);
+        if (ofType != 0 && !layout.pattern.isRuntimeSized())
+            written = buffer.count ? count * ofType : buffer.file ? written : buffer.values.size();
+        layout.bytes = std::max(layout.pattern.bytes(layout.elements), fileBytes);
+        if (layout.bytes > mostBytes_)
+            return fail(index, "memory-E04",
+                        fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
+                                    wordOf(layout.bytes, "byte", "bytes"),
+                                    glib::groupedText(static_cast<long long>(mostBytes_))));
+        if (written < layout.pattern.numbers(layout.elements))
+            return fail(index, "memory-E04",
+                        fmt::format("buffer '{}' has {}, but {} needs {}", buffer.name,
+                                    wordOf(written, "number", "numbers"), from,
+                                    layout.pattern.numbers(layout.elements)));
+        if (buffer.values.size() > layout.pattern.numbers(layout.elements))
+            return fail(index, "memory-E04",
+                        fmt::format("buffer '{}' has {}, but {} has room for {}", buffer.name,
+                                    wordOf(buffer.values.size(), "value", "values"), from,
+                                    layout.pattern.numbers(layout.elements)));
+        if (buffer.file && fileBytes < layout.pattern.least)
+            return reportSmall(index, fileBytes, layout.pattern, from);
+        layouts_.emplace(index, std::move(layout));
+    }
+
+    const scene::Scene& scene_;
+    const FramePlan& plan_;
+    std::uint64_t mostBytes_;
+    std::uint64_t (*fileBytes_)(const std::filesystem::path&);
+    std::map<scene::BufferIndex, BufferLayout>& layouts_;
+    std::set<scene::BufferIndex> failed_;
+    Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::Program& program,
+                                        scene::UniformSetIndex set, const ProgramInterface& interface) {
+    const BufferFinder finder(scene, set);
+    std::vector<BlockUse> uses;
+    Diagnostics errors;
+    const auto addBlock = [&](BlockUse::Kind kind, std::size_t index, const std::string& name) {
+        const bool isStorage = kind == BlockUse::Kind::storage;
+        const glsl::MemoryBlock* declared = declarationOf(interface, name, isStorage);
+        const Place place = declared != nullptr ? declared->place : program.place;
+        std::optional<scene::BufferView> view = finder.find(name);
+        if (!view) view = finder.find(plainName(name));
+        if (!view && declared != nullptr) view = finder.find(declared->instance);
+        if (view) return uses.push_back({kind, index, *view, place});
+        if (isStorage)
+            errors.push_back(diagnose(
+                "memory-E02",
+                fmt::format("storage block '{}' of program '{}' has no buffer; write 'Buffer {} n' before "
+                            "the program, or give the tag '{}' a buffer",
+                            name, program.name, plainName(name), plainName(name)),
+                program.place));
+    };
+    for (std::size_t i = 0; i < interface.blocks.size(); ++i)
+        addBlock(BlockUse::Kind::uniform, i, interface.blocks[i].name);
+    for (std::size_t i = 0; i < interface.storageBlocks.size(); ++i)
+        addBlock(BlockUse::Kind::storage, i, interface.storageBlocks[i].name);
+    for (std::size_t i = 0; i < interface.counterBuffers.size(); ++i) {
+        const base::CounterBuffer& counters = interface.counterBuffers[i];
+        std::optional<scene::BufferView> view;
+        for (const std::string& each : counters.counters)
+            if (!view) view = finder.find(each);
+        const std::string name = counters.counters.empty() ? std::string() : counters.counters.front();
+        const auto declared = interface.facts.memory.counters.find(name);
+        const Place place =
+            declared != interface.facts.memory.counters.end() ? declared->second.place : program.place;
+        if (view)
+            uses.push_back({BlockUse::Kind::counters, i, *view, place});
+        else
+            errors.push_back(diagnose("memory-E02",
+                                      fmt::format("atomic counter '{}' of program '{}' has no buffer; write "
+                                                  "'Buffer {} uint 1' before the program",
+                                                  name, program.name, name),
+                                      program.place));
+    }
+    if (!errors.empty()) return errors;
+    return uses;
+}
+
+std::string describe(const BlockUse& use, const ProgramInterface& interface) {
+    switch (use.kind) {
+        case BlockUse::Kind::uniform:
+            return fmt::format("uniform block '{}'", interface.blocks.at(use.index).name);
+        case BlockUse::Kind::storage:
+            return fmt::format("storage block '{}'", interface.storageBlocks.at(use.index).name);
+        case BlockUse::Kind::counters:
+            break;
+    }
+    const std::vector<std::string>& names = interface.counterBuffers.at(use.index).counters;
+    return fmt::format("atomic counter '{}'", names.empty() ? std::string() : names.front());
+}
+
+Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
+                               std::uint64_t (*fileBytes)(const std::filesystem::path& path)) {
+    return LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
+}
+
+const BufferLayout* BufferLayouts::find(scene::BufferIndex buffer) const {
+    const auto found = layouts_.find(buffer);
+    return found == layouts_.end() ? nullptr : &found->second;
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,63 @@
+#include "plan/inputs.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "plan/uniform_names.h"
+
+namespace glibra::plan {
+namespace {
+
+/// The binding of that name that counts: the last one.
+const scene::AttributeBinding* bindingOf(const scene::Scene& scene, scene::AttributeSetIndex attributes,
+                                         const std::string& name) {
+    if (!attributes) return nullptr;
+    const std::vector<scene::AttributeBinding>& bindings = scene.attributeSets[attributes].bindings;
+    const auto found = std::find_if(bindings.rbegin(), bindings.rend(),
+                                    [&](const scene::AttributeBinding& each) { return each.name == name; });
+    return found == bindings.rend() ? nullptr : &*found;
+}
+
+InputSource given(const scene::AttributeBinding& binding) {
+    InputSource source;
+    source.isPerInstance = binding.isPerInstance;
+    if (const auto* role = std::get_if<std::string>(&binding.source)) {
+        source.from = *role;
+    } else if (const auto* numbers = std::get_if<std::vector<double>>(&binding.source)) {
+        std::array<double, 4> value{0, 0, 0, 1};
+        std::copy_n(numbers->begin(), std::min(numbers->size(), value.size()), value.begin());
+        source.from = value;
+    } else {
+        source.from = std::get<scene::BufferView>(binding.source);
+    }
+    return source;
+}
+
+}  // namespace
+
+std::string userNameOf(const ProgramInterface& interface, const std::string& input) {
+    const auto found = interface.facts.userNames.find(input);
+    return found != interface.facts.userNames.end() ? found->second : input;
+}
+
+std::vector<InputSource> inputSources(const scene::Scene& scene, scene::AttributeSetIndex attributes,
+                                      const ProgramInterface& interface) {
+    std::vector<InputSource> sources;
+    sources.reserve(interface.inputs.size());
+    for (const ActiveInput& input : interface.inputs) {
+        InputSource source;
+        const std::string name = userNameOf(interface, input.name);
+        if (const scene::AttributeBinding* binding = bindingOf(scene, attributes, name)) {
+            source = given(*binding);
+        } else if (const auto attribute = attributeOfInput(input, scene.isModern)) {
+            source.from = std::string(*attribute);
+        } else {
+            source.from = name;
+            source.isKnown = false;
+        }
+        sources.push_back(std::move(source));
+    }
+    return sources;
+}
+
+}  // namespace glibra::plan

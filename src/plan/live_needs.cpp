@@ -1,0 +1,240 @@
+// The needs of modern scenes.
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+#include "plan/needs.h"
+#include "scene/primitives.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::plan {
+namespace {
+
+using Kind = scene::NodeIndex::Kind;
+
+class LiveFinder {
+  public:
+    LiveFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+               bool everything)
+        : scene_(scene),
+          nodes_(nodes),
+          questions_(questions),
+          everything_(everything),
+          liveTextures_(scene.textures.size()),
+          liveBuffers_(scene.buffers.size()),
+          pinnedTextures_(scene.textures.size()),
+          pinnedBuffers_(scene.buffers.size()) {
+        needs_.passes.resize(nodes.passes.size());
+        needs_.dispatches.resize(nodes.dispatches.size());
+        needs_.clears.resize(nodes.clears.size());
+        needs_.textures.resize(scene.textures.size());
+        needs_.buffers.resize(scene.buffers.size());
+        for (const scene::Pass& pass : nodes.passes)
+            needs_.steps.emplace_back(pass.steps.size(), StepNeed::passNotNeeded);
+    }
+
+    Needs find(const std::vector<scene::ObjectView>& roots) && {
+        for (const scene::ObjectView& each : roots) read(each);
+        for (auto node = nodes_.order.rbegin(); node != nodes_.order.rend(); ++node) {
+            if (node->kind == Kind::pass) visitPass(node->index);
+            if (node->kind == Kind::dispatch) visitDispatch(node->index);
+            if (node->kind == Kind::clear) visitClear(node->index);
+        }
+        if (everything_) needs_.textures.assign(needs_.textures.size(), true);
+        return std::move(needs_);
+    }
+
+  private:
+    void read(const scene::ObjectView& object) {
+        if (const auto* texture = std::get_if<scene::TextureView>(&object)) {
+            if (!texture->texture) return;
+            liveTextures_[texture->texture] = needs_.textures[texture->texture] = true;
+            // The other copy is what an earlier writer left, in this frame or before it.
+            if (texture->isPrevious) pinnedTextures_[texture->texture] = true;
+        } else if (const auto& buffer = std::get<scene::BufferView>(object); buffer.buffer) {
+            liveBuffers_[buffer.buffer] = needs_.buffers[buffer.buffer] = true;
+            if (buffer.isPrevious) pinnedBuffers_[buffer.buffer] = true;
+        }
+    }
+    [[nodiscard]] bool isLive(const scene::ObjectView& object) const {
+        if (const auto* texture = std::get_if<scene::TextureView>(&object))
+            return texture->texture && liveTextures_[texture->texture];
+        const scene::BufferIndex buffer = std::get<scene::BufferView>(object).buffer;
+        return buffer && liveBuffers_[buffer];
+    }
+    void note(const scene::ObjectView& object) {  // it must exist, but its content need not
+        if (const auto* texture = std::get_if<scene::TextureView>(&object)) {
+            if (texture->texture) needs_.textures[texture->texture] = true;
+        } else if (const auto& buffer = std::get<scene::BufferView>(object); buffer.buffer) {
+            needs_.buffers[buffer.buffer] = true;
+        }
+    }
+    /// The whole texture gets a new content here.
+    void overwritten(scene::TextureIndex texture, const scene::TargetPart& part) {
+        const scene::Texture& declared = scene_.textures[texture];
+        const bool isWhole = !part.layer && scene::levelsOf(declared) == 1;
+        const bool restIsMade = !part.layer && part.level.value_or(0) == 0 && declared.hasMipmaps;
+        if ((isWhole || restIsMade) && !pinnedTextures_[texture]) liveTextures_[texture] = false;
+    }
+
+    static scene::TargetPart partOf(const scene::Pass& pass, std::size_t target) {
+        return target < pass.parts.size() ? pass.parts[target] : scene::TargetPart{};
+    }
+    [[nodiscard]] bool isDepthLive(const scene::Pass& pass) const {
+        if (pass.depth) return liveTextures_[pass.depth->texture];
+        return liveDepths_.contains(pass.depthBuffer);
+    }
+    [[nodiscard]] bool isColorLive(const scene::Pass& pass) const {
+        if (pass.isWindow) return isWindowLive_;
+        return std::any_of(pass.targets.begin(), pass.targets.end(),
+                           [this](scene::TextureIndex each) { return liveTextures_[each]; });
+    }
+
+    bool mayWrite(const scene::Draw& draw, const scene::Pass& pass) const {
+        return !usesBuiltin(scene_, draw, pass) && questions_.mayWriteImages &&
+               questions_.mayWriteImages(draw.program);
+    }
+    [[nodiscard]] std::vector<ObjectUse> usesOf(const scene::Draw& draw, const scene::Pass& pass) const {
+        if (questions_.usesOf) return questions_.usesOf(draw, pass);
+        std::vector<ObjectUse> uses;
+        for (const scene::TextureIndex each : questions_.texturesOf(draw, pass))
+            uses.push_back({scene::TextureView{.texture = each}});
+        return uses;
+    }
+    /// True if the draw stores into something that is read later.
+    bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) const {
+        if (!mayWrite(draw, pass)) return false;
+        const std::vector<ObjectUse> uses = usesOf(draw, pass);
+        return std::any_of(uses.begin(), uses.end(),
+                           [this](const ObjectUse& each) { return each.writes && isLive(each.object); });
+    }
+
+    void visitPass(std::size_t index) {
+        const scene::Pass& pass = nodes_.passes[index];
+        bool isColorSeen = isColorLive(pass);
+        bool isDepthSeen = isDepthLive(pass);
+        bool isNeeded = everything_ || isColorSeen || isDepthSeen;
+        for (std::size_t step = 0; step < pass.steps.size() && !isNeeded; ++step)
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
+                isNeeded = hasEffect(*draw, pass);
+        if (!isNeeded) return;
+        needs_.passes[index] = true;
+        for (std::size_t step = pass.steps.size(); step-- > 0;) {
+            StepNeed& need = needs_.steps[index][step];
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step])) {
+                need = needOf(*draw, pass, {index, step}, isColorSeen || isDepthSeen);
+                isDepthSeen = isDepthSeen || need == StepNeed::needed;
+                continue;
+            }
+            const bool isSeen = everything_ || isColorSeen || isDepthSeen;
+            need = isSeen ? StepNeed::needed : StepNeed::coveredByClear;
+            const auto& clear = std::get<scene::Clear>(pass.steps[step]);
+            if (isSeen && pass.isWindow && clear.color && needs_.clear.file.empty())
+                needs_.clear = clear.place;
+            if (clear.color) isColorSeen = false;
+            if (clear.depth && (clear.stencil || !usesStencil(pass))) isDepthSeen = false;
+        }
+        beginsWith(pass, isColorSeen, isDepthSeen);
+    }
+
+    StepNeed needOf(const scene::Draw& draw, const scene::Pass& pass, scene::StepIndex at, bool isSeen) {
+        if (!everything_) {
+            if (drawsNothing(scene_.shapes[draw.shape])) return StepNeed::drawsNothing;
+            if (!isSeen && !hasEffect(draw, pass)) return StepNeed::coveredByClear;
+            if (questions_.outOfSight) {
+                std::string why = questions_.outOfSight(draw, pass);
+                if (!why.empty()) {
+                    needs_.outOfSight.emplace(at, std::move(why));
+                    return StepNeed::outOfSight;
+                }
+            }
+        }
+        for (const ObjectUse& each : usesOf(draw, pass)) {
+            note(each.object);
+            if (each.reads || each.writes) read(each.object);
+        }
+        return StepNeed::needed;
+    }
+
+    /// What is read before the pass: its targets, as far as it keeps them. `isColorSeen`: something of the
+    /// colours that the pass begins with may be seen.
+    void beginsWith(const scene::Pass& pass, bool isColorSeen, bool isDepthSeen) {
+        const auto isCleared = [&](std::size_t color) {
+            return !isColorSeen || (color < pass.clearColors.size() && pass.clearColors[color]);
+        };
+        if (pass.isWindow && isCleared(0)) {
+            if (isWindowLive_ && !everything_ && needs_.clear.file.empty()) needs_.clear = pass.place;
+            isWindowLive_ = false;
+        }
+        for (std::size_t i = 0; i < pass.targets.size(); ++i) {
+            needs_.textures[pass.targets[i]] = true;
+            if (isCleared(i)) overwritten(pass.targets[i], partOf(pass, i));
+        }
+        const bool keepsStencil = !pass.clearStencil && usesStencil(pass);
+        const bool isDepthCleared = !isDepthSeen || (pass.clearDepth && !keepsStencil);
+        if (pass.depth) {
+            needs_.textures[pass.depth->texture] = true;
+            if (isDepthCleared)
+                overwritten(pass.depth->texture, {pass.depth->level, pass.depth->layer});
+            else
+                liveTextures_[pass.depth->texture] = true;
+        } else if (isDepthCleared) {
+            liveDepths_.erase(pass.depthBuffer);
+        } else {
+            liveDepths_.insert(pass.depthBuffer);
+        }
+    }
+
+    void visitDispatch(std::size_t index) {
+        if (!questions_.usesOfDispatch) return;
+        const std::vector<ObjectUse> uses = questions_.usesOfDispatch(nodes_.dispatches[index]);
+        needs_.dispatches[index] =
+            everything_ || std::any_of(uses.begin(), uses.end(), [this](const ObjectUse& each) {
+                return each.writes && isLive(each.object);
+            });
+        if (!needs_.dispatches[index]) return;
+        for (const ObjectUse& each : uses) {
+            note(each.object);
+            if (each.reads || each.writes) read(each.object);
+        }
+    }
+
+    void visitClear(std::size_t index) {
+        const scene::ClearObject& clear = nodes_.clears[index];
+        if (const auto* texture = std::get_if<scene::TextureIndex>(&clear.object)) {
+            needs_.clears[index] = everything_ || liveTextures_[*texture];
+            if (!pinnedTextures_[*texture]) liveTextures_[*texture] = false;
+            if (needs_.clears[index]) needs_.textures[*texture] = true;
+            return;
+        }
+        const scene::BufferIndex buffer = std::get<scene::BufferIndex>(clear.object);
+        needs_.clears[index] = everything_ || liveBuffers_[buffer];
+        if (!pinnedBuffers_[buffer]) liveBuffers_[buffer] = false;
+        if (needs_.clears[index]) needs_.buffers[buffer] = true;
+    }
+
+    const scene::Scene& scene_;
+    const scene::NodeList& nodes_;
+    const NeedQuestions& questions_;
+    bool everything_;
+    // Their content is read by a later node.
+    scene::List<bool, scene::Texture> liveTextures_;
+    scene::List<bool, scene::Buffer> liveBuffers_;
+    std::set<int> liveDepths_;
+    bool isWindowLive_ = true;
+    // A clear does not end the need for them.
+    scene::List<bool, scene::Texture> pinnedTextures_;
+    scene::List<bool, scene::Buffer> pinnedBuffers_;
+    Needs needs_;
+};
+
+}  // namespace
+
+Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+                    const std::vector<scene::ObjectView>& roots, bool everything) {
+    return LiveFinder(scene, nodes, questions, everything).find(roots);
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,200 @@
+#include "plan/texture_binding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "plan/uniform_names.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::plan {
+namespace {
+
+using scene::TextureTarget;
+
+/// The number of texels that a sampler sees: the word of a GLSL type after "sampler" or "image".
+struct Dimension {
+    std::string_view word;
+    TextureTarget target;
+};
+constexpr Dimension kDimensions[] = {{"1D", TextureTarget::texture1D},
+                                     {"2D", TextureTarget::texture2D},
+                                     {"3D", TextureTarget::texture3D},
+                                     {"Cube", TextureTarget::cube},
+                                     {"2DArray", TextureTarget::texture2DArray}};
+
+std::optional<base::TexelFormat> formatOf(const scene::Texture& texture) {
+    if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) return empty->format;
+    return std::nullopt;
+}
+
+BaseType texelsOf(const scene::Texture& texture) {
+    const auto format = formatOf(texture);
+    if (!format || !isInteger(*format)) return BaseType::floating;
+    return base::rowOf(*format).kind == base::TexelClass::integer ? BaseType::integer
+                                                                  : BaseType::unsignedInteger;
+}
+
+/// What a shader sees of the view: a layer or face is 2D. Images also take a layer of a 3D texture.
+TextureTarget targetOf(const scene::Texture& texture, const scene::TextureView& view) {
+    return view.layer ? TextureTarget::texture2D : texture.target;
+}
+
+/// "sampler2D", "uimage3D": the type that reads this view.
+std::string fittingWord(const scene::Texture& texture, const scene::TextureView& view, bool isImage,
+                        const SamplerType& asked) {
+    const BaseType texels = texelsOf(texture);
+    std::string word = texels == BaseType::integer ? "i" : texels == BaseType::unsignedInteger ? "u" : "";
+    word += isImage ? "image" : "sampler";
+    for (const Dimension& each : kDimensions)
+        if (each.target == targetOf(texture, view)) word += each.word;
+    const auto format = formatOf(texture);
+    const bool isDepth = format && hasDepth(*format);
+    const bool mustReadSamples = texture.samples > 1 && (isDepth || texels != BaseType::floating);
+    if (mustReadSamples || (asked.isMultisampled && texture.samples > 1)) return word + "MS";
+    if (asked.isShadow && isDepth) word += "Shadow";
+    return word;
+}
+
+std::string describe(const scene::Texture& texture, const scene::TextureView& view) {
+    std::string text(texture.target == TextureTarget::cube             ? "a cube map"
+                     : texture.target == TextureTarget::texture2DArray ? "a 2D array"
+                                                                       : "");
+    if (text.empty()) text = fmt::format("a {} texture", scene::wordOf(texture.target));
+    if (view.layer) text = fmt::format("a layer of {}", text);
+    if (const auto format = formatOf(texture)) text += fmt::format(" of {}", name(*format));
+    if (texture.samples > 1) text += fmt::format(" with {} samples", texture.samples);
+    return text;
+}
+
+std::string placeOf(const ProgramInterface& interface, const ActiveUniform& uniform) {
+    const auto declared = interface.facts.uniforms.find(std::string(rootName(uniform.name)));
+    if (declared == interface.facts.uniforms.end() || declared->second.place.file.empty()) return {};
+    const Place& place = declared->second.place;
+    return fmt::format(" ({}:{})", std::filesystem::path(place.file).filename().string(), place.line);
+}
+
+std::optional<Diagnostic> missingPart(const scene::Scene& scene, const BoundTexture& bound) {
+    const scene::Texture& texture = scene.textures[bound.view.texture];
+    const auto say = [&](std::string why) {
+        return diagnose("draw-E10",
+                        fmt::format("{} does not exist: {} (line {})", nameOf(scene, bound.view), why,
+                                    texture.place.line),
+                        bound.place);
+    };
+    if (const auto levels = scene::levelsOf(texture);
+        bound.view.level && levels && *bound.view.level >= *levels)
+        return say(fmt::format("'{}' has {} level{}", texture.name, *levels, *levels == 1 ? "" : "s"));
+    const auto size = scene::sizeOfLevel(texture, bound.view.level.value_or(0));
+    const int layers = size ? (*size)[2] : texture.target == TextureTarget::cube ? 6 : 0;
+    if (bound.view.layer && layers > 0 && *bound.view.layer >= layers)
+        return say(fmt::format("'{}' has {} layer{}", texture.name, layers, layers == 1 ? "" : "s"));
+    if (bound.view.isPrevious && !texture.hasHistory)
+        return say(fmt::format("'{}' is declared without history", texture.name));
+    return std::nullopt;
+}
+
+}  // namespace
+
+SamplerType samplerTypeOf(std::string_view word) {
+    SamplerType type;
+    if (word.starts_with('i') && !word.starts_with("image")) {
+        type.texels = BaseType::integer;
+        word.remove_prefix(1);
+    } else if (word.starts_with('u')) {
+        type.texels = BaseType::unsignedInteger;
+        word.remove_prefix(1);
+    }
+    for (const std::string_view begin : {std::string_view("sampler"), std::string_view("image")})
+        if (word.starts_with(begin)) {
+            word.remove_prefix(begin.size());
+            break;
+        }
+    const auto takeEnd = [&](std::string_view end) {
+        if (!word.ends_with(end)) return false;
+        word.remove_suffix(end.size());
+        return true;
+    };
+    type.isShadow = takeEnd("Shadow");
+    type.isMultisampled = takeEnd("MS");
+    for (const Dimension& each : kDimensions)
+        if (each.word == word) type.target = each.target;
+    if (type.isMultisampled && type.target != TextureTarget::texture2D) type.target.reset();
+    return type;
+}
+
+std::string nameOf(const scene::Scene& scene, const scene::TextureView& view) {
+    const scene::Texture& texture = scene.textures[view.texture];
+    std::string text = texture.name;
+    if (view.isPrevious) text += ".prev";
+    if (view.level) text += fmt::format(".level({})", *view.level);
+    if (view.layer)
+        text += fmt::format(".{}({})", texture.target == TextureTarget::cube ? "face" : "layer", *view.layer);
+    return "'" + text + "'";
+}
+
+std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const ProgramInterface& interface,
+                                         const ActiveUniform& uniform, const BoundTexture& bound) {
+    if (auto missing = missingPart(scene, bound)) return missing;
+    const scene::Texture& texture = scene.textures[bound.view.texture];
+    const auto say = [&](const std::string& advice) {
+        return diagnose("draw-E09",
+                        fmt::format("{} '{}'{} cannot read {} (line {}), which is {}{}", uniform.type.word,
+                                    uniform.name, placeOf(interface, uniform), nameOf(scene, bound.view),
+                                    texture.place.line, describe(texture, bound.view), advice),
+                        bound.place);
+    };
+    if (!uniform.type.isOpaque()) return say("; write the name at a sampler or image");
+    const SamplerType type = samplerTypeOf(uniform.type.word);
+    const bool isImage = uniform.type.base == BaseType::image;
+    const auto format = formatOf(texture);
+    const bool isDepth = format && hasDepth(*format);
+    if (isImage && (isDepth || texture.isSrgb || format == base::TexelFormat::srgb8_alpha8))
+        return say("; images take neither depth nor sRGB");
+    if (isImage && texture.samples > 1) return say("; images take no samples");
+    if (!isImage && bound.view.layer && texture.target == TextureTarget::texture3D)
+        return say("; a layer of a 3D texture can only be an image or a target");
+    if (isImage && format) {
+        const auto declared = interface.facts.memory.images.find(std::string(rootName(uniform.name)));
+        const bool isKnown =
+            declared != interface.facts.memory.images.end() && !declared->second.format.empty();
+        if (isKnown && declared->second.format != name(*format))
+            return say(fmt::format("; the image has the format {}", declared->second.format));
+    }
+    const std::string fitting = fittingWord(texture, bound.view, isImage, type);
+    if (fitting != uniform.type.word) return say("; write " + fitting);
+    return std::nullopt;
+}
+
+void useNamed(const scene::Scene& scene, const scene::TextureView& view, const ValueType& type,
+              TextureUse& use) {
+    const scene::Texture& texture = scene.textures[view.texture];
+    const SamplerType asked = samplerTypeOf(type.word);
+    use.view = view;
+    use.target = targetOf(texture, view);
+    use.readsSamples = asked.isMultisampled;
+    use.compares = asked.isShadow;
+    use.sampler = view.sampler ? scene.samplers[view.sampler].state : texture.sampler;
+    if (texelsOf(texture) != BaseType::floating)
+        use.sampler.filter =
+            use.sampler.readsMipmaps() ? base::Filter::nearestMipmapNearest : base::Filter::nearest;
+    const bool isWrapped = std::any_of(use.sampler.wrap.begin(), use.sampler.wrap.end(),
+                                       [](base::Wrap each) { return each != base::Wrap::repeat; });
+    if (use.compares && !isWrapped) {
+        use.sampler.wrap.fill(base::Wrap::clampToBorder);
+        use.sampler.border.fill(1);
+    }
+    if (texture.target == TextureTarget::cube) use.sampler.wrap.fill(base::Wrap::clampToEdge);
+}
+
+bool readsPart(const scene::Scene& scene, const TextureUse& use, const scene::TextureView& target) {
+    if (use.view.texture != target.texture || use.view.isPrevious != target.isPrevious) return false;
+    if (use.view.layer && target.layer && *use.view.layer != *target.layer) return false;
+    const int drawn = target.level.value_or(0);
+    if (use.view.level) return *use.view.level == drawn;
+    if (!use.sampler.readsMipmaps()) return drawn == 0;
+    return drawn < scene::levelsOf(scene.textures[target.texture]).value_or(drawn + 1);
+}
+
+}  // namespace glibra::plan

@@ -1,0 +1,40 @@
+#pragma once
+// Textures with names as samplers and images read them: whether the types fit, and how they are sampled.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "plan/frame_plan.h"
+
+namespace glibra::plan {
+
+/// What a sampler or image of a GLSL type reads.
+struct SamplerType {
+    /// Nothing for types that no texture of a scene fits: buffers, rectangles, arrays of cube maps.
+    std::optional<scene::TextureTarget> target{};
+    bool isMultisampled = false;
+    bool isShadow = false;
+    BaseType texels = BaseType::floating;  ///< or integer, unsignedInteger
+};
+/// The type with that GLSL word: "usampler2DArray".
+SamplerType samplerTypeOf(std::string_view word);
+
+/// The texture as messages name it: "'shadow.layer(2)'".
+std::string nameOf(const scene::Scene& scene, const scene::TextureView& view);
+
+/// Why that sampler or image cannot read the texture: draw-E09 if the types differ, draw-E10 if the part does
+/// not exist.
+std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const ProgramInterface& interface,
+                                         const ActiveUniform& uniform, const BoundTexture& bound);
+
+/// Completes the use of a texture by a sampler or image of this type. Integers are read without filters.
+/// Where a shader compares depth, samplers read 1 outside of the texture unless the scene sets their
+/// wrapping.
+void useNamed(const scene::Scene& scene, const scene::TextureView& view, const ValueType& type,
+              TextureUse& use);
+
+/// True if the sampler may read texels of that part of a texture, which is a target of the pass.
+bool readsPart(const scene::Scene& scene, const TextureUse& use, const scene::TextureView& target);
+
+}  // namespace glibra::plan

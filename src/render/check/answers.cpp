@@ -1,0 +1,250 @@
+#include "render/check/answers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glibra::render {
+namespace {
+
+using scene::Check;
+using Kind = scene::Check::Kind;
+using Numbers = std::span<const double>;
+
+/// Half of the distance of stored values, and what the conversion to float may add.
+constexpr double kHalfStep = .5 + 1e-4;
+
+/// Numbers with as many digits as tell them apart.
+std::string textOf(Numbers numbers) {
+    constexpr std::size_t kMost = 8;
+    const Numbers shown = numbers.first(std::min(numbers.size(), kMost));
+    return fmt::format("{:.9g}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
+}
+
+class Answerer {
+  public:
+    Answerer(const Check& check, const CheckQuestions& questions) : check_(check), ask_(questions) {}
+
+    std::optional<Diagnostic> answer() {
+        switch (check_.kind) {
+            case Kind::pixel:
+                return onContent([this](const Content& c) { return pixel(c); });
+            case Kind::mean:
+                return onContent([this](const Content& c) { return mean(c); });
+            case Kind::count:
+                return onContent([this](const Content& c) { return count(c); });
+            case Kind::buffer:
+                return onContent([this](const Content& c) { return elements(c); });
+            case Kind::range:
+                return onContent([this](const Content& c) { return range(c); });
+            case Kind::finite:
+                return onContent([this](const Content& c) { return finite(c); });
+            case Kind::same:
+            case Kind::different:
+                return onContent([this](const Content& c) { return relation(c); });
+            case Kind::primitives:
+                return number("primitives", ask_.primitives());
+            case Kind::samples:
+                return number("samples", ask_.samples());
+            case Kind::condition:
+                return condition();
+            case Kind::error:
+                break;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    using Answer = std::optional<Diagnostic>;
+
+    [[nodiscard]] Diagnostic wrong(const std::string& expected, const std::string& found) const {
+        return diagnose("check-E01", fmt::format("{}: expected {}, found {}", check_.text, expected, found),
+                        check_.place);
+    }
+    [[nodiscard]] Diagnostic refused(const std::string& why) const {
+        return diagnose("check-E02", fmt::format("{}: {}", check_.text, why), check_.place);
+    }
+
+    static std::string reasonOf(const Diagnostics& problems) {
+        return problems.empty() ? "it cannot be read" : problems.front().text;
+    }
+
+    template <class Work>
+    Answer onContent(const Work& work) {
+        const Result<Content> content = ask_.contentOf(check_.object);
+        if (!content) return refused(reasonOf(content.diagnostics));
+        return work(*content);
+    }
+
+    /// Values of a normalised format are equal if they are the same multiple of its step.
+    [[nodiscard]] bool equal(double wanted, double found, const Content& content) const {
+        if (wanted == found || (std::isnan(wanted) && std::isnan(found))) return true;
+        return std::abs(wanted - found) <= std::max(check_.tolerance, content.step * kHalfStep);
+    }
+    [[nodiscard]] bool equal(Numbers wanted, Numbers found, const Content& content) const {
+        for (std::size_t i = 0; i < std::min(wanted.size(), found.size()); ++i)
+            if (!equal(wanted[i], found[i], content)) return false;
+        return true;
+    }
+    [[nodiscard]] std::string wantedText() const {
+        return check_.tolerance > 0 ? fmt::format("{} within {:.9g}", textOf(check_.wanted), check_.tolerance)
+                                    : textOf(check_.wanted);
+    }
+    /// Why the wanted components do not fit the content; empty if they do.
+    [[nodiscard]] std::string misfit(const Content& content) const {
+        if (check_.wanted.size() <= static_cast<std::size_t>(content.components)) return {};
+        return fmt::format("'{}' has {} components, not {}", content.name, content.components,
+                           check_.wanted.size());
+    }
+    [[nodiscard]] static Numbers shown(Numbers found, std::size_t count) {
+        return found.first(std::min(found.size(), count));
+    }
+
+    [[nodiscard]] Answer pixel(const Content& content) const {
+        const double x = std::floor(check_.numbers.at(0)), y = std::floor(check_.numbers.at(1));
+        if (!(x >= 0 && y >= 0 && x < content.width && y < content.height))
+            return refused(
+                fmt::format("'{}' has {} x {} pixels", content.name, content.width, content.height));
+        if (const std::string why = misfit(content); !why.empty()) return refused(why);
+        const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(content.width) +
+                           static_cast<std::size_t>(x);
+        const Numbers found = content.at(index);
+        if (equal(check_.wanted, found, content)) return std::nullopt;
+        return wrong(wantedText(), textOf(shown(found, check_.wanted.size())));
+    }
+
+    [[nodiscard]] Answer mean(const Content& content) const {
+        const auto& n = check_.numbers;
+        const double x = std::floor(n.at(0)), y = std::floor(n.at(1)), w = std::floor(n.at(2)),
+                     h = std::floor(n.at(3));
+        if (!(x >= 0 && y >= 0 && w >= 1 && h >= 1 && x + w <= content.width && y + h <= content.height))
+            return refused(
+                fmt::format("'{}' has {} x {} pixels", content.name, content.width, content.height));
+        if (const std::string why = misfit(content); !why.empty()) return refused(why);
+        std::vector<double> sum(static_cast<std::size_t>(content.components));
+        for (auto row = static_cast<std::size_t>(y); row < static_cast<std::size_t>(y + h); ++row)
+            for (auto column = static_cast<std::size_t>(x); column < static_cast<std::size_t>(x + w);
+                 ++column) {
+                const Numbers texel = content.at(row * static_cast<std::size_t>(content.width) + column);
+                for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += texel[i];
+            }
+        for (double& each : sum) each /= w * h;
+        if (equal(check_.wanted, sum, content)) return std::nullopt;
+        return wrong(wantedText(), textOf(shown(sum, check_.wanted.size())));
+    }
+
+    [[nodiscard]] Answer count(const Content& content) const {
+        if (const std::string why = misfit(content); !why.empty()) return refused(why);
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < content.size(); ++i)
+            found += equal(check_.wanted, content.at(i), content) ? 1U : 0U;
+        if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
+        return wrong(fmt::format("{:.17g} pixels", check_.numbers.at(0)), fmt::format("{}", found));
+    }
+
+    [[nodiscard]] Answer elements(const Content& content) const {
+        const double first = check_.numbers.empty() ? 0 : std::floor(check_.numbers.front());
+        const double begin = first * content.components;
+        if (!(first >= 0) ||
+            begin + static_cast<double>(check_.wanted.size()) > static_cast<double>(content.values.size()))
+            return refused(fmt::format("'{}' has {} values in {} elements", content.name,
+                                       content.values.size(), content.size()));
+        const Numbers found =
+            std::span(content.values).subspan(static_cast<std::size_t>(begin), check_.wanted.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (equal(check_.wanted[i], found[i], content)) continue;
+            if (found.size() <= 8) return wrong(wantedText(), textOf(found));
+            return wrong(fmt::format("{:.9g} as value {}", check_.wanted[i], i),
+                         fmt::format("{:.9g}", found[i]));
+        }
+        return std::nullopt;
+    }
+
+    /// Reports the first value that fails.
+    template <class Holds>
+    [[nodiscard]] Answer each(const Content& content, const std::string& wanted, const Holds& holds) const {
+        const auto found = std::find_if_not(content.values.begin(), content.values.end(), holds);
+        if (found == content.values.end()) return std::nullopt;
+        const auto index = static_cast<std::size_t>(found - content.values.begin()) /
+                           static_cast<std::size_t>(content.components);
+        const std::size_t row = index / static_cast<std::size_t>(content.width);
+        const std::size_t column = index % static_cast<std::size_t>(content.width);
+        return wrong(wanted, content.height * content.depth > 1
+                                 ? fmt::format("{:.9g} at {} {}", *found, column, row)
+                                 : fmt::format("{:.9g} at {}", *found, column));
+    }
+    [[nodiscard]] Answer range(const Content& content) const {
+        const double least = check_.numbers.at(0), most = check_.numbers.at(1);
+        return each(content, fmt::format("{:.9g} to {:.9g}", least, most),
+                    [&](double value) { return value >= least && value <= most; });
+    }
+    [[nodiscard]] Answer finite(const Content& content) const {
+        return each(content, "finite values", [](double value) { return std::isfinite(value); });
+    }
+
+    [[nodiscard]] Answer relation(const Content& content) const {
+        const Result<Content> other = ask_.contentOf(check_.other);
+        if (!other) return refused(reasonOf(other.diagnostics));
+        const bool fits = content.width == other->width && content.height == other->height &&
+                          content.depth == other->depth && content.components == other->components;
+        const bool wantsSame = check_.kind == Kind::same;
+        if (!fits) {
+            if (!wantsSame) return std::nullopt;
+            return wrong("the same content",
+                         fmt::format("{} x {} x {} x {} and {} x {} x {} x {} values", content.width,
+                                     content.height, content.depth, content.components, other->width,
+                                     other->height, other->depth, other->components));
+        }
+        std::size_t differing = 0;
+        double largest = 0;
+        for (std::size_t i = 0; i < content.values.size(); ++i) {
+            const double a = content.values[i], b = other->values[i];
+            if (a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= check_.tolerance) continue;
+            ++differing;
+            largest = std::max(largest, std::abs(a - b));
+        }
+        if (wantsSame == (differing == 0)) return std::nullopt;
+        return wantsSame ? wrong("the same content",
+                                 fmt::format("{} values that differ, by up to {:.9g}", differing, largest))
+                         : wrong("different content", "the same");
+    }
+
+    [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {
+        if (static_cast<double>(found) == check_.numbers.at(0)) return std::nullopt;
+        return wrong(fmt::format("{:.17g} {}", check_.numbers.at(0), what), fmt::format("{}", found));
+    }
+
+    [[nodiscard]] Answer condition() const {
+        const Result<bool> holds = ask_.condition(check_);
+        if (!holds) return holds.diagnostics.empty() ? refused("it has no value") : holds.diagnostics.front();
+        return *holds ? std::nullopt : Answer(wrong("true", "false"));
+    }
+
+    const Check& check_;
+    const CheckQuestions& ask_;
+};
+
+}  // namespace
+
+std::optional<Diagnostic> answer(const Check& check, const CheckQuestions& questions) {
+    return Answerer(check, questions).answer();
+}
+
+Diagnostics withoutExpected(const std::vector<Check>& checks, Diagnostics diagnostics) {
+    Diagnostics missing;
+    for (const Check& each : checks) {
+        if (each.kind != Kind::error) continue;
+        const auto removed =
+            std::erase_if(diagnostics, [&](const Diagnostic& found) { return found.id == each.word; });
+        if (removed == 0)
+            missing.push_back(diagnose(
+                "check-E01", fmt::format("{}: expected {}, which was not reported", each.text, each.word),
+                each.place));
+    }
+    append(diagnostics, std::move(missing));
+    return diagnostics;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,30 @@
+#pragma once
+// Answers the Expect statements of a scene (language, 12.9) from what was drawn. No GL here.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <glibra/result.h>
+#include "render/check/content.h"
+#include "scene/nodes.h"
+
+namespace glibra::render {
+
+/// What the checks of a moment ask for.
+struct CheckQuestions {
+    /// The content of an object; of the window for nothing. Reports why it cannot be read.
+    std::function<Result<Content>(const std::optional<scene::ObjectView>& object)> contentOf;
+    std::function<std::uint64_t()> primitives, samples;  ///< of the whole frame
+    /// The value of a condition.
+    std::function<Result<bool>(const scene::Check& check)> condition;
+};
+
+/// Returns nothing if the check holds, else check-E01 with what was expected and what was found, or the
+/// reason why it cannot be answered. Not for checks of the kind `error`.
+std::optional<Diagnostic> answer(const scene::Check& check, const CheckQuestions& questions);
+
+/// The diagnostics without those that Expect error asks for, and check-E01 for each that was not reported.
+Diagnostics withoutExpected(const std::vector<scene::Check>& checks, Diagnostics diagnostics);
+
+}  // namespace glibra::render

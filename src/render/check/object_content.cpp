@@ -1,0 +1,105 @@
+#include "render/check/object_content.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace glibra::render {
+namespace {
+
+/// The values of a level as doubles, its layers after one another.
+template <class T>
+std::vector<double> doublesOf(const std::vector<std::byte>& bytes) {
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    return {values.begin(), values.end()};
+}
+
+/// The distance of neighbouring values of a normalised format; 0 for floats and integers.
+double stepOf(base::TexelFormat format) {
+    switch (format) {
+        case base::TexelFormat::rgb10_a2:
+            return 1.0 / 1023;
+        case base::TexelFormat::srgb8_alpha8:
+            return 1.0 / 255;
+        case base::TexelFormat::depth16:
+            return 1.0 / 65535;
+        case base::TexelFormat::depth24:
+        case base::TexelFormat::depth24_stencil8:
+            return 1.0 / 16777215;
+        default:
+            break;
+    }
+    const base::TexelFormatRow& row = base::rowOf(format);
+    const double levels = row.bytes / row.components == 1 ? 255 : 65535;
+    if (row.kind == base::TexelClass::normalized) return 1 / levels;
+    if (row.kind == base::TexelClass::signedNormalized) return 2 / (levels - 1);
+    return 0;
+}
+
+Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
+                          const scene::TextureView& view) {
+    const scene::Texture& declared = scene.textures[view.texture];
+    const gpu::Texture* texture = device.texture(view);
+    const auto refuse = [&](const std::string& why) {
+        return diagnose("check-E02", fmt::format("'{}' {}", declared.name, why), declared.place);
+    };
+    if (texture == nullptr) return refuse("was not drawn");
+    if (texture->samples() > 1) return refuse("has several samples per texel and cannot be read");
+    const int level = view.level.value_or(0);
+    if (level >= texture->levels()) return refuse(fmt::format("has no level {}", level));
+    const gpu::TextureSize size = gpu::sizeOfLevel(texture->shape(), texture->size(), level);
+    Content content;
+    content.name = declared.name;
+    content.width = size.width;
+    content.height = size.height;
+    content.depth = texture->layers(level);
+    const base::TexelFormatRow& row = base::rowOf(texture->format());
+    content.components = base::hasDepth(texture->format()) ? 1 : row.components;
+    content.step = stepOf(texture->format());
+    const gpu::TexelType type = row.kind == base::TexelClass::integer           ? gpu::TexelType::i32
+                                : row.kind == base::TexelClass::unsignedInteger ? gpu::TexelType::u32
+                                                                                : gpu::TexelType::f32;
+    const auto bytes = texture->read(level, content.components, type);
+    if (!bytes) return bytes.diagnostics;
+    content.values = type == gpu::TexelType::i32   ? doublesOf<std::int32_t>(*bytes)
+                     : type == gpu::TexelType::u32 ? doublesOf<std::uint32_t>(*bytes)
+                                                   : doublesOf<float>(*bytes);
+    if (!view.layer) return content;
+    if (*view.layer >= content.depth) return refuse(fmt::format("has no layer {}", *view.layer));
+    content.depth = 1;
+    const std::size_t count = content.size() * static_cast<std::size_t>(content.components);
+    const auto first =
+        content.values.begin() + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(*view.layer));
+    content.values = std::vector<double>(first, first + static_cast<std::ptrdiff_t>(count));
+    return content;
+}
+
+Result<Content> contentOf(const scene::Scene& scene, const DeviceBuffers& buffers,
+                          const scene::BufferView& view) {
+    const scene::Buffer& declared = scene.buffers[view.buffer];
+    const plan::BufferLayout* layout = buffers.layout(view.buffer);
+    if (layout == nullptr || buffers.buffer(view) == nullptr)
+        return diagnose("check-E02", fmt::format("'{}' is not used by anything that was run", declared.name),
+                        declared.place);
+    Content content;
+    content.name = declared.name;
+    content.values = buffers.read(view, 0, std::numeric_limits<std::uint64_t>::max());
+    const std::size_t elements = std::max<std::size_t>(1, layout->elements);
+    content.components = static_cast<int>(std::max<std::size_t>(1, content.values.size() / elements));
+    content.width = static_cast<int>(content.values.size() / static_cast<std::size_t>(content.components));
+    return content;
+}
+
+}  // namespace
+
+Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
+                          const scene::ObjectView& object) {
+    if (const auto* texture = std::get_if<scene::TextureView>(&object))
+        return contentOf(scene, device, *texture);
+    return contentOf(scene, device.buffers(), std::get<scene::BufferView>(object));
+}
+
+}  // namespace glibra::render

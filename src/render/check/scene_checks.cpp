@@ -1,0 +1,122 @@
+// Answers the checks of a scene from what its renderer drew.
+
+#include <algorithm>
+#include <set>
+
+#include "gpu/object/query.h"
+#include "gpu/object/readback.h"
+#include "render/check/answers.h"
+#include "render/check/object_content.h"
+#include "render/scene_state.h"
+
+namespace glibra::render {
+namespace {
+
+Content windowContent(const SceneRenderer::State& state, std::vector<std::byte> pixels) {
+    Content content{"window", state.width, state.height, 1, 4, state.options.floatPixels ? 0 : 1.0 / 255, {}};
+    content.values.resize(content.size() * 4);
+    const std::size_t row = static_cast<std::size_t>(state.width) * 4;
+    const auto* floats = reinterpret_cast<const float*>(pixels.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(state.height); ++y)  // the top row comes first
+        std::copy_n(floats + y * row, row,
+                    content.values.begin() +
+                        static_cast<std::ptrdiff_t>((static_cast<std::size_t>(state.height) - 1 - y) * row));
+    return content;
+}
+
+Result<Content> readWindow(SceneRenderer::State& state) {
+    if (state.tiles.size() > 1)
+        return diagnose("check-E02", "a picture that is drawn in tiles cannot be checked",
+                        {state.scene.path, 1, 1});
+    auto pixels = gpu::readPixels(state.context.capabilities(), state.window->readable(), 0,
+                                  {0, 0, state.width, state.height}, {4, gpu::TexelType::f32});
+    if (!pixels) return std::move(pixels.diagnostics);
+    return windowContent(state, std::move(*pixels));
+}
+
+}  // namespace
+
+bool SceneRenderer::hasChecks() const {
+    return !state_->scene.checks.empty();
+}
+
+Diagnostics SceneRenderer::answerChecks(double time, Diagnostics& reported, Stats& stats) {
+    State& state = *state_;
+    reported = withoutExpected(state.scene.checks, std::move(reported));
+    Diagnostics wrong;
+    std::erase_if(reported, [&](Diagnostic& each) {
+        if (!each.id.starts_with("check-")) return false;
+        wrong.push_back(std::move(each));
+        return true;
+    });
+    std::set<double> times;
+    for (const scene::Check& each : state.scene.checks)
+        if (each.kind != scene::Check::Kind::error) times.insert(each.seconds.value_or(time));
+    for (const double each : times) append(wrong, answerAt(each, time, stats));
+    return wrong;
+}
+
+/// Draws the picture of `moment` and answers the checks that ask for it.
+Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
+    State& state = *state_;
+    const auto isCounted = [](const scene::Check& each) {
+        return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
+    };
+    // What Once and Step draw is not counted, so they run before.
+    if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
+        if (Result<image::Image> before = draw(moment, stats); !before) return std::move(before.diagnostics);
+    const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
+    primitives.begin();
+    samples.begin();
+    Result<image::Image> picture = draw(moment, stats);
+    samples.end();
+    primitives.end();
+    if (!picture) return std::move(picture.diagnostics);
+    CheckQuestions questions;
+    questions.primitives = [&] { return primitives.result(); };
+    questions.samples = [&] { return samples.result(); };
+    std::optional<Content> window;
+    questions.contentOf = [&](const std::optional<scene::ObjectView>& object) -> Result<Content> {
+        if (object) return contentOf(state.scene, state.device, *object);
+        if (window) return *window;
+        Result<Content> read = readWindow(state);
+        if (read) window = *read;
+        return read;
+    };
+    questions.condition = [&](const scene::Check& check) {
+        return state.source->holds(check, [&](const std::string& name) {
+            for (const scene::BufferIndex each : state.scene.buffers.indices()) {
+                if (state.scene.buffers[each].name != name) continue;
+                Result<Content> content = contentOf(state.scene, state.device, scene::BufferView{each});
+                if (content) return std::move(content->values);
+            }
+            return std::vector<double>();
+        });
+    };
+    Diagnostics wrong;
+    for (const scene::Check& each : state.scene.checks)
+        if (each.kind != scene::Check::Kind::error && each.seconds.value_or(time) == moment)
+            if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
+    return wrong;
+}
+
+std::vector<scene::Check> checksOf(const std::filesystem::path& path, const RenderOptions& options) {
+    Stats stats;
+    Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
+    return interpreted ? std::move(interpreted->scene.checks) : std::vector<scene::Check>();
+}
+
+Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path,
+                      const RenderOptions& options) {
+    Stats stats;
+    RenderOptions checked = options;
+    checked.checks = true;
+    Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats);
+    if (!renderer) return withoutExpected(checksOf(path, options), std::move(renderer.diagnostics));
+    Diagnostics reported = std::move(renderer.diagnostics);
+    Diagnostics wrong = renderer->answerChecks(options.time, reported, stats);
+    append(reported, std::move(wrong));
+    return reported;
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,24 @@
+#pragma once
+// The limits of dispatches.
+
+#include <glibra/result.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "gpu/context/capabilities.h"
+#include "scene/nodes.h"
+
+namespace glibra::render {
+
+/// PlanOptions::lacksCompute for this driver.
+std::string lackOfCompute(const gpu::Capabilities& driver);
+
+using GroupCounts = std::array<std::uint64_t, 3>;
+
+/// The counts as GL takes them. Error memory-E06 names the driver's limit for counts beyond it.
+Result<std::array<unsigned, 3>> checkedGroups(const GroupCounts& groups, const gpu::Capabilities& driver,
+                                              const Place& place);
+
+}  // namespace glibra::render

@@ -1,0 +1,347 @@
+#include "render/draw/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "glib/number.h"
+#include "plan/accesses.h"
+#include "render/draw/view_matrices.h"
+
+namespace glibra::render {
+namespace {
+
+constexpr std::int64_t kVeryMany = std::int64_t{1} << 62;
+
+/// When a step is due, times the rates of both: exact for the rates and ticks of real scenes.
+bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNumber& b) {
+    const auto dueA = (static_cast<long double>(a.tick) + 1) * static_cast<long double>(rates[b.block]);
+    const auto dueB = (static_cast<long double>(b.tick) + 1) * static_cast<long double>(rates[a.block]);
+    return dueA != dueB ? dueA < dueB : a.block < b.block;
+}
+
+/// Objects are the same whatever part or copy of them is used.
+bool areSame(const scene::ObjectView& a, const scene::ObjectView& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* buffer = std::get_if<scene::BufferView>(&a))
+        return buffer->buffer == std::get<scene::BufferView>(b).buffer;
+    return std::get<scene::TextureView>(a).texture == std::get<scene::TextureView>(b).texture;
+}
+
+bool contains(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
+}
+
+std::string nameOf(const scene::Scene& scene, const scene::ObjectView& object) {
+    if (const auto* buffer = std::get_if<scene::BufferView>(&object))
+        return scene.buffers[buffer->buffer].name;
+    const scene::Texture& texture = scene.textures[std::get<scene::TextureView>(object).texture];
+    return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
+}
+
+const Place& placeOf(const plan::FramePlan& plan, const scene::NodeIndex& node) {
+    switch (node.kind) {
+        case scene::NodeIndex::Kind::dispatch:
+            return plan.dispatchOf(plan.dispatches.at(node.index)).place;
+        case scene::NodeIndex::Kind::clear:
+            return plan.clearOf(plan.clears.at(node.index)).place;
+        case scene::NodeIndex::Kind::pass:
+            break;
+    }
+    return plan.passOf(plan.passes.at(node.index)).place;
+}
+
+void addReads(const plan::FramePlan& plan, std::vector<scene::ObjectView>& roots) {
+    for (std::size_t i = 0; i < plan.order.size(); ++i)
+        for (const plan::ObjectUse& each : usesOf(plan, i))
+            if (each.reads && !contains(roots, each.object)) roots.push_back(each.object);
+}
+
+std::vector<scene::ObjectView> allObjects(const scene::Scene& scene) {
+    std::vector<scene::ObjectView> objects;
+    for (const scene::TextureIndex each : scene.textures.indices())
+        objects.emplace_back(scene::TextureView{.texture = each});
+    for (const scene::BufferIndex each : scene.buffers.indices())
+        objects.emplace_back(scene::BufferView{each});
+    return objects;
+}
+
+}  // namespace
+
+std::int64_t stepsAt(double time, double rate) {
+    const double steps = std::floor(std::fma(time, rate, 0x1p-20));
+    if (!(steps > 0)) return 0;
+    return steps < static_cast<double>(kVeryMany) ? static_cast<std::int64_t>(steps) : kVeryMany;
+}
+
+void inOrderOfTime(std::span<const double> rates, std::span<const std::int64_t> from,
+                   std::span<const std::int64_t> to, const std::function<bool(StepNumber)>& run) {
+    std::vector<std::int64_t> next(from.begin(), from.end());
+    while (true) {
+        std::optional<StepNumber> first;
+        for (std::size_t block = 0; block < next.size(); ++block) {
+            const StepNumber step{block, next[block]};
+            if (next[block] < to[block] && (!first || isEarlier(rates, step, *first))) first = step;
+        }
+        if (!first || !run(*first)) return;
+        ++next[first->block];
+    }
+}
+
+bool canGoOn(std::span<const double> rates, std::span<const std::int64_t> done,
+             std::span<const std::int64_t> to) {
+    for (std::size_t ran = 0; ran < done.size(); ++ran) {
+        if (to[ran] < done[ran]) return false;
+        for (std::size_t comes = 0; comes < done.size(); ++comes)
+            if (done[ran] > 0 && done[comes] < to[comes] &&
+                isEarlier(rates, {comes, done[comes]}, {ran, done[ran] - 1}))
+                return false;
+    }
+    return true;
+}
+
+/// A block with its plan. The nodes are a copy: the scene is interpreted again for other times.
+struct Simulation::Block {
+    std::size_t index = 0;  ///< in the scene
+    bool isOnce = false;
+    double rate = 0;
+    Place place;
+    bool dependsOnTick = false;
+    scene::NodeList nodes;
+    plan::FramePlan plan;
+    std::optional<FrameDrawer> drawer;
+    glm::dmat4 view{1.0};
+};
+
+Simulation::Simulation(SimulationParts parts, std::int64_t mostSteps)
+    : parts_(std::move(parts)), mostSteps_(mostSteps) {}
+Simulation::~Simulation() {
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& each : *list) parts_.device.forget(each->plan);
+}
+
+Diagnostics Simulation::plan(const plan::FramePlan& frame, bool framesDiffer,
+                             std::vector<scene::ObjectView> roots) {
+    const scene::Scene& scene = parts_.scene;
+    bool dependsOnTick = false;
+    const auto add = [&](std::vector<std::unique_ptr<Block>>& to, bool isOnce, const scene::NodeList& nodes,
+                         const Place& place) -> Block& {
+        Block& block = *to.emplace_back(std::make_unique<Block>());
+        block.index = to.size() - 1;
+        block.isOnce = isOnce;
+        block.place = place;
+        block.nodes = nodes;
+        block.view = scene.view;
+        return block;
+    };
+    for (const scene::OnceBlock& each : scene.once) add(once_, true, each.nodes, each.place);
+    for (const scene::StepBlock& each : scene.steps) {
+        Block& block = add(steps_, false, each.nodes, each.place);
+        block.rate = each.rate;
+        block.dependsOnTick = each.dependsOnTick && parts_.source != nullptr;
+        dependsOnTick = dependsOnTick || block.dependsOnTick;
+    }
+    done_.assign(steps_.size(), 0);
+    roots_ = framesDiffer || dependsOnTick ? allObjects(scene) : std::move(roots);
+    addReads(frame, roots_);
+    Diagnostics diagnostics = planAll();
+    append(diagnostics, check(frame));
+    for (const plan::FramePlan* each : plans()) parts_.device.noteWrites(*each);
+    return diagnostics;
+}
+
+/// What a needed node of a block reads is needed of the other blocks, and of its own next step.
+Diagnostics Simulation::planAll() {
+    Diagnostics diagnostics;
+    for (std::size_t before = roots_.size() + 1; before != roots_.size();) {
+        before = roots_.size();
+        diagnostics.clear();
+        for (const auto* list : {&once_, &steps_})
+            for (const auto& block : *list) {
+                block->plan = parts_.planList(block->nodes, roots_);
+                append(diagnostics, block->plan.diagnostics);
+                addReads(block->plan, roots_);
+            }
+    }
+    // Every block says so once.
+    const auto lacks = [](const Diagnostic& each) { return each.id == "memory-E01"; };
+    if (const auto first = std::find_if(diagnostics.begin(), diagnostics.end(), lacks);
+        first != diagnostics.end())
+        diagnostics.erase(std::remove_if(first + 1, diagnostics.end(), lacks), diagnostics.end());
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& block : *list) {
+            const char* word = block->isOnce ? "Once" : "Step";
+            for (const scene::Pass& pass : block->nodes.passes)
+                if (pass.isWindow)
+                    diagnostics.push_back(diagnose(
+                        "memory-E09",
+                        fmt::format("{}: what is drawn into the window does not last; draw into a texture, "
+                                    "or move the pass out of {}",
+                                    word, word),
+                        pass.place));
+            noteWrites(*block);
+        }
+    return diagnostics;
+}
+
+void Simulation::noteWrites(const Block& block) {
+    for (std::size_t node = 0; node < block.plan.order.size(); ++node)
+        for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
+            const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
+                return areSame(known.object, each.object);
+            });
+            if (!each.writes || isKnown) continue;
+            lasting_.push_back({each.object, block.place, block.isOnce ? "Once" : "Step"});
+            if (const auto* buffer = std::get_if<scene::BufferView>(&each.object))
+                parts_.device.buffers().setLasting(buffer->buffer);
+        }
+}
+
+Diagnostics Simulation::check(const plan::FramePlan& frame) const {
+    Diagnostics diagnostics;
+    for (std::size_t node = 0; node < frame.order.size(); ++node)
+        for (const plan::ObjectUse& each : usesOf(frame, node)) {
+            if (!each.writes) continue;
+            const auto lasts = std::find_if(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
+                return areSame(known.object, each.object);
+            });
+            if (lasts == lasting_.end()) continue;
+            diagnostics.push_back(
+                diagnose("memory-E07",
+                         fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read "
+                                     "it; write it in Step",
+                                     nameOf(parts_.scene, each.object), lasts->word, lasts->place.line),
+                         placeOf(frame, frame.order[node])));
+            return diagnostics;
+        }
+    return diagnostics;
+}
+
+Diagnostics Simulation::make() {
+    Diagnostics diagnostics;
+    for (const plan::FramePlan* each : plans())
+        append(diagnostics, parts_.device.prepare(*each, parts_.programs));
+    return diagnostics;
+}
+
+std::vector<double> Simulation::rates() const {
+    std::vector<double> rates;
+    for (const auto& each : steps_) rates.push_back(each->rate);
+    return rates;
+}
+
+std::vector<std::int64_t> Simulation::stepsAt(double time) const {
+    std::vector<std::int64_t> steps;
+    for (const auto& each : steps_) {
+        const bool isNeeded = !each->plan.order.empty() || each->dependsOnTick;
+        steps.push_back(isNeeded ? render::stepsAt(time, each->rate) : 0);
+    }
+    return steps;
+}
+
+std::vector<const plan::FramePlan*> Simulation::plans() const {
+    std::vector<const plan::FramePlan*> plans;
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& each : *list) plans.push_back(&each->plan);
+    return plans;
+}
+
+Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
+    const StageTimer timer(parts_.stats, "simulate");
+    std::vector<std::vector<double>> reads;
+    for (const scene::OnceBlock& each : parts_.scene.once) reads.push_back(each.reads);
+    const std::vector<std::int64_t> to = stepsAt(inputs.time);
+    const std::vector<double> rates = this->rates();
+    Diagnostics diagnostics;
+    if (!hasRun_ || reads != onceReads_ || !canGoOn(rates, done_, to)) {
+        append(diagnostics, restart(!onceReads_.empty() && reads != onceReads_));
+        onceReads_ = std::move(reads);
+        if (hasError(diagnostics)) return diagnostics;
+    }
+    std::int64_t steps = 0;
+    for (std::size_t i = 0; i < to.size(); ++i)
+        steps = to[i] - done_[i] > kVeryMany - steps ? kVeryMany : steps + (to[i] - done_[i]);
+    if (steps > mostSteps_) {
+        const auto slowest = std::max_element(to.begin(), to.end());
+        diagnostics.push_back(diagnose(
+            "memory-E08",
+            fmt::format("the picture at {} s needs {} steps; the limit is {} (--steps N allows more)",
+                        inputs.time, glib::groupedText(steps), glib::groupedText(mostSteps_)),
+            steps_[static_cast<std::size_t>(slowest - to.begin())]->place));
+        return diagnostics;
+    }
+    // Steps that depend on their tick need a scene of their own.
+    std::optional<scene::Scene> frame;
+    inOrderOfTime(rates, done_, to, [&](const StepNumber& step) {
+        if (steps_[step.block]->dependsOnTick && !frame) {
+            frame = std::exchange(parts_.scene, {});
+            parts_.device.forgetShapes();
+        }
+        append(diagnostics, runStep(step, inputs));
+        return !hasError(diagnostics);
+    });
+    if (frame) {
+        parts_.scene = std::move(*frame);
+        parts_.device.forgetShapes();
+    }
+    if (hasError(diagnostics))
+        hasRun_ = false;
+    else
+        done_ = to;
+    return diagnostics;
+}
+
+/// What lasts becomes as declared, and the Once blocks run.
+Diagnostics Simulation::restart(bool plansAgain) {
+    Diagnostics diagnostics;
+    hasRun_ = true;
+    done_.assign(steps_.size(), 0);
+    for (const Lasting& each : lasting_) append(diagnostics, parts_.device.reset(each.object));
+    for (const auto& block : once_) {
+        if (plansAgain && block->index < parts_.scene.once.size())
+            append(diagnostics, planAgain(*block, parts_.scene.once[block->index].nodes));
+        if (!hasError(diagnostics)) append(diagnostics, run(*block, 0));
+    }
+    return diagnostics;
+}
+
+Diagnostics Simulation::planAgain(Block& block, const scene::NodeList& nodes) {
+    parts_.device.beginMoment(block.plan);
+    block.drawer.reset();
+    block.nodes = nodes;
+    block.view = parts_.scene.view;
+    block.plan = parts_.planList(block.nodes, roots_);
+    Diagnostics diagnostics = std::move(block.plan.diagnostics);
+    noteWrites(block);
+    parts_.device.noteWrites(block.plan);
+    if (!hasError(diagnostics)) append(diagnostics, parts_.device.prepare(block.plan, parts_.programs));
+    return diagnostics;
+}
+
+Diagnostics Simulation::run(Block& block, double time) {
+    if (block.plan.order.empty()) return {};
+    if (!block.drawer)
+        block.drawer.emplace(parts_.context, block.plan, parts_.programs, parts_.device, parts_.stats);
+    const ViewMatrices view(ViewState(), block.view, 0);
+    return block.drawer->run({view, 1, 1, {0, 0, 1, 1}, time, true});
+}
+
+Diagnostics Simulation::runStep(const StepNumber& step, scene::FrameInputs inputs) {
+    Block& block = *steps_[step.block];
+    const double time = static_cast<double>(step.tick) / block.rate;
+    parts_.stats.add("steps", 1);
+    if (!block.dependsOnTick) return run(block, time);
+    inputs.time = time;
+    inputs.ticks.assign(steps_.size(), 0);
+    inputs.ticks[step.block] = step.tick;
+    parts_.scene = parts_.source->at(inputs);
+    Diagnostics diagnostics = std::move(parts_.scene.diagnostics);
+    if (step.block >= parts_.scene.steps.size() || hasError(diagnostics)) return diagnostics;
+    append(diagnostics, planAgain(block, parts_.scene.steps[step.block].nodes));
+    if (!hasError(diagnostics)) append(diagnostics, run(block, time));
+    return diagnostics;
+}
+
+}  // namespace glibra::render

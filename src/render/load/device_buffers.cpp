@@ -1,0 +1,167 @@
+#include "render/load/device_buffers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "image/file.h"
+
+namespace glibra::render {
+namespace {
+
+std::uint64_t sizeOfFile(const std::filesystem::path& path) {
+    std::error_code failure;
+    const std::uintmax_t bytes = path.empty() ? 0 : std::filesystem::file_size(path, failure);
+    return failure ? 0 : bytes;
+}
+
+/// GL has no buffers without bytes.
+constexpr std::size_t kLeastBytes = 16;
+
+}  // namespace
+
+Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan) {
+    Diagnostics diagnostics;
+    if (plan.buffers.empty()) return diagnostics;
+    append(diagnostics, layouts_.add(scene_, plan, bytesLeft_, sizeOfFile));
+    for (const scene::BufferIndex each : plan.buffers)
+        if (layouts_.find(each) != nullptr) append(diagnostics, make(each));
+    return diagnostics;
+}
+
+Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
+    const scene::Buffer& buffer = scene_.buffers[index];
+    const auto known = made_.find(index);
+    if (known != made_.end() && (lasting_.contains(index) || known->second.values == buffer.values))
+        return {};
+    if (known != made_.end()) {
+        known->second.values = buffer.values;
+        known->second.declared.reset();
+        return reset(index);
+    }
+    const StageTimer timer(stats_, "upload");
+    const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, kLeastBytes);
+    const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
+    if (all > bytesLeft_)
+        return {diagnose("memory-E04",
+                         fmt::format("buffer '{}' needs {}, but the buffers of a scene may have {} together, "
+                                     "and {} are left",
+                                     buffer.name, image::readableBytes(all), image::readableBytes(kMostBytes),
+                                     image::readableBytes(bytesLeft_)),
+                         buffer.place)};
+    bytesLeft_ -= all;
+    const Result<std::vector<std::byte>> content = declaredBytes(index);
+    if (!content) return content.diagnostics;
+    Result<gpu::Buffer> current = filled(bytes, *content);
+    if (!current) return std::move(current.diagnostics);
+    Made made{std::move(*current), {}, {}, buffer.values};
+    if (buffer.hasHistory) {
+        Result<gpu::Buffer> previous = filled(bytes, *content);
+        if (!previous) return std::move(previous.diagnostics);
+        made.previous = std::move(*previous);
+    }
+    made_.emplace(index, std::move(made));
+    stats_.add("buffers", 1);
+    stats_.add("bytes of buffers", all);
+    return content.diagnostics;
+}
+
+Result<gpu::Buffer> DeviceBuffers::filled(std::size_t bytes, std::span<const std::byte> content) {
+    Result<gpu::Buffer> buffer = gpu::Buffer::create(bytes, GL_DYNAMIC_COPY);
+    if (!buffer) return buffer;
+    if (content.size() < bytes) buffer->clear(context_.capabilities());
+    buffer->update(0, content);
+    return buffer;
+}
+
+Result<std::vector<std::byte>> DeviceBuffers::declaredBytes(scene::BufferIndex index) {
+    const scene::Buffer& buffer = scene_.buffers[index];
+    const plan::BufferLayout& layout = *layouts_.find(index);
+    if (buffer.file) {
+        const scene::FileReference& file = scene_.files[buffer.file];
+        Diagnostics diagnostics = file.remarks;
+        if (hasError(diagnostics)) return diagnostics;
+        stats_.add("files read", 1);
+        auto bytes = image::readFile(file.path, {file.name, buffer.place}, layout.bytes);
+        append(diagnostics, std::move(bytes.diagnostics));
+        if (!bytes) return diagnostics;
+        return {std::move(*bytes), std::move(diagnostics)};
+    }
+    if (std::all_of(buffer.values.begin(), buffer.values.end(), [](double each) { return each == 0; }))
+        return std::vector<std::byte>();
+    // The bytes up to the last value.
+    const plan::MemoryNumber last = layout.pattern.at(buffer.values.size() - 1);
+    const std::uint64_t used =
+        std::min<std::uint64_t>(layout.bytes, last.offset + layout.pattern.stride + sizeOf(last.kind));
+    std::vector<std::byte> content(used);
+    writeNumbers(layout.pattern, 0, buffer.values, content);
+    return content;
+}
+
+const gpu::Buffer* DeviceBuffers::buffer(const scene::BufferView& view) const {
+    const auto found = made_.find(view.buffer);
+    if (found == made_.end()) return nullptr;
+    if (!view.isPrevious) return &found->second.current;
+    return found->second.previous ? &*found->second.previous : nullptr;
+}
+
+const plan::BufferLayout* DeviceBuffers::layout(scene::BufferIndex buffer) const {
+    return made_.contains(buffer) ? layouts_.find(buffer) : nullptr;
+}
+
+std::vector<double> DeviceBuffers::read(const scene::BufferView& view, std::uint64_t first,
+                                        std::uint64_t count) const {
+    const gpu::Buffer* from = buffer(view);
+    if (from == nullptr) return {};
+    const plan::BufferLayout& layout = *layouts_.find(view.buffer);
+    const std::uint64_t all = layout.pattern.numbers(layout.elements);
+    count = std::min(count, all - std::min(first, all));
+    if (count == 0) return {};
+    std::vector<std::byte> bytes(from->size());
+    from->read(0, bytes);
+    std::vector<double> numbers(count);
+    for (std::uint64_t i = 0; i < count; ++i)
+        numbers[i] = plan::readNumber(layout.pattern.at(first + i), bytes);
+    return numbers;
+}
+
+Diagnostics DeviceBuffers::reset(scene::BufferIndex index) {
+    const auto found = made_.find(index);
+    if (found == made_.end()) return {};
+    Made& made = found->second;
+    Diagnostics diagnostics;
+    if (!made.declared) {
+        const Result<std::vector<std::byte>> content = declaredBytes(index);
+        append(diagnostics, content.diagnostics);
+        if (!content) return diagnostics;
+        if (content->empty()) {
+            made.current.clear(context_.capabilities());
+            if (made.previous) made.previous->clear(context_.capabilities());
+            return diagnostics;
+        }
+        Result<gpu::Buffer> declared = filled(made.current.size(), *content);
+        append(diagnostics, std::move(declared.diagnostics));
+        if (!declared) return diagnostics;
+        made.declared = std::move(*declared);
+    }
+    made.current.copyFrom(*made.declared);
+    if (made.previous) made.previous->copyFrom(*made.declared);
+    return diagnostics;
+}
+
+void DeviceBuffers::clear(scene::BufferIndex buffer) {
+    if (const auto found = made_.find(buffer); found != made_.end())
+        found->second.current.clear(context_.capabilities());
+}
+
+void DeviceBuffers::exchange(scene::BufferIndex buffer, bool keepsContent) {
+    const auto found = made_.find(buffer);
+    if (found == made_.end() || !found->second.previous) return;
+    std::swap(found->second.current, *found->second.previous);
+    if (keepsContent) found->second.current.copyFrom(*found->second.previous);
+}
+
+}  // namespace glibra::render

@@ -1,0 +1,70 @@
+#pragma once
+// The buffers of a scene on the device: made once, with the content that the scene declares.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/context/context.h"
+#include "gpu/object/buffer.h"
+#include "plan/buffers.h"
+#include "plan/frame_plan.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace glibra::render {
+
+class DeviceBuffers {
+  public:
+    DeviceBuffers(const gpu::Context& context, const scene::Scene& scene, Stats& stats)
+        : context_(context), scene_(scene), stats_(stats) {}
+
+    /// Lays out and makes the buffers of the plan. A buffer whose declared values are others than before gets
+    /// them, unless it lasts. Errors: memory-E03 to E05, draw-E05, and those of files.
+    Diagnostics prepare(const plan::FramePlan& plan);
+    /// What Once and Step write is not replaced by other declared values.
+    void setLasting(scene::BufferIndex buffer) { lasting_.insert(buffer); }
+
+    /// Null if it has not been made.
+    [[nodiscard]] const gpu::Buffer* buffer(const scene::BufferView& view) const;
+    /// Null if the buffer has not been made.
+    [[nodiscard]] const plan::BufferLayout* layout(scene::BufferIndex buffer) const;
+    /// The numbers of a buffer from number `first` on, in order of declaration; fewer than `count` at its
+    /// end. Waits for the device.
+    [[nodiscard]] std::vector<double> read(const scene::BufferView& view, std::uint64_t first,
+                                           std::uint64_t count) const;
+
+    /// Makes the content as declared, in both copies of a buffer with history.
+    Diagnostics reset(scene::BufferIndex buffer);
+    /// Sets all bytes to zero. The other copy of a buffer with history stays as it is.
+    void clear(scene::BufferIndex buffer);
+    /// Exchanges the two copies of a buffer with history, before something writes to it. `keepsContent`: the
+    /// new one begins with the content of the other.
+    void exchange(scene::BufferIndex buffer, bool keepsContent);
+
+  private:
+    struct Made {
+        gpu::Buffer current;
+        std::optional<gpu::Buffer> previous;
+        std::optional<gpu::Buffer> declared;  ///< made by the first reset() of a buffer with values
+        std::vector<double> values;           ///< that it was declared with
+    };
+    Diagnostics make(scene::BufferIndex index);
+    /// The declared bytes; empty if all are zero.
+    Result<std::vector<std::byte>> declaredBytes(scene::BufferIndex index);
+    Result<gpu::Buffer> filled(std::size_t bytes, std::span<const std::byte> content);
+
+    const gpu::Context& context_;
+    const scene::Scene& scene_;
+    Stats& stats_;
+    plan::BufferLayouts layouts_;
+    std::map<scene::BufferIndex, Made> made_;
+    std::set<scene::BufferIndex> lasting_;
+    std::uint64_t bytesLeft_ = kMostBytes;
+    /// What the buffers of a scene may have together.
+    static constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30;
+};
+
+}  // namespace glibra::render

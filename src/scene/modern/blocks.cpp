@@ -1,0 +1,122 @@
+// Statements whose effects last: Once and Step (language, 12.9).
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/modern/scope.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using expression::Depends;
+using glib::Command;
+using glib::CommandId;
+
+constexpr double kMostStepsPerSecond = 1e9;
+
+/// Runs the statements of a block into its own list of nodes. What the frame has drawn and cleared is put
+/// back at the end.
+void runBlock(Interpreter& in, const Command& command, OpenBlock& block, NodeList& nodes) {
+    const std::size_t index = indexOf(in, command);
+    NodeList* const outer = std::exchange(in.nodes, &nodes);
+    Cleared cleared = std::exchange(in.cleared, {});
+    const auto implicitPass = std::exchange(in.implicitPass, std::nullopt);
+    in.modern.block = &block;
+    {
+        const Scope scope(in);
+        // What has moved and changed the frame so far, perhaps with time, does not act on what lasts.
+        in.state.model = glm::dmat4(1);
+        in.state.modelView = in.scene.view;
+        in.state.local = {};
+        resetRaster(in);
+        runBody(in, index + 1, command.partner);
+    }
+    in.modern.block = nullptr;
+    in.implicitPass = implicitPass;
+    in.cleared = std::move(cleared);
+    in.nodes = outer;
+    // The frame depends on the block only through the objects that the block writes.
+    constexpr Depends kOfStep = Depends::time | Depends::tick;
+    const auto bits = static_cast<std::uint32_t>(block.depends) & ~static_cast<std::uint32_t>(kOfStep);
+    in.shared->depends = in.shared->depends | static_cast<Depends>(bits);
+    setTime(in);
+}
+
+void forgetWindow(Interpreter& in, const std::string& why) {
+    for (const char* name : {"window", "aspect", "mouse", "mouse.down", "frame"})
+        in.shared->environment.forget(name, why);
+}
+
+void doOnce(Interpreter& in, const Command& command) {
+    OnceBlock once;
+    once.place = in.place(command);
+    OpenBlock block;
+    block.word = "Once";
+    block.place = once.place;
+    const std::string why = "what Once writes lasts, so it cannot depend on this";
+    forgetWindow(in, why);
+    for (const char* name : {"time", "tick", "dt"}) in.shared->environment.forget(name, why);
+    runBlock(in, command, block, once.nodes);
+    once.reads = std::move(block.reads);
+    in.scene.once.push_back(std::move(once));
+}
+
+void doStep(Interpreter& in, const Command& command) {
+    // The statements run even if the rate is wrong, so that their errors are reported at the same time.
+    const auto rate = numberOf(in, command.values.front());
+    const bool isRight = rate && *rate > 0 && *rate <= kMostStepsPerSecond;
+    if (rate && !isRight)
+        in.report(diagnose(
+            "glib-E26",
+            fmt::format("Step: the rate {} is not above 0 and at most {}", *rate, kMostStepsPerSecond),
+            in.script->place(command.values.front().position)));
+    StepBlock step;
+    step.rate = isRight ? *rate : 1;
+    step.place = in.place(command);
+    OpenBlock block;
+    block.word = "Step";
+    block.place = step.place;
+    block.isStep = true;
+    const std::size_t number = in.scene.steps.size();
+    const auto tick = static_cast<double>(number < in.inputs.ticks.size() ? in.inputs.ticks[number] : 0);
+    forgetWindow(in, "a step is the same for every window; use a variable");
+    in.shared->environment.setNumber("tick", tick);
+    in.shared->environment.setNumber("time", tick / step.rate);
+    in.shared->environment.setNumber("dt", 1 / step.rate);
+    runBlock(in, command, block, step.nodes);
+    step.dependsOnTick = any(block.depends & (Depends::time | Depends::tick));
+    if (isRight) in.scene.steps.push_back(std::move(step));
+}
+
+void doNothing(Interpreter&, const Command&) {}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::once, doOnce, InList::isWrong, true},
+    {CommandId::endOnce, doNothing, InList::isWrong, true},
+    {CommandId::step, doStep, InList::isWrong, true},
+    {CommandId::endStep, doNothing, InList::isWrong, true},
+};
+
+}  // namespace
+
+void noteCamera(Interpreter& in, const SceneCamera& camera) {
+    OpenBlock* block = in.modern.block;
+    if (block == nullptr) return;
+    const CameraValues values = valuesOf(camera, currentAspect(in));
+    for (const glm::dmat4* matrix : {&values.view, &values.projection})
+        block->reads.insert(block->reads.end(), &(*matrix)[0][0], &(*matrix)[0][0] + 16);
+    noteCameraDepends(in, camera.name);
+}
+
+std::span<const CommandAction> blockActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,325 @@
+// Buffers and compute programs (language, 12.8).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using expression::Type;
+using glib::Command;
+using glib::CommandId;
+using glib::KeyedValues;
+using glib::Value;
+
+constexpr double kMostElements = 1 << 30;
+constexpr double kMostNumbers = 1 << 26;                           ///< that an expression gives a buffer
+constexpr std::uint64_t kLargestBuffer = std::uint64_t{1} << 30U;  // bytes
+constexpr double kMostGroups = 2'147'483'647;
+constexpr int kMostTiles = 65'536;
+
+// ---- Buffers.
+
+struct BasicType {
+    std::string_view name;
+    Type type;
+};
+constexpr BasicType kBasicTypes[] = {
+    {"float", Type::number()},  {"int", Type::number()},    {"uint", Type::number()},
+    {"vec2", Type::vector(2)},  {"vec3", Type::vector(3)},  {"vec4", Type::vector(4)},
+    {"ivec2", Type::vector(2)}, {"ivec3", Type::vector(3)}, {"ivec4", Type::vector(4)},
+    {"uvec2", Type::vector(2)}, {"uvec3", Type::vector(3)}, {"uvec4", Type::vector(4)},
+    {"mat2", Type::matrix(2)},  {"mat3", Type::matrix(3)},  {"mat4", Type::matrix(4)},
+    {"double", Type::number()},
+};
+
+std::optional<Type> basicType(std::string_view name) {
+    for (const BasicType& each : kBasicTypes)
+        if (each.name == name) return each.type;
+    return std::nullopt;
+}
+
+std::nullopt_t refuse(Interpreter& in, const char* id, const Command& command, glib::Position position,
+                      const std::string& text) {
+    in.report(diagnose(id, fmt::format("{}: {}", command.word, text), in.script->place(position)));
+    return std::nullopt;
+}
+
+/// The values after the name: [type] [size] [values | expression | file].
+struct Parts {
+    const Value *type = nullptr, *size = nullptr, *content = nullptr;
+};
+Parts partsOf(const Command& command) {
+    Parts parts;
+    std::size_t at = 1;
+    const auto isNumeric = [](const Value& value) {
+        return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
+    };
+    const auto& values = command.values;
+    if (at < values.size() && values[at].kind == Value::Kind::word) parts.type = &values[at++];
+    if (at < values.size() && isNumeric(values[at])) parts.size = &values[at++];
+    if (at < values.size()) parts.content = &values[at];
+    return parts;
+}
+
+/// The components of an expression of `i` for each element. They are computed again only if what the
+/// expression reads has changed.
+std::optional<std::vector<double>> computedElements(Interpreter& in, const Value& value, int count) {
+    ComputedElements& known = in.shared->elements[&value];
+    const auto readsOf = [&](std::span<const Environment::Slot> slots) {
+        std::vector<double> reads;
+        for (const Environment::Slot slot : slots) {
+            const std::vector<double> values = in.shared->environment.valuesOf(slot);
+            reads.insert(reads.end(), values.begin(), values.end());
+        }
+        return reads;
+    };
+    using expression::Depends;
+    if (known.isSteady && known.count == static_cast<std::size_t>(count) &&
+        readsOf(known.slots) == known.reads) {
+        addDepends(in, known.depends);
+        return known.values;
+    }
+    std::vector<Environment::Slot> slots;
+    in.modern.readSlots = &slots;
+    const Depends before = std::exchange(in.shared->depends, Depends::nothing);
+    auto values = elementsOf(in, value, {&value, 1}, count, kMostNumbers);
+    in.modern.readSlots = nullptr;
+    known.depends = in.shared->depends;
+    in.shared->depends = before | known.depends;
+    if (!values) return std::nullopt;
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    // Only variables are compared, so the expression must read nothing else that changes.
+    constexpr auto kOthers = Depends::time | Depends::tick | Depends::frame | Depends::window |
+                             Depends::mouse | Depends::model | Depends::camera;
+    known.isSteady = !any(known.depends & kOthers);
+    known.count = static_cast<std::size_t>(count);
+    known.reads = readsOf(slots);
+    known.slots = std::move(slots);
+    known.values = *values;
+    return values;
+}
+
+/// Fills `values` or `file` from the content that the statement gives. False with the reason reported.
+bool readContent(Interpreter& in, const Command& command, const Parts& parts, Buffer& buffer) {
+    const Value& content = *parts.content;
+    const auto type = basicType(buffer.type);
+    const std::size_t components = type ? type->size() : 1;
+    if (content.kind == Value::Kind::word || content.kind == Value::Kind::text) {
+        buffer.file = fileOf(in, content.text, in.script->place(content.position));
+        return true;
+    }
+    if (content.kind == Value::Kind::list) {
+        auto numbers = listOf(in, content);
+        if (!numbers) return false;
+        buffer.values = std::move(*numbers);
+        if (buffer.count && type && buffer.values.size() > *buffer.count * components) {
+            refuse(in, "glib-E26", command, content.position,
+                   fmt::format("{} numbers, but {} elements of {} have {}", buffer.values.size(),
+                               *buffer.count, buffer.type, *buffer.count * components));
+            return false;
+        }
+        if (type && buffer.values.size() % components != 0) {
+            refuse(in, "glib-E26", command, content.position,
+                   fmt::format("{} numbers are no whole number of {} elements, which have {} each",
+                               buffer.values.size(), buffer.type, components));
+            return false;
+        }
+        return true;
+    }
+    const auto count = static_cast<int>(buffer.count.value_or(0));
+    auto values = computedElements(in, content, count);
+    if (!values) return false;
+    if (type && values->size() != *buffer.count * components) {
+        refuse(in, "glib-E26", command, content.position,
+               fmt::format("an element of {} has {} components; the expression gives {}", buffer.type,
+                           components, values->size() / *buffer.count));
+        return false;
+    }
+    buffer.values = std::move(*values);
+    return true;
+}
+
+void doBuffer(Interpreter& in, const Command& command) {
+    const Value& target = command.values.front();
+    if (!declareName(in, command, target.text, DeclaredName::Kind::buffer)) return;
+    const Parts parts = partsOf(command);
+    Buffer buffer;
+    buffer.name = target.text;
+    buffer.place = in.place(command);
+    buffer.hasHistory = command.key("history") != nullptr;
+    if (parts.type != nullptr) buffer.type = parts.type->text;
+    const auto type = basicType(buffer.type);
+    if (!in.shared->environment.declareBuffer(buffer.name, type)) {
+        refuse(in, "glib-E27", command, target.position,
+               fmt::format("'{}' has had another meaning in this scene", buffer.name));
+        return;
+    }
+    if (parts.size != nullptr) {
+        const auto size = numberOf(in, *parts.size);
+        if (!size) return;
+        const double whole = std::trunc(*size);
+        if (!(whole >= 1 && whole <= kMostElements)) {
+            refuse(in, whole > kMostElements ? "glib-E15" : "glib-E26", command, parts.size->position,
+                   fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
+                               glib::groupedText(static_cast<long long>(kMostElements))));
+            return;
+        }
+        buffer.count = static_cast<std::uint64_t>(whole);
+    }
+    if (parts.content != nullptr && !readContent(in, command, parts, buffer)) return;
+    // What a structure takes is known when its shader is read.
+    constexpr std::uint64_t kBytes = 4;
+    const std::size_t components = type ? type->size() : 1;
+    const std::uint64_t numbers =
+        std::max<std::uint64_t>(buffer.count.value_or(0) * components, buffer.values.size());
+    if (numbers * kBytes > kLargestBuffer) {
+        refuse(in, "glib-E15", command, command.position,
+               fmt::format("'{}' needs {} bytes; the limit is {}", buffer.name,
+                           glib::groupedText(static_cast<long long>(numbers * kBytes)),
+                           glib::groupedText(static_cast<long long>(kLargestBuffer))));
+        return;
+    }
+    if (!chargeTexels(in, command, numbers * kBytes * (buffer.hasHistory ? 2 : 1))) return;
+    if (buffer.count)
+        in.shared->environment.setNumber(buffer.name + ".count", static_cast<double>(*buffer.count));
+    else if (type && !buffer.file)
+        in.shared->environment.setNumber(buffer.name + ".count",
+                                         static_cast<double>(buffer.values.size() / components));
+    else
+        in.shared->environment.forget(buffer.name + ".count",
+                                      "it is known only when a file or a shader is read");
+    setObject(in, target.text, in.scene.buffers.add(std::move(buffer)));
+}
+
+// ---- Compute.
+
+void doCompute(Interpreter& in, const Command& command) {
+    in.state.computeFile = command.text.empty()
+                               ? inlineShader(in, command)
+                               : fileOf(in, command.text, in.script->place(command.textPosition));
+}
+
+/// Three counts from 1 to 2^31 - 1; missing ones are 1.
+std::optional<std::array<std::uint64_t, 3>> countsOf(Interpreter& in, const Command& command,
+                                                     std::span<const Value> values, std::size_t least) {
+    const auto numbers = numbersOf(in, values);
+    if (!numbers) return std::nullopt;
+    if (numbers->size() < least || numbers->size() > 3)
+        return refuse(in, "glib-E26", command, values.front().position,
+                      fmt::format("needs {} numbers; the values here have {}", least == 3 ? "3" : "1 to 3",
+                                  numbers->size()));
+    std::array<std::uint64_t, 3> counts{1, 1, 1};
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        const double whole = std::trunc((*numbers)[i]);
+        if (!(whole >= 1 && whole <= kMostGroups))
+            return refuse(in, "glib-E26", command, values.front().position,
+                          fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
+                                      glib::groupedText(static_cast<long long>(kMostGroups))));
+        counts.at(i) = static_cast<std::uint64_t>(whole);
+    }
+    return counts;
+}
+
+std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Command& command) {
+    if (const KeyedValues* from = command.key("from")) {
+        const auto buffer = bufferNamed(in, from->values.front());
+        if (!buffer) return std::nullopt;
+        return GroupsFrom{*buffer};
+    }
+    const KeyedValues* over = command.key("over");
+    if (over == nullptr) {
+        const auto counts = countsOf(in, command, std::span(command.values).subspan(1), 3);
+        if (!counts) return std::nullopt;
+        return *counts;
+    }
+    const Value& first = over->values.front();
+    if (isWindow(first))
+        return refuse(in, "glib-E27", command, first.position,
+                      "'window' is no texture; write 'over (window)' for one invocation per pixel");
+    if (first.kind != Value::Kind::word) {
+        const auto counts = countsOf(in, command, over->values, 1);
+        if (!counts) return std::nullopt;
+        return Over{*counts};
+    }
+    const auto object = objectNamed(in, first);
+    if (!object) return std::nullopt;
+    return Over{*object};
+}
+
+/// Reports glib-E23 inside Pass, whose draws would be torn apart.
+bool isOutsidePass(Interpreter& in, const Command& command) {
+    if (!in.modern.pass) return true;
+    in.reportAt(command, "glib-E23",
+                fmt::format("{} cannot stand inside Pass (line {}); move it out", command.word,
+                            in.modern.pass->place.line));
+    return false;
+}
+
+void doDispatch(Interpreter& in, const Command& command) {
+    if (!isOutsidePass(in, command)) return;
+    const auto program = programNamed(in, command.values.front(), true);
+    const auto groups = groupsOf(in, command);
+    if (!program || !groups) return;
+    Dispatch made;
+    if (const KeyedValues* tiles = command.key("tiles")) {
+        const auto count = integerIn(in, tiles->values.front(), command.word + ": tiles", 1, kMostTiles);
+        if (!count) return;
+        made.tiles = *count;
+    }
+    made.place = in.place(command);
+    made.id = nextDrawId(in, made.place);
+    made.program = *program;
+    made.slots = currentSlots(in);
+    made.sampling = in.state.sampling;
+    made.uniforms = uniformsOf(in, *program);
+    made.groups = *groups;
+    made.timerPeriod = in.state.timerPeriod;
+    in.implicitPass.reset();
+    in.nodes->add(std::move(made));
+}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::buffer, doBuffer},
+    {CommandId::compute, doCompute},
+    {CommandId::dispatch, doDispatch, InList::isWrong, true},
+};
+
+}  // namespace
+
+void doClearObject(Interpreter& in, const Command& command) {
+    if (!isOutsidePass(in, command)) return;
+    const Value& name = command.values.front();
+    const auto object = objectNamed(in, name);
+    if (!object) return;
+    if (name.path.size() > 1) {
+        refuse(in, "glib-E26", command, name.position,
+               fmt::format("'{}' is part of an object; Clear takes all of it", name.text));
+        return;
+    }
+    ClearObject clear{in.place(command), {}};
+    if (const auto* view = std::get_if<TextureView>(&*object))
+        clear.object = view->texture;
+    else
+        clear.object = std::get<BufferView>(*object).buffer;
+    in.implicitPass.reset();
+    in.nodes->add(std::move(clear));
+}
+
+std::span<const CommandAction> bufferActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

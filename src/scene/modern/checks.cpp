@@ -1,0 +1,250 @@
+// Expect: checks of the picture, of objects and of conditions (language, 12.9).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/suggest.h"
+#include "glib/diagnostic_catalogue.h"
+#include "glib/number.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+using glib::CommandId;
+using glib::KeyedValues;
+using glib::Value;
+using Kind = Check::Kind;
+
+struct KindRow {
+    std::string_view key;
+    Kind kind;
+};
+constexpr KindRow kKinds[] = {
+    {"pixel", Kind::pixel},         {"mean", Kind::mean},
+    {"count", Kind::count},         {"buffer", Kind::buffer},
+    {"range", Kind::range},         {"same", Kind::same},
+    {"finite", Kind::finite},       {"primitives", Kind::primitives},
+    {"samples", Kind::samples},     {"error", Kind::error},
+    {"different", Kind::different},
+};
+
+/// The object that a value names; the window is no object.
+bool readObject(Interpreter& in, const Value& value, std::optional<ObjectView>& object) {
+    if (isWindow(value)) return true;
+    object = objectNamed(in, value);
+    return object.has_value();
+}
+
+bool isBracket(const Value& value) {
+    return value.kind == Value::Kind::list || value.kind == Value::Kind::color;
+}
+
+class CheckReader {
+  public:
+    CheckReader(Interpreter& in, const Command& command) : in_(in), command_(command) {}
+
+    std::optional<Check> read() {
+        check_.place = in_.place(command_);
+        check_.text = glib::written(command_);
+        if (!readSubject() || !readOptions()) return std::nullopt;
+        return std::move(check_);
+    }
+
+  private:
+    bool refuse(const std::string& text) {
+        in_.reportAt(command_, "glib-E26", "Expect: " + text);
+        return false;
+    }
+
+    bool readSubject() {
+        for (const KindRow& row : kKinds)
+            if (const KeyedValues* key = command_.key(row.key)) {
+                check_.kind = row.kind;
+                return readKind(*key);
+            }
+        if (command_.values.empty()) return false;
+        check_.kind = Kind::condition;
+        check_.condition = &command_.values.front();
+        static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
+                                                      expression::Type::number()};
+        return isReadable(in_, command_.values.front(), {.types = kTypes});
+    }
+
+    bool refuse(const Value& value, const std::string& text) {
+        in_.report(diagnose("glib-E26", "Expect: " + text, in_.script->place(value.position)));
+        return false;
+    }
+
+    /// The components of a colour or an element fit the object.
+    bool isTexture(const Value& value, const std::optional<ObjectView>& object) {
+        if (!object || std::holds_alternative<TextureView>(*object)) return true;
+        return refuse(
+            value, fmt::format("'{}' is a buffer; pixels are those of the window or a texture", value.text));
+    }
+
+    /// Reads `count` numbers and then the wanted colour.
+    bool readColor(const KeyedValues& key, std::size_t count) {
+        const std::span<const Value> values(key.values);  // expressions are known by their address
+        const auto bracket = std::find_if(values.begin(), values.end(), isBracket);
+        const auto plain = static_cast<std::size_t>(bracket - values.begin());
+        auto numbers = numbersOf(in_, values.first(plain));
+        if (!numbers) return false;
+        if (bracket != values.end()) {
+            const auto wanted = numbersOf(in_, values.subspan(plain));
+            if (!wanted) return false;
+            check_.wanted = *wanted;
+        } else if (numbers->size() > count) {  // an expression gives the colour
+            check_.wanted.assign(numbers->begin() + static_cast<std::ptrdiff_t>(count), numbers->end());
+            numbers->resize(count);
+        }
+        if (numbers->size() != count || check_.wanted.empty() || check_.wanted.size() > 4)
+            return refuse(
+                fmt::format("{} needs {} numbers and a colour of 1 to 4 components", key.key, count));
+        check_.numbers = std::move(*numbers);
+        return true;
+    }
+
+    bool readCount(const KeyedValues& key) {
+        if (key.values.size() < 2) return false;
+        const auto wanted = numbersOf(in_, std::span(key.values).first(1));
+        const auto number = numberOf(in_, key.values[1]);
+        if (!wanted || !number) return false;
+        if (wanted->empty() || wanted->size() > 4)
+            return refuse(key.values.front(),
+                          fmt::format("a colour has 1 to 4 components, not {}", wanted->size()));
+        if (!isCount(key.values[1], *number)) return false;
+        check_.wanted = *wanted;
+        check_.numbers = {*number};
+        return true;
+    }
+
+    bool isCount(const Value& value, double number) {
+        if (number >= 0 && number == std::trunc(number)) return true;
+        return refuse(value, fmt::format("{} is no count", glib::numberText(number)));
+    }
+
+    bool readBuffer(const KeyedValues& key) {
+        const auto buffer = bufferNamed(in_, key.values.front());
+        if (!buffer) return false;
+        check_.object = *buffer;
+        std::span<const Value> rest = std::span(key.values).subspan(1);
+        if (const KeyedValues* at = firstAt()) {
+            rest = at->values;
+            const auto index = numberIn(in_, rest.front(), "Expect: the index", 0, 1e12);
+            if (!index) return false;
+            check_.numbers = {std::trunc(*index)};
+            rest = rest.subspan(1);
+        }
+        if (rest.empty()) return refuse("buffer needs a list of values");
+        const auto wanted = listOf(in_, rest.front());
+        if (!wanted) return false;
+        check_.wanted = *wanted;
+        return true;
+    }
+
+    /// The `at` before the values of a buffer, if it is not the one of the seconds.
+    const KeyedValues* firstAt() {
+        for (const KeyedValues& each : command_.keys)
+            if (each.key == "at" && each.values.size() > 1) return &each;
+        return nullptr;
+    }
+
+    bool isSameKind(const Value& second) {
+        const auto isBuffer = [](const std::optional<ObjectView>& object) {
+            return object && std::holds_alternative<BufferView>(*object);
+        };
+        if (isBuffer(check_.object) == isBuffer(check_.other)) return true;
+        return refuse(second, "a buffer is compared with a buffer, a texture with a texture or the window");
+    }
+
+    bool readKind(const KeyedValues& key) {
+        switch (check_.kind) {
+            case Kind::pixel:
+                return readColor(key, 2);
+            case Kind::mean:
+                return readColor(key, 4);
+            case Kind::count:
+                return readCount(key);
+            case Kind::buffer:
+                return readBuffer(key);
+            case Kind::range: {
+                const auto bounds = numbersOf(in_, std::span(key.values).subspan(1), 2, "Expect: range");
+                if (!bounds || !readObject(in_, key.values.front(), check_.object)) return false;
+                if ((*bounds)[0] > (*bounds)[1])
+                    return refuse(key.values[1], "range needs the least value before the largest");
+                check_.numbers = *bounds;
+                return true;
+            }
+            case Kind::same:
+            case Kind::different:
+                return key.values.size() > 1 && readObject(in_, key.values[0], check_.object) &&
+                       readObject(in_, key.values[1], check_.other) && isSameKind(key.values[1]);
+            case Kind::finite:
+                return readObject(in_, key.values.front(), check_.object);
+            case Kind::primitives:
+            case Kind::samples: {
+                const auto count = numberOf(in_, key.values.front());
+                if (!count || !isCount(key.values.front(), *count)) return false;
+                check_.numbers = {*count};
+                return true;
+            }
+            case Kind::error: {
+                const Value& id = key.values.front();
+                check_.word = id.text;
+                if (glib::findDiagnostic(id.text) != nullptr) return true;
+                std::vector<std::string_view> ids;
+                for (const glib::CatalogueRow& each : glib::diagnosticCatalogue()) ids.push_back(each.id);
+                return refuse(
+                    id, fmt::format("there is no message '{}'{}", id.text, base::suggestion(id.text, ids)));
+            }
+            case Kind::condition:
+                break;
+        }
+        return false;
+    }
+
+    bool readOptions() {
+        for (const KeyedValues& key : command_.keys) {
+            if (key.key == "within") {
+                const auto tolerance = numberIn(in_, key.values.front(), "Expect: the tolerance", 0, 1e300);
+                if (!tolerance) return false;
+                check_.tolerance = *tolerance;
+            } else if (key.key == "of") {
+                if (!readObject(in_, key.values.front(), check_.object) ||
+                    !isTexture(key.values.front(), check_.object))
+                    return false;
+            } else if (key.key == "at" && key.values.size() == 1) {
+                const auto seconds = numberIn(in_, key.values.front(), "Expect: the time", 0, 1e12);
+                if (!seconds) return false;
+                check_.seconds = *seconds;
+            }
+        }
+        return true;
+    }
+
+    Interpreter& in_;
+    const Command& command_;
+    Check check_;
+};
+
+void doExpect(Interpreter& in, const Command& command) {
+    if (auto check = CheckReader(in, command).read()) in.scene.checks.push_back(std::move(*check));
+}
+
+constexpr CommandAction kActions[] = {{CommandId::expect, doExpect}};
+
+}  // namespace
+
+std::span<const CommandAction> checkActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

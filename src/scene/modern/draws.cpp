@@ -1,0 +1,209 @@
+// Instances, Vertices, Attribute and TessLevels (language, 12.6).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/suggest.h"
+#include "geometry/list_mesh.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/primitives.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+using glib::CommandId;
+using glib::KeyedValues;
+using glib::Value;
+
+constexpr int kMostInstances = 100'000'000;
+constexpr int kMostVertices = 500'000'000;
+
+/// The buffer after the key `from`.
+std::optional<BufferView> fromBuffer(Interpreter& in, const KeyedValues& key) {
+    return bufferNamed(in, key.values.front());
+}
+
+void doInstances(Interpreter& in, const Command& command) {
+    LocalState& local = in.state.local;
+    if (const KeyedValues* from = command.key("from")) {
+        if (const auto buffer = fromBuffer(in, *from)) local.instancesFrom = *buffer;
+        return;
+    }
+    const auto count = integerIn(in, command.values.front(), "Instances:", 0, kMostInstances);
+    if (!count) return;
+    local.instances = *count;
+    local.instancesFrom = {};
+}
+
+void doVertices(Interpreter& in, const Command& command) {
+    const std::string word = glib::lower(command.values.front().text);
+    const auto topology = geometry::listTopology(command.values.front().text);
+    if (!topology) return;
+    Shape shape;
+    shape.command = CommandId::vertices;
+    switch (*topology) {
+        case geometry::ListTopology::points:
+            shape.bare = geometry::Topology::points;
+            break;
+        case geometry::ListTopology::lines:
+            shape.bare = geometry::Topology::lines;
+            break;
+        case geometry::ListTopology::triangles:
+            shape.bare = geometry::Topology::triangles;
+            break;
+        case geometry::ListTopology::linesAdjacency:
+            shape.bare = geometry::Topology::linesAdjacency;
+            break;
+        case geometry::ListTopology::trianglesAdjacency:
+            shape.bare = geometry::Topology::trianglesAdjacency;
+            break;
+        case geometry::ListTopology::patches:
+            shape.bare = geometry::Topology::patches;
+            break;
+        default:
+            in.report(
+                diagnose("glib-E26",
+                         fmt::format("Vertices: '{}' needs indices; write points, lines, triangles, patches, "
+                                     "lines_adjacency or triangles_adjacency",
+                                     command.values.front().text),
+                         in.script->place(command.values.front().position)));
+            return;
+    }
+    const KeyedValues* from = command.key("from");
+    std::optional<BufferView> buffer;
+    int count = 0;
+    if (from != nullptr) {
+        buffer = fromBuffer(in, *from);
+        if (!buffer) return;
+    } else {
+        const auto given = integerIn(in, command.values.at(1), "Vertices:", 0, kMostVertices);
+        if (!given) return;
+        count = *given;
+    }
+    shape.numbers = {static_cast<double>(count)};
+    Drawing drawing;
+    drawing.word = command.word;
+    drawing.size =
+        buffer ? std::string("as many vertices as the buffer says") : fmt::format("{} {}", count, word);
+    drawing.shape = shareShape(in, std::move(shape));
+    drawing.verticesFrom = buffer.value_or(BufferView{});
+    draw(in, command, drawing);
+}
+
+/// The mesh attribute of a role, in any case.
+std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
+    constexpr std::array<std::string_view, 6> kRoles{geometry::kPosition, geometry::kNormal,
+                                                     geometry::kTangent,  geometry::kTexCoord,
+                                                     geometry::kColor,    geometry::kFaceIndex};
+    for (const std::string_view each : kRoles)
+        if (glib::sameWord(each, value.text)) return std::string(each);
+    in.report(diagnose("glib-E26",
+                       fmt::format("Attribute: there is no role '{}'{}; there are position, normal, tangent, "
+                                   "texCoord, color, faceIndex",
+                                   value.text, base::suggestion(value.text, kRoles)),
+                       in.script->place(value.position)));
+    return std::nullopt;
+}
+
+/// A key that is equal for equal bindings.
+std::vector<std::pair<std::string, std::vector<double>>> keyOf(const AttributeSet& set) {
+    std::vector<std::pair<std::string, std::vector<double>>> key;
+    for (const AttributeBinding& each : set.bindings) {
+        std::string name = each.name + (each.isPerInstance ? " per instance" : "");
+        std::vector<double> numbers;
+        if (const auto* role = std::get_if<std::string>(&each.source)) {
+            name += " as " + *role;
+        } else if (const auto* given = std::get_if<std::vector<double>>(&each.source)) {
+            numbers = *given;
+        } else {
+            const auto& view = std::get<BufferView>(each.source);
+            name += view.isPrevious ? " previous buffer" : " buffer";
+            numbers = {static_cast<double>(view.buffer.position())};
+        }
+        key.emplace_back(std::move(name), std::move(numbers));
+    }
+    return key;
+}
+
+void bind(Interpreter& in, AttributeBinding binding) {
+    AttributeSet set;
+    if (in.state.local.attributes) set = in.scene.attributeSets[in.state.local.attributes];
+    std::erase_if(set.bindings, [&](const AttributeBinding& each) { return each.name == binding.name; });
+    set.bindings.push_back(std::move(binding));
+    AttributeSetIndex& index = in.attributeSets[keyOf(set)];
+    if (!index) index = in.scene.attributeSets.add(std::move(set));
+    in.state.local.attributes = index;
+}
+
+void doAttribute(Interpreter& in, const Command& command) {
+    AttributeBinding binding;
+    binding.name = command.values.front().text;
+    binding.place = in.place(command);
+    const std::span<const Value> values = std::span(command.values).subspan(1);
+    if (const KeyedValues* as = command.key("as")) {
+        auto role = roleNamed(in, as->values.front());
+        if (!role) return;
+        binding.source = std::move(*role);
+        return bind(in, std::move(binding));
+    }
+    if (!values.empty() && values.front().kind == Value::Kind::word) {
+        const auto buffer = bufferNamed(in, values.front());
+        if (!buffer) return;
+        binding.source = *buffer;
+        binding.isPerInstance = command.key("per") != nullptr || command.key("instance") != nullptr;
+        if (in.list) {
+            in.reportAt(command, "glib-E07", "Attribute: a vertex of a list takes numbers, not a buffer");
+            return;
+        }
+        return bind(in, std::move(binding));
+    }
+    const auto numbers = numbersOf(in, values);
+    if (!numbers) return;
+    if (numbers->empty() || numbers->size() > 4) {
+        in.reportAt(command, "glib-E26",
+                    fmt::format("Attribute {}: an attribute has 1 to 4 numbers, not {}", binding.name,
+                                numbers->size()));
+        return;
+    }
+    if (in.list) {
+        OpenList::Extra& extra = in.list->extras[binding.name];
+        extra.components = std::max(extra.components, static_cast<int>(numbers->size()));
+        extra.current = {0, 0, 0, 1};
+        std::copy(numbers->begin(), numbers->end(), extra.current.begin());
+        return;
+    }
+    binding.source = *numbers;
+    bind(in, std::move(binding));
+}
+
+void doTessLevels(Interpreter& in, const Command& command) {
+    const auto levels = numbersOf(in, command.values, 6, "TessLevels");
+    if (!levels) return;
+    std::array<double, 6> made{};
+    std::copy(levels->begin(), levels->end(), made.begin());
+    in.state.local.tessellationLevels = made;
+}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::instances, doInstances},
+    {CommandId::vertices, doVertices, InList::isWrong, true},
+    {CommandId::attribute, doAttribute, InList::isPart},
+    {CommandId::tessLevels, doTessLevels},
+};
+
+}  // namespace
+
+std::span<const CommandAction> vertexActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,97 @@
+// Key: what a key of the keyboard does (language, 12.8).
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "base/suggest.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::Command;
+using glib::Value;
+
+/// The variable of that name with its control; null with glib-E27 reported.
+const Variable* variableNamed(Interpreter& in, const Value& value) {
+    for (const Variable& each : in.scene.variables)
+        if (each.name == value.text) return &each;
+    std::vector<std::string_view> names;
+    for (const Variable& each : in.scene.variables) names.push_back(each.name);
+    in.report(diagnose("glib-E27",
+                       fmt::format("Key: no variable '{}' with a control is declared before this line{}",
+                                   value.text, base::suggestion(value.text, names)),
+                       in.script->place(value.position)));
+    return nullptr;
+}
+
+/// The components of a value that the key sets.
+std::optional<std::vector<double>> valueOf(Interpreter& in, const Value& value, const Variable& variable) {
+    if (value.kind == Value::Kind::word) {
+        for (std::size_t i = 0; i < variable.words.size(); ++i)
+            if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
+        const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
+        in.report(diagnose("glib-E26",
+                           fmt::format("Key: '{}' has no choice '{}'{}", variable.name, value.text,
+                                       base::suggestion(value.text, words)),
+                           in.script->place(value.position)));
+        return std::nullopt;
+    }
+    auto numbers = numbersOf(in, {&value, 1});
+    if (!numbers) return std::nullopt;
+    const bool isSlider = variable.form == glib::UniformForm::range && variable.words.empty();
+    if (isSlider && numbers->size() == 1 &&
+        !(numbers->front() >= variable.written[0] && numbers->front() <= variable.written[2])) {
+        in.report(
+            diagnose("glib-E26",
+                     fmt::format("Key: {} is not between {} and {}, which '{}' allows",
+                                 glib::numberText(numbers->front()), glib::numberText(variable.written[0]),
+                                 glib::numberText(variable.written[2]), variable.name),
+                     in.script->place(value.position)));
+        return std::nullopt;
+    }
+    if (numbers->size() == variable.current.size()) return numbers;
+    in.report(diagnose("glib-E26",
+                       fmt::format("Key: '{}' has {} components, not {}", variable.name,
+                                   variable.current.size(), numbers->size()),
+                       in.script->place(value.position)));
+    return std::nullopt;
+}
+
+void doKey(Interpreter& in, const Command& command) {
+    KeyBinding binding;
+    const Value& key = command.values.front();
+    binding.key = key.kind == Value::Kind::number ? fmt::format("{}", key.number) : key.text;
+    binding.place = in.place(command);
+    if (command.key("restart") != nullptr) {
+        binding.restarts = true;
+        in.scene.keys.push_back(std::move(binding));
+        return;
+    }
+    const std::span<const Value> rest = std::span(command.values).subspan(1);
+    if (rest.size() < 2) return;
+    const Variable* variable = variableNamed(in, rest.front());
+    if (variable == nullptr) return;
+    binding.variable = variable->name;
+    for (const Value& each : rest.subspan(1)) {
+        auto value = valueOf(in, each, *variable);
+        if (!value) return;
+        binding.values.push_back(std::move(*value));
+    }
+    in.scene.keys.push_back(std::move(binding));
+}
+
+constexpr CommandAction kActions[] = {{glib::CommandId::key, doKey}};
+
+}  // namespace
+
+std::span<const CommandAction> keyActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

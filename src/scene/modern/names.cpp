@@ -1,0 +1,251 @@
+// The names of objects and of their parts (language, 12.4).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "base/suggest.h"
+#include "expression/name_table.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::scene {
+namespace {
+
+using glib::NamePart;
+using glib::Value;
+using Kind = DeclaredName::Kind;
+
+const char* wordOf(Kind kind) {
+    switch (kind) {
+        case Kind::camera:
+            return "a camera";
+        case Kind::texture:
+            return "a texture";
+        case Kind::sampler:
+            return "a sampler";
+        case Kind::buffer:
+            return "a buffer";
+        case Kind::variable:
+        case Kind::computed:
+            break;
+    }
+    return "a variable";
+}
+
+bool isReserved(std::string_view name, Kind kind) {
+    constexpr std::array<std::string_view, 4> kWords{"camera", "pi", "true", "false"};
+    if (name == "eye") return kind != Kind::camera;
+    const auto isName = [&](const expression::NameRow& row) { return row.path == name; };
+    const auto rows = expression::sceneNames();
+    return std::find(kWords.begin(), kWords.end(), name) != kWords.end() ||
+           std::any_of(rows.begin(), rows.end(), isName);
+}
+
+std::string lineOf(const Interpreter& in, const Place& place) {
+    return place.file == in.script->path ? fmt::format("line {}", place.line)
+                                         : fmt::format("line {} of {}", place.line, place.file);
+}
+
+/// Reads the parts after the name of an object: `.level(2)`, `.prev`, `.crisp`.
+class PartReader {
+  public:
+    PartReader(Interpreter& in, const Value& value) : in_(in), value_(value), name_(nameOf(value)) {}
+
+    std::optional<ObjectView> read() {
+        const auto known = in_.modern.names.find(name_.name);
+        if (known == in_.modern.names.end()) return unknown();
+        const DeclaredName& declared = known->second;
+        if (declared.kind != Kind::texture && declared.kind != Kind::buffer)
+            return refuse("glib-E27", fmt::format("'{}' is {}, not a texture or buffer", name_.name,
+                                                  wordOf(declared.kind)));
+        if (std::holds_alternative<std::monostate>(declared.object)) return std::nullopt;
+        if (!name_.index.empty())
+            return refuse("glib-E27",
+                          fmt::format("'{}' is {}, not an array", name_.name, wordOf(declared.kind)));
+        if (const auto* buffer = std::get_if<BufferIndex>(&declared.object)) return readBuffer(*buffer);
+        return readTexture(std::get<TextureIndex>(declared.object));
+    }
+
+  private:
+    static NamePart nameOf(const Value& value) {
+        return value.path.empty() ? NamePart{value.text, {}} : value.path.front();
+    }
+
+    std::nullopt_t refuse(const char* id, std::string text) {
+        in_.report(diagnose(id, std::move(text), in_.script->place(value_.position)));
+        return std::nullopt;
+    }
+
+    std::nullopt_t unknown() {
+        std::vector<std::string_view> names;
+        for (const auto& [name, declared] : in_.modern.names)
+            if (declared.kind == Kind::texture || declared.kind == Kind::buffer) names.push_back(name);
+        return refuse("glib-E27", fmt::format("no texture or buffer '{}' is declared before this line{}",
+                                              name_.name, base::suggestion(name_.name, names)));
+    }
+
+    std::optional<ObjectView> readBuffer(BufferIndex index) {
+        BufferView view{index};
+        for (std::size_t i = 1; i < value_.path.size(); ++i) {
+            const NamePart& part = value_.path[i];
+            if (part.name != "prev" || !in_.scene.buffers[index].hasHistory)
+                return noPart(part, {"prev"}, in_.scene.buffers[index].hasHistory);
+            if (!part.index.empty()) return surplusIndex(part);
+            if (std::exchange(view.isPrevious, true)) return twice(part);
+        }
+        return view;
+    }
+
+    std::optional<ObjectView> readTexture(TextureIndex index) {
+        const Texture& texture = in_.scene.textures[index];
+        TextureView view{.texture = index};
+        for (std::size_t i = 1; i < value_.path.size(); ++i)
+            if (!readPart(texture, value_.path[i], view)) return std::nullopt;
+        // The number of layers depends on the level, which may stand after the layer.
+        if (view.layer && !isLayerInRange(texture, view)) return std::nullopt;
+        return view;
+    }
+
+    bool readPart(const Texture& texture, const NamePart& part, TextureView& view) {
+        if (part.name == "prev" && texture.hasHistory) {
+            if (!part.index.empty()) return surplusIndex(part), false;
+            return std::exchange(view.isPrevious, true) ? (twice(part), false) : true;
+        }
+        if (const auto sampler = samplerNamed(part.name)) {
+            if (!part.index.empty()) return surplusIndex(part), false;
+            if (view.sampler) return twice(part), false;
+            view.sampler = *sampler;
+            return true;
+        }
+        const std::vector<std::string_view> parts = partsOf(texture);
+        if (std::find(parts.begin(), parts.end(), part.name) == parts.end() || part.name == "prev")
+            return noPart(part, parts, texture.hasHistory), false;
+        std::optional<int>& number = part.name == "level" ? view.level : view.layer;
+        if (number) return twice(part), false;
+        if (part.index.empty()) {
+            refuse("glib-E26", fmt::format("{0}.{1} needs a number: {0}.{1}(0)", name_.name, part.name));
+            return false;
+        }
+        constexpr int kMost = 16'384;
+        const int most = part.name == "level"  ? levelsOf(texture).value_or(15) - 1
+                         : part.name == "face" ? 5
+                                               : kMost;
+        number = integerIn(in_, part.index.front(), fmt::format("{}.{}:", name_.name, part.name), 0, most);
+        return number.has_value();
+    }
+
+    bool isLayerInRange(const Texture& texture, const TextureView& view) {
+        const auto size = sizeOfLevel(texture, view.level.value_or(0));
+        if (!size || *view.layer < (*size)[2]) return true;
+        refuse("glib-E26",
+               fmt::format("{}.layer: {} is not between 0 and {}", name_.name, *view.layer, (*size)[2] - 1));
+        return false;
+    }
+
+    std::optional<SamplerIndex> samplerNamed(std::string_view name) const {
+        const auto known = in_.modern.names.find(name);
+        if (known == in_.modern.names.end()) return std::nullopt;
+        const auto* sampler = std::get_if<SamplerIndex>(&known->second.object);
+        return sampler != nullptr ? std::optional(*sampler) : std::nullopt;
+    }
+
+    static std::vector<std::string_view> partsOf(const Texture& texture) {
+        std::vector<std::string_view> parts{"level", "prev"};
+        if (texture.target == TextureTarget::cube) parts.emplace_back("face");
+        if (texture.target == TextureTarget::texture3D || texture.target == TextureTarget::texture2DArray)
+            parts.emplace_back("layer");
+        return parts;
+    }
+
+    std::nullopt_t noPart(const NamePart& part, std::vector<std::string_view> parts, bool hasHistory) {
+        if (part.name == "prev")
+            return refuse(
+                "glib-E27",
+                fmt::format("'{0}' has no part 'prev'; write 'history' where it is declared", name_.name));
+        if (!hasHistory) std::erase(parts, "prev");
+        for (const auto& [name, declared] : in_.modern.names)
+            if (declared.kind == Kind::sampler) parts.push_back(name);
+        std::string help = base::suggestion(part.name, parts);
+        if (help.empty() && !parts.empty()) help = fmt::format("; it has {}", fmt::join(parts, ", "));
+        return refuse("glib-E27", fmt::format("'{}' has no part '{}'{}", name_.name, part.name, help));
+    }
+
+    std::nullopt_t surplusIndex(const NamePart& part) {
+        return refuse("glib-E18", fmt::format("{}.{} has no elements", name_.name, part.name));
+    }
+    std::nullopt_t twice(const NamePart& part) {
+        return refuse("glib-E18",
+                      fmt::format("{}: '{}' given twice, or two samplers", value_.text, part.name));
+    }
+
+    Interpreter& in_;
+    const Value& value_;
+    NamePart name_;
+};
+
+/// A view of one of both kinds, or nothing with the reason reported.
+template <class View>
+std::optional<View> viewOf(Interpreter& in, const Value& value, std::string_view wanted) {
+    const auto object = objectNamed(in, value);
+    if (!object) return std::nullopt;
+    if (const auto* view = std::get_if<View>(&*object)) return *view;
+    in.report(diagnose("glib-E27", fmt::format("'{}' is not {}", value.text, wanted),
+                       in.script->place(value.position)));
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool declareName(Interpreter& in, const glib::Command& command, const std::string& name, Kind kind) {
+    const auto refuse = [&](std::string text) {
+        const Value& value = command.values.front();
+        in.report(diagnose("glib-E27", std::move(text), in.script->place(value.position)));
+        return false;
+    };
+    if (isReserved(name, kind))
+        return refuse(fmt::format("'{}' has a meaning of its own; choose another name", name));
+    const auto [known, isNew] =
+        in.modern.names.try_emplace(name, DeclaredName{kind, in.place(command), &command, std::monostate{}});
+    if (isNew || known->second.command == &command) return true;
+    // Cameras and computed variables may be set again.
+    const bool isSetAgain = kind == known->second.kind && (kind == Kind::camera || kind == Kind::computed);
+    if (isSetAgain) return true;
+    return refuse(fmt::format("'{}' is declared on {} already, as {}", name, lineOf(in, known->second.place),
+                              wordOf(known->second.kind)));
+}
+
+void setObject(Interpreter& in, const std::string& name,
+               const std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex>& object) {
+    in.modern.names[name].object = object;
+}
+
+bool namesObject(const Interpreter& in, const Value& value) {
+    if (value.kind != Value::Kind::word) return false;
+    const auto known = in.modern.names.find(value.path.empty() ? value.text : value.path.front().name);
+    return known != in.modern.names.end() &&
+           (known->second.kind == Kind::texture || known->second.kind == Kind::buffer);
+}
+
+std::optional<ObjectView> objectNamed(Interpreter& in, const Value& value) {
+    return PartReader(in, value).read();
+}
+
+std::optional<TextureView> textureNamed(Interpreter& in, const Value& value) {
+    return viewOf<TextureView>(in, value, "a texture");
+}
+
+std::optional<BufferView> bufferNamed(Interpreter& in, const Value& value) {
+    return viewOf<BufferView>(in, value, "a buffer");
+}
+
+bool isWindow(const Value& value) {
+    return value.kind == Value::Kind::word && value.text == "window";
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,334 @@
+// State: how fragments are tested, blended and written (language, 12.6).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "glib/modern/statement_table.h"
+#include "glib/number.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+
+namespace glibra::scene {
+namespace {
+
+using base::Blend;
+using base::BlendEquation;
+using base::BlendFactor;
+using base::BlendFunction;
+using base::Comparison;
+using base::StencilAction;
+using glib::Command;
+using glib::CommandId;
+using glib::KeyedValues;
+using glib::Value;
+
+/// The words of a list of the statement table, whose order is that of the enumeration they stand for, except
+/// for those below.
+std::vector<std::string_view> wordsOf(std::string_view fragment) {
+    std::vector<std::string_view> words;
+    std::string_view text = glib::syntaxFragment(fragment);
+    while (!text.empty()) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        words.push_back(text.substr(0, comma));
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return words;
+}
+
+constexpr std::array kActions = {StencilAction::keep,          StencilAction::zero,
+                                 StencilAction::replace,       StencilAction::increment,
+                                 StencilAction::incrementWrap, StencilAction::decrement,
+                                 StencilAction::decrementWrap, StencilAction::invert};
+
+constexpr double kLargestStencil = 255;
+
+class StateReader {
+  public:
+    StateReader(Interpreter& in, const Command& command) : in_(in), command_(command) {}
+
+    /// Reads all keys into a copy of the state, which stays as it was if one is wrong.
+    void read() {
+        base::RasterState state = in_.state.raster;
+        bool statesBlend = in_.state.local.isBlendStated;
+        for (std::size_t i = 0; i < command_.keys.size(); ++i) {
+            const KeyedValues& key = command_.keys[i];
+            const bool hasAlpha = i + 1 < command_.keys.size() && command_.keys[i + 1].key == "alpha";
+            if (key.key == "default") {
+                const base::RasterState before = state;
+                state = {};
+                state.lineWidth = before.lineWidth;
+                state.pointSize = before.pointSize;
+                state.pointSizeFromShader = before.pointSizeFromShader;
+                state.viewport = before.viewport;
+                state.scissor = before.scissor;
+                statesBlend = false;
+                continue;
+            }
+            if (key.key == "alpha") continue;  // read with its blend
+            if (key.key == "blend") {
+                // Outside of Pass the target has decided so far how draws are blended.
+                if (!in_.modern.pass && !statesBlend && in_.state.target.textures.empty())
+                    state.blendAll(base::kBlendOver);
+                statesBlend = true;
+            }
+            if (!readKey(key, key.key == "blend" && hasAlpha ? &command_.keys[i + 1] : nullptr, state))
+                return;
+        }
+        const KeyedValues *mark = command_.key("mark"), *where = command_.key("where");
+        if (mark != nullptr && where != nullptr) {
+            refuse(where->values.front(), "'where' contradicts 'mark'; write 'stencil' and 'stencilop'");
+            return;
+        }
+        in_.state.raster = state;
+        in_.state.local.isBlendStated = statesBlend;
+    }
+
+  private:
+    bool refuse(const Value& value, const std::string& text) {
+        in_.report(diagnose("glib-E26", "State: " + text, in_.script->place(value.position)));
+        return false;
+    }
+
+    /// The index of a word among those of a list of the table.
+    std::optional<std::size_t> word(const Value& value, std::string_view fragment) {
+        const std::vector<std::string_view> words = wordsOf(fragment);
+        return wordOf(in_, value, words);
+    }
+    template <std::size_t n>
+    std::optional<std::size_t> word(const Value& value, const std::array<std::string_view, n>& words) {
+        return wordOf(in_, value, words);
+    }
+    bool readSwitch(const Value& value, bool& target) {
+        const auto index = word(value, std::array<std::string_view, 2>{"off", "on"});
+        if (index) target = *index == 1;
+        return index.has_value();
+    }
+    std::optional<int> stencilValue(const Value& value, std::string_view what) {
+        const auto number = numberIn(in_, value, what, 0, kLargestStencil);
+        return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+    }
+
+    bool readKey(const KeyedValues& key, const KeyedValues* alpha, base::RasterState& state) {
+        const std::string& name = key.key;
+        const Value& first = key.values.front();
+        if (name == "cull") {
+            const auto index = word(first, std::array<std::string_view, 4>{"off", "back", "front", "both"});
+            if (index) state.cull = static_cast<base::Cull>(*index);
+            return index.has_value();
+        }
+        if (name == "front") {
+            const auto index = word(first, std::array<std::string_view, 2>{"ccw", "cw"});
+            if (index) state.front = static_cast<base::Winding>(*index);
+            return index.has_value();
+        }
+        if (name == "polygon") {
+            const auto index = word(first, std::array<std::string_view, 3>{"fill", "line", "point"});
+            if (index) state.polygon = static_cast<base::PolygonMode>(*index);
+            return index.has_value();
+        }
+        if (name == "provoking") {
+            const auto index = word(first, std::array<std::string_view, 2>{"last", "first"});
+            if (index) state.provoking = static_cast<base::ProvokingVertex>(*index);
+            return index.has_value();
+        }
+        if (name == "depth") return readDepth(first, state);
+        if (name == "depthwrite") return readSwitch(first, state.depthWrite);
+        if (name == "depthclamp") return readSwitch(first, state.depthClamp);
+        if (name == "samples") return readSwitch(first, state.multisample);
+        if (name == "alphatocoverage") return readSwitch(first, state.alphaToCoverage);
+        if (name == "offset" || name == "depthrange") return readPair(key, state);
+        if (name == "blend") return readBlend(key, alpha, state);
+        if (name == "blendcolor") {
+            const auto color = numbersOf(in_, key.values, 4, "State: blendcolor");
+            if (color) std::copy(color->begin(), color->end(), state.blendConstant.begin());
+            return color.has_value();
+        }
+        if (name == "write") return readWrite(first, state);
+        return readStencil(key, state);
+    }
+
+    bool readDepth(const Value& value, base::RasterState& state) {
+        std::vector<std::string_view> words{"off"};
+        for (const std::string_view each : wordsOf("compare")) words.push_back(each);
+        const auto index = wordOf(in_, value, words);
+        if (!index) return false;
+        state.depthTest = *index > 0;
+        if (*index > 0) state.depthFunction = static_cast<Comparison>(*index - 1);
+        return true;
+    }
+
+    bool readPair(const KeyedValues& key, base::RasterState& state) {
+        const auto pair = numbersOf(in_, key.values, 2, "State: " + key.key);
+        if (!pair) return false;
+        if (key.key == "offset") {
+            state.offsetFactor = (*pair)[0];
+            state.offsetUnits = (*pair)[1];
+            return true;
+        }
+        const auto isDepth = [](double value) { return value >= 0 && value <= 1; };
+        if (!isDepth((*pair)[0]) || !isDepth((*pair)[1]))
+            return refuse(key.values.front(), "depthrange needs two depths from 0 to 1");
+        state.depthNear = (*pair)[0];
+        state.depthFar = (*pair)[1];
+        return true;
+    }
+
+    bool readFunction(std::span<const Value> values, BlendFunction& function) {
+        const auto source = word(values[0], "factor");
+        const auto destination = values.size() > 1 ? word(values[1], "factor") : std::nullopt;
+        if (!source || !destination) return false;
+        function = {static_cast<BlendFactor>(*source), static_cast<BlendFactor>(*destination),
+                    BlendEquation::add};
+        if (values.size() < 3) return true;
+        const auto equation = word(values[2], "equation");
+        if (equation) function.equation = static_cast<BlendEquation>(*equation);
+        return equation.has_value();
+    }
+
+    bool readBlend(const KeyedValues& key, const KeyedValues* alpha, base::RasterState& state) {
+        Blend blend{true, {}, {}};
+        if (key.values.size() == 1) {
+            constexpr std::array<std::string_view, 5> kModes{"off", "alpha", "add", "multiply",
+                                                             "premultiplied"};
+            const auto mode = word(key.values.front(), kModes);
+            if (!mode) return false;
+            const auto both = [&](BlendFactor source, BlendFactor destination) {
+                blend.color = blend.alpha = {source, destination, BlendEquation::add};
+            };
+            switch (*mode) {
+                case 0:
+                    blend = {};
+                    break;
+                case 1:
+                    blend = base::kBlendOver;
+                    break;
+                case 2:
+                    both(BlendFactor::one, BlendFactor::one);
+                    break;
+                case 3:
+                    both(BlendFactor::destinationColor, BlendFactor::zero);
+                    break;
+                default:
+                    both(BlendFactor::one, BlendFactor::oneMinusSourceAlpha);
+            }
+        } else {
+            if (!readFunction(key.values, blend.color)) return false;
+            blend.alpha = blend.color;
+            if (alpha != nullptr && !readFunction(alpha->values, blend.alpha)) return false;
+        }
+        if (key.suffix.empty()) {
+            state.blendAll(blend);
+            return true;
+        }
+        const auto target = static_cast<std::size_t>(std::strtoul(key.suffix.c_str(), nullptr, 10));
+        if (target >= base::kRasterTargets) {
+            in_.report(diagnose("glib-E26",
+                                fmt::format("State: blend.{}: colour targets are 0 to {}", key.suffix,
+                                            base::kRasterTargets - 1),
+                                in_.script->place(key.position)));
+            return false;
+        }
+        state.blend[target] = blend;
+        return true;
+    }
+
+    bool readWrite(const Value& value, base::RasterState& state) {
+        const std::vector<std::string_view> words = wordsOf("mask");
+        const auto index = wordOf(in_, value, words);
+        if (!index) return false;
+        const std::string_view mask = words[*index] == "none" ? "" : words[*index];
+        const auto has = [&](char component) { return mask.find(component) != std::string_view::npos; };
+        state.write.fill({has('r'), has('g'), has('b'), has('a')});
+        return true;
+    }
+
+    /// Applies `change` to the faces that the key names.
+    template <class Change>
+    void forFaces(const KeyedValues& key, base::RasterState& state, const Change& change) {
+        if (key.suffix != "back") change(state.stencilFront);
+        if (key.suffix != "front") change(state.stencilBack);
+    }
+
+    bool readStencil(const KeyedValues& key, base::RasterState& state) {
+        if (in_.modern.pass && !in_.modern.pass->hasStencil) {
+            if (!std::exchange(in_.modern.pass->isStencilReported, true))
+                in_.report(diagnose("glib-E11",
+                                    fmt::format("State {}: the depth texture of this pass has no stencil; "
+                                                "depth24_stencil8 has one",
+                                                key.key),
+                                    in_.script->place(key.position)));
+            return false;
+        }
+        const std::string what = "State: " + key.key;
+        if (key.key == "mark" || key.key == "where") {
+            const auto value = stencilValue(key.values.front(), what);
+            if (!value) return false;
+            const bool isMark = key.key == "mark";
+            state.stencilTest = true;
+            forFaces(key, state, [&](base::StencilFace& face) {
+                face = {};
+                face.function = isMark ? Comparison::always : Comparison::equal;
+                face.reference = *value;
+                if (isMark) face.pass = StencilAction::replace;
+            });
+            return true;
+        }
+        if (key.key == "stencilop") {
+            std::array<StencilAction, 3> actions{};
+            for (std::size_t i = 0; i < actions.size(); ++i) {
+                const auto index = i < key.values.size() ? word(key.values[i], "operation") : std::nullopt;
+                if (!index) return false;
+                actions[i] = kActions.at(*index);
+            }
+            state.stencilTest = true;
+            forFaces(key, state, [&](base::StencilFace& face) {
+                face.fail = actions[0];
+                face.depthFail = actions[1];
+                face.pass = actions[2];
+            });
+            return true;
+        }
+        if (key.key == "stencilwrite") {
+            const auto mask = stencilValue(key.values.front(), what);
+            if (mask)
+                forFaces(key, state, [&](base::StencilFace& face) {
+                    face.writeMask = static_cast<std::uint32_t>(*mask);
+                });
+            return mask.has_value();
+        }
+        const auto test = word(key.values[0], "compare");
+        const auto reference = test ? stencilValue(key.values.at(1), what) : std::nullopt;
+        const auto mask = key.values.size() > 2 ? stencilValue(key.values[2], what) : std::optional(255);
+        if (!reference || !mask) return false;
+        state.stencilTest = true;
+        forFaces(key, state, [&](base::StencilFace& face) {
+            face.function = static_cast<Comparison>(*test);
+            face.reference = *reference;
+            face.mask = static_cast<std::uint32_t>(*mask);
+        });
+        return true;
+    }
+
+    Interpreter& in_;
+    const Command& command_;
+};
+
+void doState(Interpreter& in, const Command& command) {
+    StateReader(in, command).read();
+}
+
+constexpr CommandAction kStateActions[] = {{CommandId::state, doState}};
+
+}  // namespace
+
+std::span<const CommandAction> stateActions() {
+    return kStateActions;
+}
+
+}  // namespace glibra::scene

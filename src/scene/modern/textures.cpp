@@ -1,0 +1,391 @@
+// Textures and samplers with names (language, 12.4).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+#include <utility>
+
+#include "base/suggest.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "scene/modern/evaluate.h"
+#include "scene/modern/modern.h"
+#include "scene/state.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::scene {
+namespace {
+
+using base::Filter;
+using base::Wrap;
+using glib::Command;
+using glib::CommandId;
+using glib::KeyedValues;
+using glib::Value;
+
+constexpr int kLargestSide = 16'384;
+constexpr int kLargestSide3 = 2048;  ///< of a 3D texture, and the layers of an array
+constexpr std::uint64_t kLargestTexture = std::uint64_t{1} << 30U;  // bytes
+constexpr int kMostSamples = 64;
+constexpr double kMostAnisotropy = 64;
+
+/// The dimensions of a texture statement: how many sizes it states.
+struct Form {
+    CommandId id{};
+    TextureTarget target{};
+    std::size_t sizes = 2;
+    std::size_t components = 2;  ///< of NAME.size
+    std::size_t axes = 2;        ///< that have a wrap mode
+};
+constexpr Form kForms[] = {
+    {CommandId::namedTexture1D, TextureTarget::texture1D, 1, 1, 1},
+    {CommandId::namedTexture2D, TextureTarget::texture2D, 2, 2, 2},
+    {CommandId::namedTexture3D, TextureTarget::texture3D, 3, 3, 3},
+    {CommandId::textureArray, TextureTarget::texture2DArray, 3, 3, 2},
+    {CommandId::namedCubeMap, TextureTarget::cube, 1, 2, 2},
+};
+
+void refuse(Interpreter& in, const char* id, const Command& command, glib::Position position,
+            const std::string& text) {
+    in.report(diagnose(id, fmt::format("{}: {}", command.word, text), in.script->place(position)));
+}
+
+// ---- Options.
+
+constexpr std::pair<std::string_view, Filter> kFilters[] = {
+    {"nearest", Filter::nearest},
+    {"linear", Filter::linear},
+    {"mipmap", Filter::linearMipmapLinear},
+    {"nearest_mipmap_nearest", Filter::nearestMipmapNearest},
+    {"linear_mipmap_nearest", Filter::linearMipmapNearest},
+    {"nearest_mipmap_linear", Filter::nearestMipmapLinear},
+    {"linear_mipmap_linear", Filter::linearMipmapLinear},
+};
+constexpr std::pair<std::string_view, Wrap> kWraps[] = {
+    {"repeat", Wrap::repeat},
+    {"mirror", Wrap::mirroredRepeat},
+    {"clamp", Wrap::clampToEdge},
+    {"border", Wrap::clampToBorder},
+};
+
+template <class T, std::size_t N>
+const T* valueOf(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
+    for (const auto& [name, value] : rows)
+        if (name == word) return &value;
+    return nullptr;
+}
+
+/// What stands after a texture or sampler, as far as it is given.
+struct Options {
+    std::optional<Filter> filter;
+    glib::Position filterPosition;
+    std::vector<Wrap> wraps;
+    std::optional<std::array<double, 4>> border;
+    std::optional<double> anisotropy;
+    std::optional<int> samples, levels;
+    const KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
+    const KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
+};
+
+/// The colour of a border: three or four components, or one for all of a depth texture.
+std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command& command,
+                                                 const KeyedValues& key) {
+    const auto numbers = numbersOf(in, key.values);
+    if (!numbers) return std::nullopt;
+    const std::size_t count = numbers->size();
+    if (count != 1 && count != 3 && count != 4) {
+        refuse(in, "glib-E26", command, key.position,
+               fmt::format("a border has 1, 3 or 4 components, not {}", count));
+        return std::nullopt;
+    }
+    std::array<double, 4> color{};
+    if (count == 1) color.fill(numbers->front());
+    color[3] = 1;
+    std::copy(numbers->begin(), numbers->end(), color.begin());
+    return color;
+}
+
+std::optional<Options> readOptions(Interpreter& in, const Command& command, std::size_t axes) {
+    Options options;
+    const auto integer = [&](const KeyedValues& key, int most) {
+        return integerIn(in, key.values.front(), fmt::format("{}: {}", command.word, key.key), 1, most);
+    };
+    for (const KeyedValues& key : command.keys) {
+        if (const Filter* filter = valueOf(kFilters, key.key)) {
+            options.filter = *filter;
+            options.filterPosition = key.position;
+        } else if (const Wrap* wrap = valueOf(kWraps, key.key)) {
+            if (options.wraps.size() == axes) {
+                refuse(in, "glib-E18", command, key.position,
+                       fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
+                return std::nullopt;
+            }
+            options.wraps.push_back(*wrap);
+            if (key.values.empty()) continue;
+            options.border = borderColor(in, command, key);
+            if (!options.border) return std::nullopt;
+        } else if (key.key == "aniso") {
+            options.anisotropy =
+                numberIn(in, key.values.front(), command.word + ": aniso", 1, kMostAnisotropy);
+            if (!options.anisotropy) return std::nullopt;
+        } else if (key.key == "samples") {
+            options.samples = integer(key, kMostSamples);
+            options.samplesKey = &key;
+            if (!options.samples) return std::nullopt;
+        } else if (key.key == "levels") {
+            options.levels = integer(key, 15);
+            options.levelsKey = &key;
+            if (!options.levels) return std::nullopt;
+        } else if (key.key == "flip") {
+            options.flip = &key;
+        } else if (key.key == "srgb") {
+            options.srgb = &key;
+        } else if (key.key == "generate") {
+            options.generate = &key;
+        } else if (key.key == "history") {
+            options.history = &key;
+        }
+    }
+    if (options.wraps.size() > 1 && options.wraps.size() < axes) {
+        refuse(in, "glib-E26", command, command.position,
+               fmt::format("{} wrap modes for {} axes; write one, or {}", options.wraps.size(), axes, axes));
+        return std::nullopt;
+    }
+    return options;
+}
+
+base::SamplerState stateOf(const Options& options, base::SamplerState state) {
+    if (options.filter) state.filter = *options.filter;
+    if (options.anisotropy) state.anisotropy = *options.anisotropy;
+    if (options.border) state.border = *options.border;
+    for (std::size_t i = 0; i < state.wrap.size() && !options.wraps.empty(); ++i)
+        state.wrap[i] = options.wraps[std::min(i, options.wraps.size() - 1)];
+    return state;
+}
+
+// ---- Formats and sizes.
+
+/// The format with four components for the name of one with three; empty if there is none.
+std::string withFourComponents(std::string_view name) {
+    const std::string word = glib::lower(name);
+    if (word == "srgb8") return "srgb8_alpha8";
+    if (!word.starts_with("rgb") || word.starts_with("rgba")) return {};
+    std::string four = "rgba" + word.substr(3);
+    return base::texelFormatNamed(four) ? four : std::string();
+}
+
+std::optional<TexelFormat> formatNamed(Interpreter& in, const Command& command, const Value& word) {
+    if (const auto format = base::texelFormatNamed(word.text)) return format;
+    if (const std::string four = withFourComponents(word.text); !four.empty()) {
+        refuse(in, "glib-E16", command, word.position,
+               fmt::format("the format '{}' has three components; write '{}'", word.text, four));
+        return std::nullopt;
+    }
+    std::vector<std::string_view> names;
+    for (const base::TexelFormatRow& row : base::texelFormats()) names.push_back(row.name);
+    std::string help = base::suggestion(word.text, names);
+    if (help.empty()) help = "; formats are named as in rgba8, r32f, rg16ui, depth24";
+    refuse(in, "glib-E16", command, word.position, fmt::format("unknown format '{}'{}", word.text, help));
+    return std::nullopt;
+}
+
+bool isNumeric(const Value& value) {
+    return value.kind == Value::Kind::number || value.kind == Value::Kind::expression;
+}
+
+std::optional<EmptySource> emptySource(Interpreter& in, const Command& command, const Form& form) {
+    const std::span<const Value> all(command.values);
+    const std::span<const Value> sizes = all.subspan(1, all.size() - 2);
+    const auto format = formatNamed(in, command, all.back());
+    const auto numbers = numbersOf(in, sizes, form.sizes, command.word + ": the size");
+    if (!format || !numbers) return std::nullopt;
+    EmptySource source{.format = *format};
+    const std::array targets{&source.width, &source.height, &source.depth};
+    for (std::size_t i = 0; i < form.sizes; ++i) {
+        const double size = std::trunc((*numbers)[i]);
+        const bool isSmall = form.target == TextureTarget::texture3D ||
+                             (form.target == TextureTarget::texture2DArray && i == 2);
+        const int most = isSmall ? kLargestSide3 : kLargestSide;
+        if (!(size >= 1 && size <= most)) {
+            refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
+                   fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
+                               glib::groupedText(most)));
+            return std::nullopt;
+        }
+        *targets[i] = static_cast<int>(size);
+    }
+    if (form.target == TextureTarget::cube) source.height = source.width;
+    const bool isFlat = form.target == TextureTarget::texture3D || form.target == TextureTarget::texture1D;
+    if (isFlat && base::hasDepth(*format)) {
+        refuse(in, "glib-E26", command, all.back().position,
+               fmt::format("'{}' is for 2D textures, arrays and cube maps", base::name(*format)));
+        return std::nullopt;
+    }
+    return source;
+}
+
+/// The bytes of all levels, samples and copies of an empty texture.
+std::uint64_t bytesOf(const Texture& texture) {
+    const auto& source = std::get<EmptySource>(texture.source);
+    std::uint64_t texels = 0;
+    for (int level = 0; level < levelsOf(texture).value_or(1); ++level) {
+        const auto size = *sizeOfLevel(texture, level);
+        texels += static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]) *
+                  static_cast<std::uint64_t>(size[2]);
+    }
+    return texels * base::bytesPerTexel(source.format) * static_cast<std::uint64_t>(texture.samples);
+}
+
+/// Checks the options of an empty texture against its format, and fills them in.
+bool applyToEmpty(Interpreter& in, const Command& command, const Options& options, Texture& texture) {
+    const auto& source = std::get<EmptySource>(texture.source);
+    const auto deny = [&](const KeyedValues& key, const std::string& text) {
+        refuse(in, "glib-E26", command, key.position, text);
+        return false;
+    };
+    if (options.flip) return deny(*options.flip, "'flip' is for pictures");
+    if (options.srgb) return deny(*options.srgb, "'srgb' is for pictures; write the format srgb8_alpha8");
+    const bool isInteger = base::isInteger(source.format);
+    if (isInteger) {
+        const Filter filter = options.filter.value_or(Filter::nearest);
+        if (filter != Filter::nearest && filter != Filter::nearestMipmapNearest) {
+            refuse(
+                in, "glib-E26", command, options.filterPosition,
+                fmt::format("'{}' holds integers, which are read with 'nearest'", base::name(source.format)));
+            return false;
+        }
+        texture.sampler.filter = filter;
+    }
+    if (options.generate && (isInteger || base::hasDepth(source.format)))
+        return deny(*options.generate, fmt::format("'{}' has no mipmaps", base::name(source.format)));
+    if (base::hasDepth(source.format) && options.wraps.empty()) {
+        texture.sampler.wrap.fill(Wrap::clampToBorder);
+        texture.sampler.border.fill(1);
+    } else if (base::hasDepth(source.format) && !options.border) {
+        texture.sampler.border.fill(1);
+    }
+    texture.hasMipmaps = options.generate != nullptr;
+    const bool hasLevels = texture.hasMipmaps || texture.sampler.readsMipmaps();
+    texture.levels = options.levels.value_or(hasLevels ? 0 : 1);
+    if (options.levels) {
+        Texture all = texture;
+        all.levels = 0;
+        const int most = levelsOf(all).value_or(1);
+        if (*options.levels > most)
+            return deny(*options.levelsKey,
+                        fmt::format("{} levels, but a texture of this size has {}", *options.levels, most));
+    }
+    texture.samples = options.samples.value_or(1);
+    if (texture.samples == 1) return true;
+    if (texture.target != TextureTarget::texture2D)
+        return deny(*options.samplesKey, "only 2D textures have several samples");
+    if (options.filter || options.generate || options.levels || !options.wraps.empty() || options.anisotropy)
+        return deny(*options.samplesKey,
+                    "a texture with several samples has no levels and is read without a filter");
+    return true;
+}
+
+bool applyToPicture(Interpreter& in, const Command& command, const Options& options, Texture& texture) {
+    const auto deny = [&](const KeyedValues* key) {
+        if (key == nullptr) return true;
+        refuse(in, "glib-E26", command, key->position,
+               fmt::format("'{}' is for textures with a size and a format", key->key));
+        return false;
+    };
+    if (!deny(options.samplesKey) || !deny(options.levelsKey) || !deny(options.history)) return false;
+    texture.isFlipped = options.flip != nullptr;
+    texture.isSrgb = options.srgb != nullptr;
+    texture.hasMipmaps = options.generate != nullptr || texture.sampler.readsMipmaps();
+    return true;
+}
+
+std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const Form& form) {
+    Texture texture;
+    const std::span<const Value> files = std::span(command.values).subspan(1);
+    const bool isCube = form.target == TextureTarget::cube;
+    if (isCube || form.target == TextureTarget::texture2DArray) {
+        PictureSource source;
+        for (const Value& each : files)
+            source.files.push_back(fileOf(in, each.text, in.script->place(each.position)));
+        texture.source = std::move(source);
+        texture.target = form.target;
+        return texture;
+    }
+    return pictureTexture(in, files.front().text, in.script->place(files.front().position), form.sizes);
+}
+
+void doTexture(Interpreter& in, const Command& command) {
+    const Form& form = *std::find_if(std::begin(kForms), std::end(kForms),
+                                     [&](const Form& f) { return f.id == command.id; });
+    const std::string& name = command.values.front().text;
+    if (!declareName(in, command, name, DeclaredName::Kind::texture)) return;
+    if (!in.shared->environment.declareTexture(name, form.components)) {
+        refuse(in, "glib-E27", command, command.values.front().position,
+               fmt::format("'{}' has had another meaning in this scene", name));
+        return;
+    }
+    const auto options = readOptions(in, command, form.axes);
+    if (!options) return;
+    Texture texture;
+    const bool isEmpty = isNumeric(command.values[1]);
+    if (isEmpty) {
+        const auto source = emptySource(in, command, form);
+        if (!source) return;
+        texture.source = *source;
+        texture.target = form.target;
+    } else {
+        auto picture = pictureOf(in, command, form);
+        if (!picture) return;
+        texture = std::move(*picture);
+    }
+    texture.name = name;
+    texture.place = in.place(command);
+    if (form.target == TextureTarget::cube) texture.sampler.wrap.fill(Wrap::clampToEdge);
+    texture.sampler = stateOf(*options, texture.sampler);
+    texture.hasHistory = options->history != nullptr;
+    if (!(isEmpty ? applyToEmpty : applyToPicture)(in, command, *options, texture)) return;
+    if (isEmpty) {
+        const std::uint64_t bytes = bytesOf(texture);
+        if (bytes > kLargestTexture) {
+            refuse(in, "glib-E15", command, command.values[1].position,
+                   fmt::format("'{}' needs {} bytes; the limit is {}", name,
+                               glib::groupedText(static_cast<long long>(bytes)),
+                               glib::groupedText(static_cast<long long>(kLargestTexture))));
+            return;
+        }
+        if (!chargeTexels(in, command, bytes * (texture.hasHistory ? 2 : 1))) return;
+        const auto& source = std::get<EmptySource>(texture.source);
+        const std::array<double, 3> size{static_cast<double>(source.width),
+                                         static_cast<double>(source.height),
+                                         static_cast<double>(source.depth)};
+        in.shared->environment.set(name + ".size", size);
+    } else {
+        in.shared->environment.forget(name + ".size", "the size of a file is known only when it is read");
+    }
+    setObject(in, name, in.scene.textures.add(std::move(texture)));
+}
+
+void doSampler(Interpreter& in, const Command& command) {
+    const std::string& name = command.values.front().text;
+    if (!declareName(in, command, name, DeclaredName::Kind::sampler)) return;
+    const auto options = readOptions(in, command, 3);
+    if (!options) return;
+    setObject(in, name, in.scene.samplers.add({name, stateOf(*options, {}), in.place(command)}));
+}
+
+constexpr CommandAction kActions[] = {
+    {CommandId::namedTexture1D, doTexture}, {CommandId::namedTexture2D, doTexture},
+    {CommandId::namedTexture3D, doTexture}, {CommandId::textureArray, doTexture},
+    {CommandId::namedCubeMap, doTexture},   {CommandId::sampler, doSampler},
+};
+
+}  // namespace
+
+std::span<const CommandAction> objectActions() {
+    return kActions;
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,214 @@
+#pragma once
+// What a scene executes, in order, as values: passes with their draws, dispatches, clears of objects.
+
+#include <glibra/diagnostic.h>
+#include <glibra/draw_id.h>
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/raster_state.h"
+#include "scene/objects.h"
+
+namespace glibra::scene {
+
+struct Perspective {
+    double fieldOfView = 50;  ///< vertical, full angle, degrees
+    double near = .1, far = 1000;
+};
+struct Orthographic {
+    double left = -3, right = 3, bottom = -3, top = 3, near = -1000, far = 1000;
+};
+/// Positions are clip coordinates: no matrix acts on them.
+struct ClipSpace {};
+/// A matrix is taken as it is, whatever the shape of the target.
+using Projection = std::variant<Perspective, Orthographic, glm::dmat4, ClipSpace>;
+
+/// A classic scene sets little of it, but each draw carries all of it.
+using base::RasterState;
+
+/// One geometry command with its complete state.
+struct Draw {
+    DrawId id;
+    Place place;
+    std::string word;  ///< the command as written, or the topology of a glBegin list; for messages
+    ShapeIndex shape{};
+    ProgramIndex program{};
+    glm::dmat4 modelView{1.0};
+    glm::dmat4 model{1.0};  ///< the transforms below the camera; modelView is the camera's view times it
+    Projection projection;
+    glm::dvec4 color{1.0};
+    RasterState raster;
+    int patchVertices = 3;
+    bool flatColors = false;
+    Sampling sampling;
+    SlotTableIndex slots{};
+    UniformSetIndex uniforms{};  ///< none: only those of the program
+    double timerPeriod = 10;
+    std::size_t givenNumbers = 0;  ///< how many of the shape's numbers the scene gives; the rest are defaults
+    // The rest is of modern scenes.
+    int instances = 1;
+    BufferView instancesFrom{};      ///< its first word is the number of instances
+    BufferView verticesFrom{};       ///< of `Vertices`: its first word is the number of vertices
+    AttributeSetIndex attributes{};  ///< none: only those of the mesh
+    std::optional<std::array<double, 6>> tessellationLevels{};  ///< four outer and two inner ones
+    bool isSky = false;                                         ///< the eye is at the origin of modelView
+};
+
+/// Clears parts of the target. A Clear that only repeats the implicit clear of the pass is left out.
+struct Clear {
+    Place place;
+    std::optional<glm::dvec4> color{glm::dvec4(0.0)};  ///< of all colour targets
+    bool depth = true;
+    bool stencil = false;
+};
+
+/// A part of a texture as a target.
+struct TargetPart {
+    std::optional<int> level{}, layer{};  ///< as in TextureView; without a layer all layers
+    friend auto operator<=>(const TargetPart&, const TargetPart&) = default;
+};
+
+/// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors`, `clearDepth`
+/// and `clearStencil`.
+struct Pass {
+    std::vector<TextureIndex> targets;  ///< of the colours
+    std::vector<TargetPart> parts;      ///< one per target; empty: level 0 of all
+    std::optional<TextureView> depth;   ///< nothing: `depthBuffer`
+    bool isWindow = true;
+    int depthBuffer = 0;  ///< passes with the same number share depth; 0 is the window's
+    std::vector<std::optional<glm::dvec4>>
+        clearColors;  ///< one per target (the window has one); nothing: the content is kept
+    bool clearDepth = false;
+    double depthValue = 1;              ///< that clearDepth sets
+    std::optional<int> clearStencil{};  ///< nothing: the content is kept, or there is no stencil
+    Place place;                        ///< of RenderToTexture or Pass, for messages
+    std::string camera{};               ///< of `from`; empty: `eye`
+    std::vector<std::variant<Draw, Clear>> steps;
+};
+
+/// As many invocations as the object has texels or elements, or as these three numbers say.
+struct Over {
+    std::variant<std::array<std::uint64_t, 3>, ObjectView> what;
+};
+/// Three group counts that a buffer holds.
+struct GroupsFrom {
+    BufferView buffer;
+};
+
+/// Runs a compute program.
+struct Dispatch {
+    DrawId id;
+    Place place;
+    ProgramIndex program{};
+    SlotTableIndex slots{};
+    Sampling sampling;
+    UniformSetIndex uniforms{};
+    std::variant<std::array<std::uint64_t, 3>, Over, GroupsFrom> groups;  ///< the first: group counts
+    int tiles = 1;  ///< parts that run one after the other, along the last dimension with several groups
+    double timerPeriod = 10;
+};
+
+/// Sets an object to zero.
+struct ClearObject {
+    Place place;
+    std::variant<TextureIndex, BufferIndex> object;
+};
+
+/// A check of the picture, an object or a count.
+struct Check {
+    enum class Kind {
+        pixel,       ///< `numbers` x y; all pixels count from the lower left corner
+        mean,        ///< `numbers` x y width height
+        count,       ///< `numbers` n: pixels of the colour `wanted`
+        buffer,      ///< `numbers` empty or the index of the first element
+        range,       ///< `numbers` least and largest
+        same,        ///< two objects
+        different,   ///< two objects
+        finite,      ///< all texels or elements
+        primitives,  ///< `numbers` n
+        samples,     ///< `numbers` n
+        error,       ///< `word`: the id of a diagnostic
+        condition,   ///< `condition`
+    };
+    Kind kind = Kind::pixel;
+    Place place;
+    std::string text;                    ///< as written
+    std::optional<double> seconds{};     ///< the scene time; nothing: that of the picture
+    std::optional<ObjectView> object{};  ///< nothing: the window
+    std::optional<ObjectView> other{};   ///< of same and different; nothing: the window
+    std::vector<double> numbers;
+    std::vector<double> wanted;  ///< components of a colour or values of a buffer
+    double tolerance = 0;        ///< absolute
+    std::string word{};
+    const glib::Value* condition = nullptr;  ///< of the script, which must outlive the check
+};
+
+/// A step of a node list.
+struct StepIndex {
+    std::size_t pass = 0, step = 0;  ///< indices into NodeList::passes and Pass::steps
+    friend auto operator<=>(const StepIndex&, const StepIndex&) = default;
+};
+
+/// A node: an index into the list of its kind.
+struct NodeIndex {
+    enum class Kind { pass, dispatch, clear };
+    Kind kind = Kind::pass;
+    std::size_t index = 0;
+    friend auto operator<=>(const NodeIndex&, const NodeIndex&) = default;
+};
+
+/// What is executed.
+struct NodeList {
+    std::vector<Pass> passes;
+    std::vector<Dispatch> dispatches;
+    std::vector<ClearObject> clears;
+    std::vector<NodeIndex> order;  ///< of all nodes; the passes among themselves are in the order of `passes`
+
+    [[nodiscard]] bool isEmpty() const { return order.empty(); }
+    Pass& add(Pass pass) {
+        order.push_back({NodeIndex::Kind::pass, passes.size()});
+        return passes.emplace_back(std::move(pass));
+    }
+    Dispatch& add(Dispatch dispatch) {
+        order.push_back({NodeIndex::Kind::dispatch, dispatches.size()});
+        return dispatches.emplace_back(std::move(dispatch));
+    }
+    ClearObject& add(ClearObject clear) {
+        order.push_back({NodeIndex::Kind::clear, clears.size()});
+        return clears.emplace_back(std::move(clear));
+    }
+
+    /// Throws std::out_of_range or std::bad_variant_access if that step is no draw.
+    [[nodiscard]] const Draw& draw(StepIndex at) const {
+        return std::get<Draw>(passes.at(at.pass).steps.at(at.step));
+    }
+    [[nodiscard]] Draw& draw(StepIndex at) { return std::get<Draw>(passes.at(at.pass).steps.at(at.step)); }
+    /// The same for a Clear.
+    [[nodiscard]] const Clear& clear(StepIndex at) const {
+        return std::get<Clear>(passes.at(at.pass).steps.at(at.step));
+    }
+};
+
+/// The statements of a Step block, for one step.
+struct StepBlock {
+    double rate = 1;  ///< steps per second of scene time
+    Place place;
+    NodeList nodes;
+    bool dependsOnTick = false;  ///< the nodes of another tick may have other values
+};
+
+/// The statements of a Once block.
+struct OnceBlock {
+    Place place;
+    NodeList nodes;
+    std::vector<double> reads;  ///< the values of what it depends on; other values mean that it runs again
+};
+
+}  // namespace glibra::scene

@@ -1,0 +1,233 @@
+#pragma once
+// What a scene declares, as values: files, shapes, textures, samplers, buffers, programs.
+
+#include <glibra/diagnostic.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/program_resources.h"
+#include "base/sampler_state.h"
+#include "base/texel_format.h"
+#include "geometry/mesh.h"
+#include "glib/script.h"
+#include "glsl/types/stage.h"
+#include "scene/index.h"
+
+namespace glibra::scene {
+
+struct FileReference;
+struct Shape;
+struct Texture;
+struct Sampler;
+struct Buffer;
+struct Slot;
+struct Program;
+struct UniformSet;
+struct AttributeSet;
+
+/// The content of all slots at one place of the scene, sorted by unit and target. Draws share these.
+using SlotTable = std::vector<Slot>;
+
+// Indices into the lists of Declarations.
+using FileIndex = Index<FileReference>;
+using ShapeIndex = Index<Shape>;
+using TextureIndex = Index<Texture>;
+using SamplerIndex = Index<Sampler>;
+using BufferIndex = Index<Buffer>;
+using SlotTableIndex = Index<SlotTable>;
+using ProgramIndex = Index<Program>;
+using UniformSetIndex = Index<UniformSet>;
+using AttributeSetIndex = Index<AttributeSet>;
+
+/// A file that a scene names, looked up but not read. `path` is empty if no file was found. `remarks`
+/// (file-E01, file-W01 ...) are reported when the file is needed. Statements that name the same file share
+/// one reference, with the place of the first statement.
+struct FileReference {
+    std::string name;  ///< as written
+    std::filesystem::path path;
+    Diagnostics remarks;
+    Place place;
+    /// The text of a shader that stands in the script, with as many empty lines before it as put it on its
+    /// lines of the script, which is `path`.
+    std::optional<std::string> text{};
+};
+
+/// What a geometry command draws: the command with its numbers, or a list made by glBegin, Triangles or
+/// LinesAdjacency. Equal shapes share one entry of Scene::shapes, and so one mesh.
+struct Shape {
+    glib::CommandId command{};
+    /// The arguments with defaults filled in. One count that scenes cannot set may follow: cells per side of
+    /// a Teapot's patches, subdivisions of a Soccerball's triangles, or sides of an Xarrow. Of `Vertices`:
+    /// the number of vertices, 0 if a buffer gives it.
+    std::vector<double> numbers;
+    FileIndex file{};
+    std::shared_ptr<const geometry::Mesh>
+        list;  ///< the mesh itself, if the text of the scene contains the vertices
+    std::optional<geometry::Topology> bare{};  ///< of `Vertices`: primitives without vertex data
+};
+
+using base::TexelFormat;
+using base::TextureTarget;
+
+/// Where a texture's texels come from.
+struct PictureSource {
+    std::vector<FileIndex> files;  ///< one; or six for a cube map, which may also be one panorama or cross
+};
+struct EmptySource {
+    int width = 1, height = 1, depth = 1;  ///< `depth` of a 2D array: its layers
+    TexelFormat format = TexelFormat::rgba8;
+};
+/// Precision of noise texels: 8 bits, as in glman, or 16 bits.
+enum class NoiseTexels { bytes, shorts };
+
+/// Noise of a given size. If there is a file with raw bytes of exactly that size, the texels come from it;
+/// otherwise the noise is built in. The remarks (file-N01, file-W09, file-W10) are reported when the texture
+/// is needed.
+struct NoiseSource {
+    int dimensions = 3;
+    int size = 64;
+    bool isSizeGiven = false;                 ///< the scene sets it
+    NoiseTexels texels = NoiseTexels::bytes;  ///< of built-in noise
+    FileIndex file{};
+    Diagnostics remarks;
+};
+
+struct Texture {
+    TextureTarget target = TextureTarget::texture2D;
+    std::variant<PictureSource, EmptySource, NoiseSource> source;
+    Place place;
+    int unit = 0;        ///< of the language; a texture with a name has none
+    std::string name{};  ///< empty: it is on a unit
+    // The rest is of textures with a name.
+    base::SamplerState sampler{};
+    int levels = 1;           ///< of an empty texture; 0: down to one texel
+    int samples = 1;          ///< more: multisampled
+    bool isFlipped = false;   ///< rows of a file from the bottom up
+    bool isSrgb = false;      ///< texels of a file are sRGB
+    bool hasMipmaps = false;  ///< made after each writer, and from files
+    bool hasHistory = false;  ///< there are two copies, which are exchanged
+};
+
+/// A sampler with a name, for texture.name.
+struct Sampler {
+    std::string name;
+    base::SamplerState state;
+    Place place;
+};
+
+/// Memory that shaders read and write.
+struct Buffer {
+    std::string name;
+    /// The element's type: a basic GLSL type, or a structure of a shader. Empty: that of the block called
+    /// `name`.
+    std::string type;
+    std::optional<std::uint64_t> count{};  ///< elements; nothing: as many as the values fill
+    std::vector<double> values;            ///< components in order; what they do not fill is zero
+    FileIndex file{};                      ///< raw bytes, in place of `values`
+    bool hasHistory = false;
+    Place place;
+};
+
+/// A texture or a part of it.
+struct TextureView {
+    TextureIndex texture{};
+    std::optional<int> level{};  ///< one level
+    std::optional<int> layer{};  ///< of an array or a 3D texture, or the face of a cube map
+    bool isPrevious = false;     ///< the other copy of a texture with history
+    SamplerIndex sampler{};      ///< none: the texture's own
+    friend bool operator==(const TextureView&, const TextureView&) = default;
+};
+
+struct BufferView {
+    BufferIndex buffer{};
+    bool isPrevious = false;
+    friend bool operator==(const BufferView&, const BufferView&) = default;
+};
+
+using ObjectView = std::variant<TextureView, BufferView>;
+
+/// A sampler, image or block of a program that a tag binds to an object.
+struct ObjectBinding {
+    std::string tag;
+    ObjectView object;
+    glib::Position tagPosition{}, valuePosition{};
+    bool mayBeUnknown = false;  ///< as in UniformSpec
+};
+
+/// What draws set besides the values of their program's Program statement. Draws share these.
+struct UniformSet {
+    std::vector<glib::UniformSpec> values;
+    std::vector<ObjectBinding> objects;
+};
+
+/// A vertex input that an Attribute statement gives.
+struct AttributeBinding {
+    std::string name;
+    /// A mesh attribute (geometry's name), one to four numbers, or a buffer.
+    std::variant<std::string, std::vector<double>, BufferView> source;
+    bool isPerInstance = false;  ///< of a buffer
+    Place place;
+};
+struct AttributeSet {
+    std::vector<AttributeBinding> bindings;
+};
+
+/// How a draw samples its textures.
+struct Sampling {
+    bool clamp = false;  ///< clamp to edge, otherwise repeat (noise always repeats, cube maps always clamp)
+};
+
+/// Units that hold the noise textures until a scene fills them; Noise2 and Noise3 without a tag read them.
+inline constexpr int kNoise2Unit = 2;
+inline constexpr int kNoise3Unit = 3;
+
+/// One filled slot of the (unit, target) table. The first two elements of Scene::textures are the noise
+/// textures: 2D on unit 2, 3D on unit 3.
+struct Slot {
+    int unit = 0;
+    TextureTarget target = TextureTarget::texture2D;
+    TextureIndex texture{};
+};
+
+/// The shader file of one stage that was current at a Program statement.
+struct StageFile {
+    glsl::Stage stage = glsl::Stage::vertex;
+    FileIndex file{};
+};
+
+struct Program {
+    std::string name;
+    Place place;
+    std::vector<StageFile> stages;  ///< a compute program has only that stage
+    std::string geometryInput;      ///< a lower-case GLSL word, or empty
+    std::string geometryOutput;
+    int geometryVerticesOut = 0;
+    std::vector<glib::UniformSpec> uniforms;
+    [[nodiscard]] bool hasStage(glsl::Stage stage) const {
+        for (const StageFile& each : stages)
+            if (each.stage == stage) return true;
+        return false;
+    }
+};
+
+/// What a scene declares. Indices into these lists stay valid until the scene is read again.
+struct Declarations {
+    List<FileReference> files;
+    List<Shape> shapes;
+    List<Texture> textures;
+    List<Sampler> samplers;
+    List<Buffer> buffers;
+    List<SlotTable> slotTables;
+    List<UniformSet> uniformSets;
+    List<AttributeSet> attributeSets;
+    List<Program> programs;
+};
+
+}  // namespace glibra::scene

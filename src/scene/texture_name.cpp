@@ -1,0 +1,73 @@
+#include "scene/texture_name.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "base/suggest.h"
+#include "scene/texture_parts.h"
+
+namespace glibra::scene {
+namespace {
+
+/// Takes ".word" or ".word(number)" from the front; false if there is none.
+bool takePart(std::string_view& text, std::string_view& word, std::optional<int>& number) {
+    if (!text.starts_with('.')) return false;
+    const std::size_t end = std::min(text.find_first_of(".(", 1), text.size());
+    word = text.substr(1, end - 1);
+    number.reset();
+    text.remove_prefix(end);
+    if (!text.starts_with('(')) return true;
+    const std::size_t close = text.find(')');
+    if (close == std::string_view::npos) return false;
+    int value = 0;
+    const auto [last, problem] = std::from_chars(text.data() + 1, text.data() + close, value);
+    if (problem != std::errc() || last != text.data() + close || value < 0) return false;
+    number = value;
+    text.remove_prefix(close + 1);
+    return true;
+}
+
+}  // namespace
+
+Result<TextureView> textureNamed(const Scene& scene, std::string_view text) {
+    const auto bad = [&](const std::string& why) {
+        return withoutId(Severity::error, fmt::format("'{}': {}", text, why));
+    };
+    std::string_view rest = text;
+    const std::string_view name = rest.substr(0, rest.find('.'));
+    rest.remove_prefix(name.size());
+    TextureView view;
+    std::vector<std::string_view> names;
+    for (const TextureIndex each : scene.textures.indices()) {
+        const Texture& texture = scene.textures[each];
+        if (!texture.name.empty()) names.push_back(texture.name);
+        if (!name.empty() && texture.name == name) view.texture = each;
+    }
+    if (!view.texture)
+        return bad(fmt::format("the scene has no texture of that name{}", base::suggestion(name, names)));
+    const Texture& texture = scene.textures[view.texture];
+    while (!rest.empty()) {
+        std::string_view word;
+        std::optional<int> number;
+        const bool isPart = takePart(rest, word, number);
+        if (isPart && word == "level" && number)
+            view.level = number;
+        else if (isPart && (word == "layer" || word == "face") && number)
+            view.layer = number;
+        else if (isPart && word == "prev" && !number)
+            view.isPrevious = true;
+        else
+            return bad("expected .level(n), .layer(n), .face(n) or .prev after the name");
+    }
+    const auto levels = levelsOf(texture);
+    if (view.level && levels && *view.level >= *levels)
+        return bad(fmt::format("'{}' has {} level{}", name, *levels, *levels == 1 ? "" : "s"));
+    if (view.isPrevious && !texture.hasHistory)
+        return bad(fmt::format("'{}' is declared without history", name));
+    return view;
+}
+
+}  // namespace glibra::scene

@@ -1,0 +1,68 @@
+#include "scene/texture_parts.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace glibra::scene {
+
+std::optional<int> levelsOf(const Texture& texture) {
+    const auto* empty = std::get_if<EmptySource>(&texture.source);
+    if (empty == nullptr) {
+        if (texture.hasMipmaps) return std::nullopt;
+        return 1;
+    }
+    // A texture with mipmaps has all of them, unless the scene says how many.
+    const int wanted = texture.hasMipmaps && texture.levels == 1 ? 0 : texture.levels;
+    if (wanted > 0) return wanted;
+    const int depth = texture.target == TextureTarget::texture3D ? empty->depth : 1;
+    const int height = texture.target == TextureTarget::texture1D ? 1 : empty->height;
+    return static_cast<int>(
+        std::bit_width(static_cast<unsigned>(std::max({1, empty->width, height, depth}))));
+}
+
+std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level) {
+    const auto* empty = std::get_if<EmptySource>(&texture.source);
+    if (empty == nullptr) return std::nullopt;
+    const auto smaller = [&](int side) { return std::max(1, side >> std::clamp(level, 0, 30)); };
+    std::array<int, 3> size{smaller(empty->width), smaller(empty->height), 1};
+    if (texture.target == TextureTarget::texture1D) size[1] = 1;
+    if (texture.target == TextureTarget::cube) size[2] = 6;
+    if (texture.target == TextureTarget::texture2DArray) size[2] = std::max(1, empty->depth);
+    if (texture.target == TextureTarget::texture3D) size[2] = smaller(empty->depth);
+    return size;
+}
+
+std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pass) {
+    if (pass.isWindow) return std::nullopt;
+    TextureIndex texture;
+    int level = 0;
+    if (!pass.targets.empty()) {
+        texture = pass.targets.front();
+        if (!pass.parts.empty()) level = pass.parts.front().level.value_or(0);
+    } else if (pass.depth) {
+        texture = pass.depth->texture;
+        level = pass.depth->level.value_or(0);
+    }
+    if (!texture) return std::nullopt;
+    const auto size = sizeOfLevel(scene.textures[texture], level);
+    if (!size) return std::nullopt;
+    return std::array{(*size)[0], (*size)[1]};
+}
+
+std::string_view wordOf(TextureTarget target) {
+    switch (target) {
+        case TextureTarget::texture1D:
+            return "1D";
+        case TextureTarget::texture2D:
+            return "2D";
+        case TextureTarget::texture3D:
+            return "3D";
+        case TextureTarget::cube:
+            return "cube";
+        case TextureTarget::texture2DArray:
+            break;
+    }
+    return "2DArray";
+}
+
+}  // namespace glibra::scene

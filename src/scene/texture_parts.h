@@ -1,0 +1,24 @@
+#pragma once
+// Sizes of textures and of their parts, as far as they are known without reading a file.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace glibra::scene {
+
+/// The mipmap levels of a texture; nothing if that depends on a file.
+std::optional<int> levelsOf(const Texture& texture);
+/// Width, height and layers of a level: 6 layers for a cube map, the depth at that level for a 3D texture. A
+/// 1D texture has the height 1. Nothing for textures of files.
+std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level);
+
+/// Width and height of the targets of a pass; nothing for the window and for textures of files.
+std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pass);
+
+/// "1D", "2D", "3D", "cube", "2DArray".
+std::string_view wordOf(TextureTarget target);
+
+}  // namespace glibra::scene
