@@ -21,6 +21,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra DESTINATION ${CMAKE_INSTA
 # The example scenes with all they read, as a library root.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures
         DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra)
+# The samples of README.md and of the pages.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/models DESTINATION ${CMAKE_INSTALL_DATADIR}/glibra/scenes)
 if(TARGET glibra_openimageio)
     install(TARGETS glibra_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra)

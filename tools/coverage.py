@@ -27,6 +27,19 @@ def first_line(path):
         return file.readline().strip().lstrip("#/ ")
 
 
+def summary(path):
+    """The first line, or the first sentence if the line ends within it."""
+    comment = []
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            if not re.match(r"#|//", line):
+                break
+            comment.append(line.strip().lstrip("#/ "))
+    if not comment or comment[0].endswith("."):
+        return comment[0] if comment else ""
+    return re.split(r"(?<=\.) ", " ".join(comment), maxsplit=1)[0]
+
+
 def identifiers(scene, topic):
     texts = [first_line(scene)]
     with open(scene, encoding="utf-8") as file:
@@ -78,8 +91,7 @@ def table():
             if not name.endswith(".glib"):
                 continue
             path = os.path.join(folder, topic, name)
-            header = first_line(path)
-            text = re.sub(r"^(?:" + IDENTIFIER.pattern + r"[\s,/()–-]*)+", "", header).replace("|", "\\|")
+            text = re.sub(r"^(?:" + IDENTIFIER.pattern + r"[\s,/()–-]*)+", "", summary(path)).replace("|", "\\|")
             lines.append(f"| [{topic}/{name[:-5]}]({topic}/{name}) | {text} | {source(identifiers(path, topic))} |")
     lines += ["", "---", "", "[README](../README.md) · [Tutorial](../docs/tutorial.md) · "
               "[The scene language](../docs/language.md)"]

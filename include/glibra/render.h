@@ -75,12 +75,20 @@ struct RenderOptions {
     bool alpha = false;           ///< keeps the window's alpha; otherwise pictures are opaque
     bool floatPixels = false;     ///< 32-bit float pixels, not limited to 0..1
     bool strict = false;          ///< warnings are errors
-    bool checkNan = false;        ///< finds the draws that put NaN or infinity into the picture
-    bool shim = true;             ///< false: shaders are compiled without translation
-    bool skip = true;             ///< false: reads, makes and draws even what the picture does not need
+    /// Draws what does not need the files that are missing or wrong, with a striped border around the
+    /// picture. The result has the errors and the picture.
+    bool incomplete = false;
+    bool checkNan = false;  ///< finds the draws that put NaN or infinity into the picture
+    bool shim = true;       ///< false: shaders are compiled without translation
+    bool skip = true;       ///< false: reads, makes and draws even what the picture does not need
     std::vector<std::filesystem::path>
-        libraryRoots{};   ///< searched for files besides the scene's own folders
+        libraryRoots{};  ///< searched for files besides the scene's own folders
+    /// If it is not empty, the scene may read only files below this folder and below the library folders.
+    /// Others are an error (file-E12), even if a link leads to them.
+    std::filesystem::path within{};
     bool checks = false;  ///< what Expect statements read is made, even if the picture does not show it
+    /// The text of the scene; nothing: what its file has. With a text the file need not exist.
+    std::optional<std::string> sceneText{};
     int tileSize = 0;  ///< pixels per side of the tiles of a large picture; 0: as large as the driver allows
     ViewState viewState{};
     /// Textures of a modern scene, or parts of them, that are drawn even if the picture does not show them:

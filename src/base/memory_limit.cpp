@@ -28,7 +28,7 @@ std::uint64_t machineBytes() {
     for (const char* each : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
         std::ifstream file(each);
         std::uint64_t limit = 0;
-        if (file >> limit) bytes = std::min(bytes, limit);  // the word "max" is no number
+        if (file >> limit) bytes = std::min(bytes, limit);  // the word "max" is not a number
     }
     return bytes;
 }

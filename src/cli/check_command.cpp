@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -16,6 +18,7 @@
 #include "cli/json_output.h"
 #include "cli/picture_options.h"
 #include "cli/render_answer.h"
+#include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
@@ -28,6 +31,7 @@ namespace {
 
 struct CheckArguments {
     std::vector<std::string> scenes;
+    std::optional<std::string> standardInput;  ///< the text of the scene kStandardInput
     suite::Shot picture;
     Driver driver = Driver::automatic;
     bool json = false;
@@ -65,24 +69,29 @@ class SceneChecker {
         }
         const std::string& scene = arguments_.scenes[index];
         return pack(guarded(scene, [&] {
-            render::CheckResult checked = render::checkScene(*context_, scene, arguments_.picture.options);
+            const RenderOptions options =
+                optionsFor(scene, arguments_.standardInput, arguments_.picture.options);
+            render::CheckResult checked = render::checkScene(*context_, scene, options);
             if (arguments_.translated.empty()) checked.shaders.clear();
-            if (arguments_.run) checked.diagnostics = runOf(scene, std::move(checked.diagnostics));
+            if (arguments_.run) checked.diagnostics = runOf(scene, options, std::move(checked.diagnostics));
+            SourceLines lines;
+            if (quotesLines_) lines = linesOf(checked.diagnostics, arguments_.standardInput);
             return Answer{.remarks = {std::move(checked.diagnostics), {}},
-                          .shaders = std::move(checked.shaders)};
+                          .shaders = std::move(checked.shaders),
+                          .lines = std::move(lines)};
         }));
     }
 
   private:
     /// What drawing the scene reports in addition, and its checks that do not hold.
-    Diagnostics runOf(const std::string& scene, Diagnostics checked) {
-        const RenderOptions& options = arguments_.picture.options;
+    Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
         if (hasError(checked)) return render::withoutExpected(render::checksOf(scene, options), checked);
         return render::runChecks(*context_, scene, options);
     }
 
     const CheckArguments& arguments_;
     int jobs_;
+    bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
 };
 
@@ -118,7 +127,7 @@ class CheckReport {
         if (arguments_.json && status_ != kNoDriver)
             scenes_.push_back({scene, std::move(diagnostics)});
         else
-            print(diagnostics);
+            print(diagnostics, answer.lines);
     }
 
     const CheckArguments& arguments_;
@@ -129,7 +138,15 @@ class CheckReport {
 };
 
 int run(CheckArguments& arguments) {
-    arguments.picture.options.libraryRoots = libraryRoots();
+    SceneArguments named;
+    const Diagnostics problems = resolveScenes(arguments.scenes, named);
+    print(problems);
+    if (hasError(problems)) return kSceneIsWrong;
+    arguments.scenes = std::move(named.scenes);
+    arguments.standardInput = std::move(named.standardInput);
+    if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
+    std::vector<std::filesystem::path>& roots = arguments.picture.options.libraryRoots;
+    for (std::filesystem::path& each : libraryRoots()) roots.push_back(std::move(each));
     const int jobs = arguments.jobs > 0 ? arguments.jobs : suite::defaultJobs();
     std::optional<base::Sandbox> sandbox;
     if (arguments.untrusted) {
@@ -165,18 +182,27 @@ void addCheck(CommandLine& program, int& status) {
     CommandLine command = program.subcommand(
         "check",
         "parses scenes, finds their files, compiles and links their shaders; draws nothing without --run",
-        "glibra check a.glib");
-    command.list("SCENE", arguments->scenes, "scene files (.glib)").required();
-    command.driver(arguments->driver);
+        "glibra check teapot.glib                 # messages only; exit status 3 if something is wrong\n"
+        "glibra check submissions/ --strict       # all scenes of a folder; warnings are errors\n"
+        "glibra check teapot.glib --run           # draws it too, and answers its Expect statements");
+    command.list("SCENE", arguments->scenes, "scene files (.glib) or folders of them; - is standard input")
+        .required();
+    command.driver(arguments->driver).rare();
     command.jobs(arguments->jobs);
-    addPictureOption(command, "timeout", arguments->picture);
+    for (const char* each : {"size", "time", "steps", "set", "eye", "samples", "library", "timeout"})
+        addPictureOption(command, each, arguments->picture);
     addPictureOption(command, "memory", arguments->picture);
     addUntrustedOption(command, arguments->untrusted);
     addPictureOption(command, "strict", arguments->picture);
     addPictureOption(command, "no-shim", arguments->picture);
-    command.option("--translated", arguments->translated,
-                   "folder for the shaders after translation, as the driver compiles them");
+    command
+        .option("--translated", arguments->translated,
+                "folder for the shaders after translation, as the driver compiles them")
+        .rare();
+    command.find("--untrusted").rare();
     command.flag("--run", arguments->run, "draw the scenes and answer their Expect statements");
+    for (const char* each : {"--time", "--steps", "--eye", "--samples"})
+        command.find(each).needs(command.find("--run"));
     command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");
     command.onRun([arguments, &status] { status = run(*arguments); });
 }

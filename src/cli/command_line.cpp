@@ -11,27 +11,74 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/suggest.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 
 namespace glibra::cli {
 namespace {
 
-/// Puts the example before the description.
-class ExampleFormatter : public CLI::Formatter {
+/// The options that --help leaves out and --help-all lists.
+constexpr const char* kRare = "More options";
+
+/// Prints the examples first, then the description, then the options: without those that are rare, without
+/// former names, and without lists of what excludes what, which the message about the mistake says.
+class ExamplesFirst : public CLI::Formatter {
   public:
-    explicit ExampleFormatter(std::string example) : example_(std::move(example)) {}
+    explicit ExamplesFirst(std::string examples) : examples_(std::move(examples)) {}
+
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
+        const bool all = mode == CLI::AppFormatMode::All;
+        std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+        std::size_t omitted = 0;
+        for (const std::string& group : app->get_groups()) {
+            const std::vector<const CLI::Option*> options = app->get_options(
+                [&](const CLI::Option* each) { return each->get_group() == group && each->nonpositional(); });
+            if (group.empty() || options.empty()) continue;
+            if (group == kRare && !all)
+                omitted = options.size();
+            else
+                text += make_group(group, false, options);
+        }
+        text += make_subcommands(app, all ? CLI::AppFormatMode::Normal : mode);
+        if (omitted > 0) text += fmt::format("\n--help-all lists {} more options.\n", omitted);
+        return text;
+    }
+
     std::string make_description(const CLI::App* app) const override {
-        return "Example: " + example_ + "\n\n" + CLI::Formatter::make_description(app);
+        std::string text = "Examples:\n";
+        std::istringstream lines(examples_);
+        for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+        return text + "\n" + CLI::Formatter::make_description(app);
+    }
+
+    std::string make_option_name(const CLI::Option* option, bool isPositional) const override {
+        if (isPositional || option->get_lnames().empty())
+            return CLI::Formatter::make_option_name(option, isPositional);
+        std::string text;
+        for (const std::string& each : option->get_snames()) text += "-" + each + ",";
+        return text + "--" + option->get_lnames().front();
+    }
+
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string text;
+        if (option->get_type_size() == 0) return text;
+        if (!option->get_type_name().empty()) text += " " + option->get_type_name();
+        if (!option->get_default_str().empty()) text += "=" + option->get_default_str();
+        if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+        return text;
     }
 
   private:
-    std::string example_;
+    std::string examples_;
 };
 
-/// The last of an option's names is the one that messages show.
+/// The first long name, which messages show; former names are after it.
 std::string shownName(const std::string& name) {
-    return name.substr(name.rfind(',') + 1);
+    const std::size_t at = name.find("--");
+    const std::string shown = at == std::string::npos ? name : name.substr(at);
+    return shown.substr(0, shown.find(','));
 }
 
 void readOne(const std::string& name, const ReadValue& read, const std::string& text) {
@@ -65,6 +112,48 @@ CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& to, const
     CLI::Option* option = addReader(app, name, read, help)->type_name("N");
     option->default_function([&to] { return fmt::format("{:g}", static_cast<double>(to)); });
     return option;
+}
+
+/// What is wrong with the first word that the command does not understand, with the nearest option; empty if
+/// it understands all. It is reported before what follows from it, such as a missing value.
+std::string unknownWord(const CLI::App& command) {
+    const std::vector<std::string> words = command.remaining();
+    if (words.empty()) return {};
+    const auto isOption = [](const std::string& each) { return each.size() > 1 && each.front() == '-'; };
+    const auto found = std::find_if(words.begin(), words.end(), isOption);
+    if (found == words.end())
+        return fmt::format("'{}' is one word too many for {}", words.front(), command.get_name());
+    const std::string word = found->substr(0, found->find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* each : command.get_options()) {
+        if (each->get_group().empty()) continue;
+        for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return fmt::format("{} has no option '{}'{}", command.get_name(), word,
+                       base::suggestion(word, candidates, 2));
+}
+
+/// CLI11's message in this program's words.
+std::string explained(const CLI::ParseError& wrong) {
+    std::string text = wrong.what();
+    const std::string kind = wrong.get_name();
+    // "--size: 1 required WxH missing"
+    constexpr std::string_view kMissing = " missing";
+    if (const std::size_t colon = text.find(": 1 required ");
+        colon != std::string::npos && text.ends_with(kMissing)) {
+        const std::size_t type = colon + std::string_view(": 1 required ").size();
+        return fmt::format("{} needs a value: {}", text.substr(0, colon),
+                           text.substr(type, text.size() - type - kMissing.size()));
+    }
+    const auto reworded = [&](std::string_view from, std::string_view to) {
+        if (const std::size_t at = text.find(from); at != std::string::npos)
+            text.replace(at, from.size(), to);
+    };
+    if (kind == "ExcludesError") reworded(" excludes ", " cannot be given together with ");
+    if (kind == "RequiresError") reworded(" requires ", " has an effect only with ");
+    if (kind == "RequiredError") reworded(" is required", " is missing");
+    return text;
 }
 
 /// "a, b or c"
@@ -103,6 +192,11 @@ Option& Option::withDefault() {
 
 Option& Option::existingFile() {
     option_->check(CLI::ExistingFile.description(""))->type_name("FILE");
+    return *this;
+}
+
+Option& Option::rare() {
+    option_->group(kRare);
     return *this;
 }
 
@@ -211,9 +305,9 @@ Option CommandLine::find(const std::string& name) const {
     return Option(*app_->get_option(name));
 }
 
-CommandLine CommandLine::subcommand(const char* name, const char* summary, const char* example) {
+CommandLine CommandLine::subcommand(const char* name, const char* summary, const char* examples) {
     CLI::App* added = app_->add_subcommand(name, summary);
-    added->formatter(std::make_shared<ExampleFormatter>(example));
+    added->formatter(std::make_shared<ExamplesFirst>(examples));
     return CommandLine(*added);
 }
 
@@ -222,6 +316,7 @@ void CommandLine::subcommand(const char* name, const char* summary,
     CLI::App* added = app_->add_subcommand(name, summary);
     added->prefix_command();
     added->set_help_flag();
+    added->set_help_all_flag();
     added->callback([added, run] { run(added->remaining()); });
 }
 
@@ -233,9 +328,11 @@ bool CommandLine::isGiven() const {
     return app_->parsed();
 }
 
-Program::Program(const char* description, const char* example, const char* name)
+Program::Program(const char* description, const char* examples, const char* name)
     : app_(std::make_unique<CLI::App>(description, name)) {
-    app_->formatter(std::make_shared<ExampleFormatter>(example));
+    app_->set_help_flag("-h,--help", "print this help, without rare options");
+    app_->set_help_all_flag("--help-all", "print this help with all options");
+    app_->formatter(std::make_shared<ExamplesFirst>(examples));
 }
 
 Program::~Program() = default;
@@ -252,21 +349,35 @@ void Program::requireSubcommand() {
     app_->require_subcommand(1);
 }
 
+std::vector<std::string> Program::subcommands() const {
+    std::vector<std::string> names;
+    for (const CLI::App* each : app_->get_subcommands({})) names.push_back(each->get_name());
+    return names;
+}
+
 std::optional<int> Program::parse(int argc, char** argv) {
     try {
         app_->parse(argc, argv);
         return std::nullopt;
-    } catch (const CLI::ParseError& wrong) {
+    } catch (const CLI::Success& asked) {
         std::ostringstream help;
-        std::ostringstream error;
-        const int status = app_->exit(wrong, help, error);
-        const auto put = [](const std::string& text, std::FILE* file) {
-            const std::string safe = base::printableText(text, true);  // arguments may be names of files
-            std::fwrite(safe.data(), 1, safe.size(), file);
-        };
-        put(help.str(), stdout);
-        put(error.str(), stderr);
-        return status == 0 ? kDone : kWrongUsage;
+        std::ostringstream none;
+        app_->exit(asked, help, none);
+        // Arguments may be names of files.
+        const std::string safe = base::printableText(help.str(), true);
+        std::fwrite(safe.data(), 1, safe.size(), stdout);
+        return kDone;
+    } catch (const CLI::ParseError& wrong) {
+        const CLI::App* command = app_.get();
+        std::string name = command->get_name();
+        while (!command->get_subcommands().empty()) {
+            command = command->get_subcommands().back();
+            name += " " + command->get_name();
+        }
+        const std::string unknown = unknownWord(*command);
+        printError(unknown.empty() ? explained(wrong) : unknown);
+        printLine(fmt::format("`{} --help` begins with examples", name));
+        return kWrongUsage;
     }
 }
 

@@ -40,7 +40,9 @@ class Option {
     Option& withDefault();
     /// The value is the name of a file that exists.
     Option& existingFile();
-    /// --help does not list it.
+    /// --help does not list it, --help-all does: for what few users need.
+    Option& rare();
+    /// Neither lists it.
     Option& hidden();
     Option& required();
     Option& needs(const Option& other);
@@ -53,7 +55,8 @@ class Option {
 };
 
 /// A program or a subcommand. Names of options are as in "-o,--output"; positional arguments have names
-/// without dashes. The variables take their values while the command line is read, and must live until then.
+/// without dashes. In "--eye,--view" the second long name is a former one, which works and is not listed. The
+/// variables take their values while the command line is read, and must live until then.
 class CommandLine {
   public:
     explicit CommandLine(CLI::App& app) : app_(&app) {}
@@ -95,8 +98,8 @@ class CommandLine {
     [[nodiscard]] Option find(const std::string& name) const;
 
     /// Adds a subcommand. `summary` says what it does, without a subject: "renders scenes to pictures". Its
-    /// --help begins with the example.
-    CommandLine subcommand(const char* name, const char* summary, const char* example);
+    /// --help begins with the examples, one per line.
+    CommandLine subcommand(const char* name, const char* summary, const char* examples);
     /// Adds a subcommand that takes the rest of the command line, --help included, as it is.
     void subcommand(const char* name, const char* summary,
                     const std::function<void(const std::vector<std::string>&)>& run);
@@ -114,8 +117,8 @@ class CommandLine {
 /// The command line of a program.
 class Program {
   public:
-    /// `name` is what --help prints as the program's name; empty: the name that it was started by.
-    Program(const char* description, const char* example, const char* name = "");
+    /// `name` is what --help prints as the program's name. The examples stand one per line.
+    Program(const char* description, const char* examples, const char* name = "glibra");
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -124,6 +127,8 @@ class Program {
     /// --version prints the text.
     void version(const char* text);
     void requireSubcommand();
+    /// The names of the subcommands, in their order.
+    [[nodiscard]] std::vector<std::string> subcommands() const;
     /// Reads the arguments and runs the subcommand. Returns nothing, or the exit status of a command line
     /// that is wrong or asked for help only; what it asked for has been printed.
     std::optional<int> parse(int argc, char** argv);

@@ -5,8 +5,11 @@
 #include <glibra/diagnostic.h>
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glibra::cli {
@@ -22,6 +25,7 @@ inline constexpr int kNoDriver = 4;
 
 void addRender(CommandLine& program, int& status);
 void addTest(CommandLine& program, int& status);
+void addClass(CommandLine& program, int& status);
 void addCheck(CommandLine& program, int& status);
 void addCompare(CommandLine& program, int& status);
 void addView(CommandLine& program, int& status);
@@ -30,13 +34,25 @@ void addBench(CommandLine& program, int& status);
 void addInfo(CommandLine& program, int& status);
 void addLanguage(CommandLine& program, int& status);
 
-// Names, messages and text of scenes go to a terminal or a log only through these four: what a terminal would
+// Names, messages and text of scenes go to a terminal or a log only through these: what a terminal would
 // obey is written out (base::printableText).
 
-/// The lines to print for diagnostics, with colours if `color`.
-std::string printable(const Diagnostics& diagnostics, bool color);
-/// Prints diagnostics to standard error, with colours if it is a terminal.
-void print(const Diagnostics& diagnostics);
+/// True if text for the descriptor is to have colours: it is a terminal, unless NO_COLOR, CLICOLOR=0 or
+/// CLICOLOR_FORCE say otherwise.
+bool hasColor(int descriptor);
+
+/// Lines of source files by file and number, for diagnostics to quote.
+using SourceLines = std::map<std::pair<std::string, int>, std::string>;
+/// The lines that the errors name. The processes that read a scene read them too: a diagnostic of a worker
+/// may name any file, so the main process must not open it. `standardInput` is the text of the scene
+/// kStandardInput.
+SourceLines linesOf(const Diagnostics& diagnostics, const std::optional<std::string>& standardInput = {});
+
+/// The lines to print for diagnostics, with colours if `color`. An error whose line is among `lines` is
+/// followed by it, with a caret below the column.
+std::string printable(const Diagnostics& diagnostics, bool color, const SourceLines& lines = {});
+/// Prints diagnostics to standard error, with colours if it has them.
+void print(const Diagnostics& diagnostics, const SourceLines& lines = {});
 /// Prints a line to standard error.
 void printLine(std::string_view text);
 /// Prints "glibra: error: WHY" to standard error.

@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <future>
 #include <memory>
+#include <set>
+#include <system_error>
 
 #include "base/memory_limit.h"
+#include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
@@ -12,12 +17,15 @@
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
 #include "image/file.h"
+#include "image/format.h"
 #include "image/png/png_chunks.h"
 #include "image/read.h"
 #include "image/write.h"
 
 namespace glibra::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct CompareArguments {
     std::string first, second, heatMap;
@@ -42,7 +50,15 @@ Result<image::Image> decode(const std::vector<std::byte>& file, const std::strin
     return image::decodeImage(file, path, {path, 1, 1}, options);
 }
 
-std::string toText(const image::Judgement& judged, const image::Image& expected) {
+/// A pair of pictures: their files, and what messages call them if there are several.
+struct Pair {
+    std::string first, second;
+    std::string name;     ///< empty: the only pair
+    std::string heatMap;  ///< empty: none
+};
+
+std::string toText(const image::Judgement& judged, const image::Image& expected,
+                   const image::Tolerance& tolerance) {
     const image::Comparison& found = judged.comparison;
     if (judged.same && found.identical)
         return found.nonFinite == 0 ? "identical\n" : fmt::format("identical: {}\n", judged.reason);
@@ -53,61 +69,150 @@ std::string toText(const image::Judgement& judged, const image::Image& expected)
     text += fmt::format("  pixels that differ  {} ({:.3g} %), {} beyond the limit\n", found.differingPixels,
                         differingFraction(found, expected) * 100, judged.beyond);
     text += fmt::format("  RMSE                {:.4g} of 255\n", found.rootMeanSquare * 255);
-    text += fmt::format("  mean of a block     {:.3g} of 255 at {}, {}\n", judged.bias, judged.biasX,
-                        judged.biasY);
+    text += fmt::format("  mean of a block     {} at {}, {}\n", image::biasText(judged, tolerance),
+                        judged.biasX, judged.biasY);
     if (found.nonFinite > 0) text += fmt::format("  not finite          {} components\n", found.nonFinite);
     if (judged.structure) text += fmt::format("  structure           {:.4g}\n", *judged.structure);
     if (judged.flip) text += fmt::format("  mean FLIP           {:.4g}\n", *judged.flip);
     return text;
 }
 
-void show(const image::Judgement& judged, const image::Image& expected, const image::Image& got, bool json) {
-    const std::string text = json ? toJson(judged, expected, got) : toText(judged, expected);
-    std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
 /// Writes the heat map: of the FLIP errors with --flip, otherwise of the differences. Returns the exit
 /// status.
-int writeHeatMap(const CompareArguments& arguments, const image::Image& expected, const image::Image& got) {
+int writeHeatMap(const std::string& file, const image::Tolerance& tolerance, const image::Image& expected,
+                 const image::Image& got) {
     if (expected.width != got.width || expected.height != got.height) {
         print({withoutId(Severity::warning, "no heat map is written, since the sizes differ")});
         return kDone;
     }
-    const image::Image map = arguments.tolerance.flip ? image::flipHeatMap(image::flip(expected, got))
-                                                      : image::differenceHeatMap(expected, got);
-    const Diagnostics problems = image::writeImage(map, arguments.heatMap);
+    const image::Image map = tolerance.flip ? image::flipHeatMap(image::flip(expected, got))
+                                            : image::differenceHeatMap(expected, got);
+    std::error_code ignored;  // reported with the file that cannot be written
+    if (const fs::path folder = fs::path(file).parent_path(); !folder.empty())
+        fs::create_directories(folder, ignored);
+    const Diagnostics problems = image::writeImage(map, file);
     print(problems);
     return hasError(problems) ? kSceneIsWrong : kDone;
+}
+
+/// Compares pairs of pictures and prints what it finds; JSON is collected and printed at the end.
+class Comparer {
+  public:
+    explicit Comparer(const CompareArguments& arguments) : arguments_(arguments) {}
+
+    /// Returns the exit status of the pair.
+    int compare(const Pair& pair) {
+        const File first = readWhole(pair.first), second = readWhole(pair.second);
+        print(first.diagnostics);
+        print(second.diagnostics);
+        if (!first || !second) return kSceneIsWrong;
+        if (pair.heatMap.empty() && *first == *second && image::pngChunks(*first)) {
+            image::Judgement equal;
+            equal.same = true;
+            equal.reason = "the files have the same bytes";
+            show(pair, equal, {}, {});
+            return kDone;
+        }
+        auto decoding =
+            std::async(std::launch::async, [&] { return decode(*second, pair.second, arguments_.limits); });
+        const Result<image::Image> expected = decode(*first, pair.first, arguments_.limits);
+        const Result<image::Image> got = decoding.get();
+        print(expected.diagnostics);
+        print(got.diagnostics);
+        if (!expected || !got) return kSceneIsWrong;
+        const image::Judgement judged =
+            image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);
+        show(pair, judged, *expected, *got);
+        const int written =
+            pair.heatMap.empty() ? kDone : writeHeatMap(pair.heatMap, arguments_.tolerance, *expected, *got);
+        return std::max(judged.same ? kDone : kDiffers, written);
+    }
+
+    /// A picture that only one of two folders has.
+    int missing(const std::string& name, const std::string& from) {
+        if (arguments_.json)
+            add(name, R"({"same": false, "reason": "missing"})");
+        else
+            put(fmt::format("{}: missing from {}\n", name, from));
+        return kDiffers;
+    }
+
+    /// Prints the JSON of the pairs of two folders.
+    void finish() const {
+        if (arguments_.json && !list_.empty()) put("[" + list_ + "]\n");
+    }
+
+  private:
+    static void put(const std::string& text) {
+        const std::string safe = base::printableText(text, true);
+        std::fwrite(safe.data(), 1, safe.size(), stdout);
+    }
+    void add(const std::string& name, const std::string& json) {
+        list_ += fmt::format("{}{{\"name\": {}, \"result\": {}}}", list_.empty() ? "" : ",\n", jsonText(name),
+                             json);
+    }
+    void show(const Pair& pair, const image::Judgement& judged, const image::Image& expected,
+              const image::Image& got) {
+        if (!arguments_.json)
+            put((pair.name.empty() ? "" : pair.name + ": ") + toText(judged, expected, arguments_.tolerance));
+        else if (pair.name.empty())
+            put(toJson(judged, expected, got, arguments_.tolerance));
+        else
+            add(pair.name, toJson(judged, expected, got, arguments_.tolerance));
+    }
+
+    const CompareArguments& arguments_;
+    std::string list_;
+};
+
+/// The pictures in a folder and below it, by their paths from there.
+std::set<std::string> picturesBelow(const fs::path& folder) {
+    std::set<std::string> names;
+    std::error_code failure;
+    for (fs::recursive_directory_iterator each(folder, failure), end; !failure && each != end;
+         each.increment(failure))
+        if (each->is_regular_file(failure) && !each->path().filename().string().starts_with('.') &&
+            image::formatOfSuffix(each->path()) != image::Format::unknown)
+            names.insert(each->path().lexically_relative(folder).generic_string());
+    return names;
+}
+
+int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
+    const std::set<std::string> expected = picturesBelow(arguments.first),
+                                got = picturesBelow(arguments.second);
+    std::set<std::string> all = expected;
+    all.insert(got.begin(), got.end());
+    if (all.empty()) {
+        printError(fmt::format("there are no pictures in '{}' and '{}'", arguments.first, arguments.second));
+        return kSceneIsWrong;
+    }
+    int status = kDone;
+    std::size_t same = 0;
+    for (const std::string& name : all) {
+        int of = kDone;
+        if (!expected.contains(name) || !got.contains(name))
+            of = comparer.missing(name, expected.contains(name) ? arguments.second : arguments.first);
+        else
+            of = comparer.compare(
+                {(fs::path(arguments.first) / name).string(), (fs::path(arguments.second) / name).string(),
+                 name, arguments.heatMap.empty() ? "" : (fs::path(arguments.heatMap) / name).string()});
+        same += of == kDone ? 1 : 0;
+        status = std::max(status, of);
+    }
+    comparer.finish();
+    printLine(fmt::format("{} of {} pictures are the same", same, all.size()));
+    return status;
 }
 
 int run(CompareArguments& arguments) {
     // Limits this process, which decodes PNG and BMP itself.
     base::MemoryLimit().set(arguments.limits.memory.value_or(base::memoryShare(1, 1)));
     if (arguments.exact) arguments.tolerance = image::exactTolerance();
-    const File first = readWhole(arguments.first), second = readWhole(arguments.second);
-    print(first.diagnostics);
-    print(second.diagnostics);
-    if (!first || !second) return kSceneIsWrong;
-    const bool heatMap = !arguments.heatMap.empty();
-    if (!heatMap && *first == *second && image::pngChunks(*first)) {
-        image::Judgement equal;
-        equal.same = true;
-        equal.reason = "the files have the same bytes";
-        show(equal, {}, {}, arguments.json);
-        return kDone;
-    }
-
-    auto decoding =
-        std::async(std::launch::async, [&] { return decode(*second, arguments.second, arguments.limits); });
-    const Result<image::Image> expected = decode(*first, arguments.first, arguments.limits);
-    const Result<image::Image> got = decoding.get();
-    print(expected.diagnostics);
-    print(got.diagnostics);
-    if (!expected || !got) return kSceneIsWrong;
-    const image::Judgement judged = image::judge(*expected, *got, arguments.tolerance, arguments.everything);
-    show(judged, *expected, *got, arguments.json);
-    const int written = heatMap ? writeHeatMap(arguments, *expected, *got) : kDone;
-    return std::max(judged.same ? kDone : kDiffers, written);
+    std::error_code failure;
+    Comparer comparer(arguments);
+    if (fs::is_directory(arguments.first, failure) && fs::is_directory(arguments.second, failure))
+        return compareFolders(arguments, comparer);
+    return comparer.compare({arguments.first, arguments.second, {}, arguments.heatMap});
 }
 
 }  // namespace
@@ -115,14 +220,18 @@ int run(CompareArguments& arguments) {
 void addCompare(CommandLine& program, int& status) {
     auto arguments = std::make_shared<CompareArguments>();
     image::Tolerance& tolerance = arguments->tolerance;
-    CommandLine command =
-        program.subcommand("compare", "compares two pictures; the exit status is 1 if they differ",
-                           "glibra compare expected.png got.png --heatmap difference.png");
-    command.option("A", arguments->first, "picture file, the expected one").required();
-    command.option("B", arguments->second, "picture file").required();
+    CommandLine command = program.subcommand(
+        "compare", "compares two pictures; the exit status is 1 if they differ",
+        "glibra compare expected.png got.png\n"
+        "glibra compare expected.png got.png --heatmap difference.png\n"
+        "glibra compare expected/ got/ --exact          # pictures of equal names in two folders");
+    command.option("A", arguments->first, "picture file, the expected one, or a folder of them").required();
+    command.option("B", arguments->second, "picture file, or a folder with pictures of the same names")
+        .required();
     command
         .option("--heatmap", arguments->heatMap,
-                "picture file that shows where and how much they differ; with --flip, the FLIP errors")
+                "picture file (or folder) that shows where and how much they differ; with --flip, the FLIP "
+                "errors")
         .placeholder("FILE");
     command
         .option("--max", tolerance.largest, "difference that a component of every pixel may have, in 255ths")
@@ -165,6 +274,9 @@ void addCompare(CommandLine& program, int& status) {
     command.flag("--json", arguments->json, "print the figures as JSON");
     addPictureOption(command, "timeout", arguments->limits);
     addPictureOption(command, "memory", arguments->limits);
+    for (const char* each :
+         {"--cluster", "--line", "--bias", "--relative", "--absolute", "--timeout", "--memory", "--all"})
+        command.find(each).rare();
     command.onRun([arguments, &status] { status = run(*arguments); });
 }
 

@@ -41,8 +41,11 @@ int run(const InfoArguments& arguments) {
 
 void addInfo(CommandLine& program, int& status) {
     auto arguments = std::make_shared<InfoArguments>();
-    CommandLine command = program.subcommand("info", "prints the driver, its limits and its capabilities",
-                                             "glibra info --json");
+    CommandLine command =
+        program.subcommand("info", "prints the driver, its limits and its capabilities",
+                           "glibra info                 # driver, limits, capabilities\n"
+                           "glibra info --json\n"
+                           "glibra info --precision     # the errors of the GLSL functions");
     command.driver(arguments->driver);
     command.flag(
         "--precision", arguments->precision,

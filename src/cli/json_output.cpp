@@ -35,7 +35,12 @@ std::string toJson(const std::vector<CheckedScene>& scenes) {
     return lines(list);
 }
 
-std::string toJson(const image::Judgement& judged, const image::Image& expected, const image::Image& got) {
+std::string jsonText(const std::string& text) {
+    return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string toJson(const image::Judgement& judged, const image::Image& expected, const image::Image& got,
+                   const image::Tolerance& tolerance) {
     const image::Comparison& found = judged.comparison;
     Json json{{"same", judged.same},
               {"decidedBy", name(judged.decidedBy)},
@@ -57,6 +62,7 @@ std::string toJson(const image::Judgement& judged, const image::Image& expected,
     json["clusterAt"] = {judged.clusterX, judged.clusterY};
     json["line"] = judged.line;
     json["bias"] = judged.bias;
+    json["biasCountsUpTo"] = tolerance.largest;  // larger differences of a pixel count as this
     json["biasAt"] = {judged.biasX, judged.biasY};
     json["nonFinite"] = found.nonFinite;
     if (judged.structure) json["structure"] = *judged.structure;

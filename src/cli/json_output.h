@@ -20,7 +20,11 @@ struct CheckedScene {
 std::string toJson(const std::vector<CheckedScene>& scenes);
 
 /// The figures of `glibra compare`, and a line end. A figure that is infinite is null.
-std::string toJson(const image::Judgement& judged, const image::Image& expected, const image::Image& got);
+std::string toJson(const image::Judgement& judged, const image::Image& expected, const image::Image& got,
+                   const image::Tolerance& tolerance);
+
+/// The text in quotes, in ASCII.
+std::string jsonText(const std::string& text);
 
 /// The part of the picture's pixels that differ, 0 to 1.
 double differingFraction(const image::Comparison& found, const image::Image& picture);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <span>
@@ -7,9 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/suggest.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/language_page.h"
+#include "cli/shader_names.h"
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/statement_table.h"
@@ -54,6 +57,32 @@ std::string reference(const glib::StatementRow& row) {
     return text;
 }
 
+std::string reference(const ShaderName& row) {
+    return fmt::format("{:<38} {}\n{:<38} {} {}\n", row.names.front(), row.meaning, "", row.type,
+                       row.isInput ? "vertex input" : "uniform");
+}
+
+/// The rows of a name that shaders read, with that name first: gl_Color is an input and a uniform.
+std::vector<ShaderName> findShaderNames(std::string_view name) {
+    std::vector<ShaderName> rows = shaderNames();
+    std::erase_if(rows, [&](ShaderName& each) {
+        const auto found = std::find(each.names.begin(), each.names.end(), name);
+        if (found != each.names.end()) std::iter_swap(each.names.begin(), found);
+        return found == each.names.end();
+    });
+    return rows;
+}
+
+/// "; did you mean 'aVertex'?", with the nearest command or name that shaders read.
+std::string suggestionFor(std::string_view word) {
+    const std::vector<ShaderName> rows = shaderNames();
+    std::vector<std::string_view> names;
+    if (const std::string_view command = glib::nearestCommand(word); !command.empty())
+        names.push_back(command);
+    for (const ShaderName& each : rows) names.insert(names.end(), each.names.begin(), each.names.end());
+    return base::suggestion(word, names);
+}
+
 /// Refreshes the generated sections of a page in place.
 Diagnostics refresh(const std::string& file) {
     const auto bytes = image::readFile(file, {file, {}});
@@ -95,6 +124,8 @@ int run(const LanguageArguments& arguments) {
     if (arguments.word.empty()) {
         for (const glib::CommandRow& row : glib::commandTable()) fmt::print("{}", reference(row));
         for (const glib::StatementRow& row : glib::statementTable()) fmt::print("{}", reference(row));
+        fmt::print("\nNames that shaders read without declaring them\n\n");
+        for (const ShaderName& each : shaderNames()) fmt::print("{}", reference(each));
         return kDone;
     }
     const glib::CommandRow* command = glib::findCommand(arguments.word);
@@ -102,10 +133,11 @@ int run(const LanguageArguments& arguments) {
         command != nullptr ? glib::modernFormOf(arguments.word) : glib::findStatement(arguments.word);
     if (command != nullptr) fmt::print("{}", reference(*command));
     if (statement != nullptr) fmt::print("{}", reference(*statement));
-    if (command != nullptr || statement != nullptr) return kDone;
-    const std::string_view near = glib::nearestCommand(arguments.word);
-    printError(fmt::format("there is no command '{}'{}", arguments.word,
-                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    const std::vector<ShaderName> names = findShaderNames(arguments.word);
+    for (const ShaderName& each : names) fmt::print("{}", reference(each));
+    if (command != nullptr || statement != nullptr || !names.empty()) return kDone;
+    printError(fmt::format("there is no command and no shader name '{}'{}", arguments.word,
+                           suggestionFor(arguments.word)));
     return kWrongUsage;
 }
 
@@ -113,10 +145,13 @@ int run(const LanguageArguments& arguments) {
 
 void addLanguage(CommandLine& program, int& status) {
     auto arguments = std::make_shared<LanguageArguments>();
-    CommandLine command =
-        program.subcommand("language", "lists the commands of the scene language, with defaults in [ ]",
-                           "glibra language Sphere");
-    command.option("COMMAND", arguments->word, "show only this command");
+    CommandLine command = program.subcommand(
+        "language",
+        "lists the commands of the scene language, with defaults in [ ], and the names that shaders read",
+        "glibra language Sphere             # one command, or a name that shaders read\n"
+        "glibra language                    # all of them\n"
+        "glibra language --diagnostics      # all messages with their ids");
+    command.option("WORD", arguments->word, "show only this command, or this name that shaders read");
     command.flag("--diagnostics", arguments->diagnostics,
                  "list all diagnostics with their ids and an example");
     command.flag("--words", arguments->words, "list all command words, one per line, for editors");
@@ -125,6 +160,7 @@ void addLanguage(CommandLine& program, int& status) {
     command
         .list("--update", arguments->update, "with --markdown: replace the generated sections of these pages")
         .needs(markdown);
+    for (const char* each : {"--markdown", "--update"}) command.find(each).rare();
     command.onRun([arguments, &status] { status = run(*arguments); });
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "cli/shader_names.h"
 #include "expression/functions.h"
 #include "expression/name_table.h"
 #include "glib/command_table.h"
@@ -18,7 +19,6 @@
 #include "glib/number.h"
 #include "glib/script.h"
 #include "glib/text.h"
-#include "glsl/types/builtins.h"
 #include "image/format.h"
 #include "scene/interpret.h"
 #include "scene/primitives.h"
@@ -185,47 +185,24 @@ std::string formatSection() {
 
 // ---- Names that shaders are given
 
-/// As authors write it: the translator replaces the prefix gl_ by glibra_.
-std::string written(std::string_view name) {
-    constexpr std::string_view kPrefix = "glibra_";
-    if (!name.starts_with(kPrefix)) return fmt::format("`{}`", name);
-    return fmt::format("`gl_{}`", name.substr(kPrefix.size()));
-}
-
-/// GLSL's own name where it is not the emitted one without its prefix.
-std::string writtenUniform(const glsl::BuiltinUniform& row) {
-    if (row.value == glsl::Builtin::currentColor) return "`gl_Color` (fragment stage)";
-    if (row.value == glsl::Builtin::pointSize) return "`gl_Point.size`";
-    return written(row.name);
-}
-
-std::string_view typeOfAttribute(std::string_view attribute) {
-    if (attribute == geometry::kNormal || attribute == geometry::kTangent) return "vec3";
-    return attribute == geometry::kFaceIndex ? "int" : "vec4";
-}
-
 std::string suppliedSection() {
-    // Names of one value and one type stand in one line.
-    std::vector<std::pair<glsl::Builtin, std::string_view>> order;
-    std::map<std::pair<glsl::Builtin, std::string_view>, std::vector<std::string>> uniforms;
-    for (const glsl::BuiltinUniform& row : glsl::builtinUniforms()) {
-        const std::pair key{row.value, row.type};
-        if (uniforms[key].empty()) order.push_back(key);
-        uniforms[key].push_back(writtenUniform(row));
-    }
+    const auto cells = [](const ShaderName& each) {
+        std::vector<std::string> names;
+        for (const std::string& name : each.names)
+            names.push_back(
+                fmt::format("`{}`{}", name, name == "gl_Color" && !each.isInput ? " (fragment stage)" : ""));
+        return joined(names);
+    };
+    const std::vector<ShaderName> all = shaderNames();
     std::string text = "Uniform variables:\n\n| Names | Type |\n|---|---|\n";
-    for (const auto& key : order) text += fmt::format("| {} | `{}` |\n", joined(uniforms[key]), key.second);
-
-    std::vector<std::string_view> attributes;
-    std::map<std::string_view, std::vector<std::string>> inputs;
-    for (const glsl::BuiltinInput& row : glsl::builtinInputs()) {
-        if (inputs[row.attribute].empty()) attributes.push_back(row.attribute);
-        inputs[row.attribute].push_back(written(row.name));
-    }
+    for (const ShaderName& each : all)
+        if (!each.isInput) text += fmt::format("| {} | `{}` |\n", cells(each), each.type);
     text += "\nVertex inputs:\n\n| Names | Type | Attribute of the mesh |\n|---|---|---|\n";
-    for (const std::string_view each : attributes)
-        text += fmt::format("| {} | `{}` | {} |\n", joined(inputs[each]), typeOfAttribute(each),
-                            each.empty() ? std::string("none: always (0, 0, 0, 1)") : std::string(each));
+    for (const ShaderName& each : all)
+        if (each.isInput)
+            text += fmt::format("| {} | `{}` | {} |\n", cells(each), each.type,
+                                each.attribute.empty() ? std::string("none: always (0, 0, 0, 1)")
+                                                       : std::string(each.attribute));
     return text;
 }
 

@@ -1,21 +1,66 @@
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/standard_files.h"
+#include "base/suggest.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/open_window.h"
 
 namespace {
 
+/// What `glibra` without arguments prints.
+constexpr const char* kOverview =
+    "glibra runs GLIB shader scenes. What it can do, by example:\n"
+    "  glibra teapot.glib                           open a scene in a window, with its sliders\n"
+    "  glibra render teapot.glib -o teapot.png      draw a picture, without a display\n"
+    "  glibra render scenes/ -o pictures/           draw all scenes of a folder\n"
+    "  glibra check teapot.glib                     report what is wrong with a scene and its shaders\n"
+    "  glibra test submissions/ --report out/       compare pictures with accepted ones\n"
+    "  glibra compare a.png b.png                   compare two pictures\n"
+    "  glibra language Sphere                       look up a command of the scene language\n"
+    "  glibra info                                  show the graphics driver\n"
+    "`glibra --help` lists all commands, `glibra COMMAND --help` the options of one.\n";
+
+/// Answers a first word that is no command: a scene is opened in the window, anything else is reported.
+int openOrRefuse(const std::vector<std::string>& words, const std::vector<std::string>& commands) {
+    const std::string& word = words.front();
+    if (glibra::cli::isSceneOrFolder(word)) {
+        const std::string missing = glibra::cli::whyNoScene(word);
+        if (missing.empty()) return glibra::cli::openWindow(words);
+        glibra::cli::printError(missing);
+        return glibra::cli::kSceneIsWrong;
+    }
+    const std::vector<std::string_view> names(commands.begin(), commands.end());
+    glibra::cli::printError(
+        fmt::format("there is no command and no scene '{}'{}", word, glibra::base::suggestion(word, names)));
+    glibra::cli::printLine("`glibra` without arguments shows what it can do");
+    return glibra::cli::kWrongUsage;
+}
+
 int run(int argc, char** argv) {
-    glibra::cli::Program program("glibra runs GLIB shader scenes", "glibra render glib/start/teapot.glib");
+    if (argc == 1) {
+        std::fputs(kOverview, stdout);
+        return glibra::cli::kDone;
+    }
+    glibra::cli::Program program("glibra runs GLIB shader scenes",
+                                 "glibra teapot.glib                    # opens a scene in a window\n"
+                                 "glibra render teapot.glib             # writes teapot.png\n"
+                                 "glibra check scenes/                  # reports what is wrong with scenes");
     program.version("glibra " GLIBRA_VERSION);
     program.requireSubcommand();
     glibra::cli::CommandLine line = program.line();
     int status = glibra::cli::kDone;
     glibra::cli::addRender(line, status);
     glibra::cli::addTest(line, status);
+    glibra::cli::addClass(line, status);
     glibra::cli::addView(line, status);
     glibra::cli::addCheck(line, status);
     glibra::cli::addCompare(line, status);
@@ -23,6 +68,10 @@ int run(int argc, char** argv) {
     glibra::cli::addBench(line, status);
     glibra::cli::addInfo(line, status);
     glibra::cli::addLanguage(line, status);
+    const std::vector<std::string> commands = program.subcommands();
+    const std::string first = argv[1];
+    if (!first.starts_with('-') && std::find(commands.begin(), commands.end(), first) == commands.end())
+        return openOrRefuse({argv + 1, argv + argc}, commands);
     return program.parse(argc, argv).value_or(status);
 }
 

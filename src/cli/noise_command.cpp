@@ -65,9 +65,11 @@ int run(NoiseArguments& arguments) {
 
 void addNoise(CommandLine& program, int& status) {
     auto arguments = std::make_shared<NoiseArguments>();
-    CommandLine command =
-        program.subcommand("noise", "draws noise functions as graphs, pictures and textures",
-                           "glibra noise 2 --octaves 4 --turbulence -o n.png");
+    CommandLine command = program.subcommand(
+        "noise", "draws noise functions as graphs, pictures and textures",
+        "glibra noise 1 --octaves 4 -o noise.svg                    # a graph\n"
+        "glibra noise 2 --octaves 4 --turbulence -o noise.png       # a picture\n"
+        "glibra noise 2 --size 256x256 -o noise.tex                 # a raw float texture");
     NoiseArguments& to = *arguments;
     noise::GraphOptions& options = to.noise.options;
     const auto points = [&command](const char* name, std::map<int, double>& values, const char* help) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/commands.h"
+#include "plan/uniforms.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
 
@@ -34,15 +36,19 @@ bool mayBeRepeated(const suite::OptionRow& row) {
 }
 
 void add(CommandLine& command, const suite::OptionRow& row, suite::Shot& to) {
-    const std::string name = dashed(row.name);
+    const std::string name =
+        row.former.empty() ? dashed(row.name) : dashed(row.name) + "," + dashed(row.former);
     const auto read = [&row, &to](const std::string& text) { return suite::readOptionText(row, text, to); };
-    if (std::holds_alternative<suite::FlagValue>(row.value))
-        command.flag(
-            name, [read] { read(""); }, helpOf(row));
-    else if (mayBeRepeated(row))
-        command.repeated(name, read, helpOf(row)).placeholder(suite::placeholder(row));
-    else
-        command.option(name, read, helpOf(row)).placeholder(suite::placeholder(row));
+    const auto added = [&] {
+        if (std::holds_alternative<suite::FlagValue>(row.value))
+            return command.flag(
+                name, [read] { read(""); }, helpOf(row));
+        Option option = mayBeRepeated(row) ? command.repeated(name, read, helpOf(row))
+                                           : command.option(name, read, helpOf(row));
+        return option.placeholder(suite::placeholder(row));
+    };
+    Option option = added();
+    if (row.isRare) option.rare();
 }
 
 /// Call it after all options have been added.
@@ -61,6 +67,15 @@ void addPictureOptions(CommandLine& command, suite::Shot& to) {
         if (!row.name.empty()) add(command, row, to);
     for (const suite::OptionRow& row : suite::optionTable())
         if (!row.name.empty()) addNeeds(command, row);
+}
+
+bool acceptsSet(const std::vector<std::string>& set) {
+    for (const std::string& each : set) {
+        const Result<plan::Override> parsed = plan::parseOverride(each);
+        print(parsed.diagnostics);
+        if (!parsed) return false;
+    }
+    return true;
 }
 
 void excludePictureOptions(CommandLine& command, Option& suite) {

@@ -1,15 +1,91 @@
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "base/utf8.h"
 #include "cli/commands.h"
+#include "cli/scene_arguments.h"
+#include "render/load/hidden_text.h"
 
 namespace glibra::cli {
 
-std::string printable(const Diagnostics& diagnostics, bool color) {
+namespace {
+
+std::string_view variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// The part of a long line that is shown, so that it fits on a line of a terminal.
+constexpr std::size_t kShownBytes = 100;
+
+/// The line with its number, and a caret below the column; without control characters.
+std::string excerpt(int number, std::string_view line, int column) {
+    const auto isInside = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    std::size_t caret = std::min(static_cast<std::size_t>(std::max(column, 1)) - 1, line.size());
+    std::size_t begin = caret > kShownBytes * 3 / 4 ? caret - kShownBytes * 3 / 4 : 0;
+    while (begin > 0 && isInside(line[begin])) --begin;
+    std::size_t end = std::min(line.size(), begin + kShownBytes);
+    while (end > begin && end < line.size() && isInside(line[end])) --end;
+    caret = std::min(caret, end);
+    const std::string before = base::printableText(line.substr(begin, caret - begin));
+    const auto width = static_cast<std::size_t>(
+        std::count_if(before.begin(), before.end(), [&](char c) { return !isInside(c); }));
+    return fmt::format("{:>5} | {}{}\n{:5} | {:{}}^\n", number, before,
+                       base::printableText(line.substr(caret, end - caret)), "", "", width);
+}
+
+}  // namespace
+
+bool hasColor(int descriptor) {
+    if (!variable("NO_COLOR").empty()) return false;  // https://no-color.org
+    if (const std::string_view forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0")
+        return true;
+    return variable("CLICOLOR") != "0" && variable("TERM") != "dumb" && ::isatty(descriptor) == 1;
+}
+
+SourceLines linesOf(const Diagnostics& diagnostics, const std::optional<std::string>& standardInput) {
+    constexpr std::size_t kMostLines = 50, kMostBytes = 4096;
+    constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 20;
+    SourceLines lines;
+    for (const Diagnostic& each : diagnostics) {
+        const bool isOfText = each.id.starts_with("glib-") || each.id.starts_with("glsl-");
+        if (each.severity != Severity::error || each.place.line < 1 || !isOfText ||
+            each.text.starts_with(render::kHiddenText))
+            continue;
+        if (lines.size() == kMostLines) break;
+        std::string line;
+        const auto take = [&](std::istream& file) {
+            for (int number = 0; number < each.place.line && std::getline(file, line);) ++number;
+        };
+        if (standardInput && each.place.file == kStandardInput) {
+            std::istringstream text(*standardInput);
+            take(text);
+        } else {
+            std::error_code failure;
+            const std::filesystem::path path = each.place.file;
+            if (!std::filesystem::is_regular_file(path, failure) ||
+                std::filesystem::file_size(path, failure) > kLargestFile || failure)
+                continue;
+            std::ifstream file(path, std::ios::binary);
+            take(file);
+        }
+        while (line.ends_with('\r')) line.pop_back();
+        line.resize(std::min(line.size(), kMostBytes));
+        if (!line.empty()) lines[{each.place.file, each.place.line}] = std::move(line);
+    }
+    return lines;
+}
+
+std::string printable(const Diagnostics& diagnostics, bool color, const SourceLines& lines) {
     std::string text;
     for (const Diagnostic& each : diagnostics) {
         std::string line = base::printableText(toString(each));
@@ -23,12 +99,15 @@ std::string printable(const Diagnostics& diagnostics, bool color) {
         }
         text += line;
         text += '\n';
+        const auto quoted = lines.find({each.place.file, each.place.line});
+        if (each.severity == Severity::error && quoted != lines.end())
+            text += excerpt(each.place.line, quoted->second, each.place.column);
     }
     return text;
 }
 
-void print(const Diagnostics& diagnostics) {
-    const std::string text = printable(diagnostics, ::isatty(STDERR_FILENO) == 1);
+void print(const Diagnostics& diagnostics, const SourceLines& lines) {
+    const std::string text = printable(diagnostics, hasColor(STDERR_FILENO), lines);
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

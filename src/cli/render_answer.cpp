@@ -70,6 +70,12 @@ std::string pack(const Answer& answer) {
         packer.add(each.name);
         packer.add(each.source);
     }
+    packer.add(static_cast<int>(answer.lines.size()));
+    for (const auto& [place, line] : answer.lines) {
+        packer.add(place.first);
+        packer.add(place.second);
+        packer.add(line);
+    }
     std::size_t count = answer.remarks.general.size();
     for (const auto& [frame, remarks] : answer.remarks.ofFrames) count += remarks.size();
     packer.add(static_cast<int>(count));
@@ -88,6 +94,11 @@ Answer unpack(std::string_view packed) {
     for (int count = from.number(); count > 0 && !from.isAtEnd(); --count) {
         std::string name = from.text();
         answer.shaders.push_back({std::move(name), from.text()});
+    }
+    for (int count = from.number(); count > 0 && !from.isAtEnd(); --count) {
+        std::string file = from.text();
+        const int number = from.number();
+        answer.lines[{std::move(file), number}] = from.text();
     }
     for (int count = from.number(); count > 0 && !from.isAtEnd(); --count) {
         const int frame = from.number();

@@ -22,6 +22,7 @@ struct Answer {
     std::string explanation{};                        ///< --explain
     std::string statsJson{};                          ///< --stats
     std::vector<render::TranslatedShader> shaders{};  ///< of glibra check
+    SourceLines lines{};                              ///< that the diagnostics quote on a terminal
 };
 
 std::string pack(const Answer& answer);

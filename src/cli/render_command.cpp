@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,10 +12,10 @@
 #include "cli/commands.h"
 #include "cli/picture_options.h"
 #include "cli/render_scenes.h"
+#include "cli/scene_arguments.h"
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"
 #include "cli/untrusted.h"
-#include "plan/uniforms.h"
 
 namespace glibra::cli {
 namespace {
@@ -22,15 +24,25 @@ namespace fs = std::filesystem;
 
 /// Checks what CLI11 cannot check, and renders.
 int run(RenderArguments& arguments) {
-    if (arguments.output == "-" && (arguments.scenes.size() > 1 || arguments.frames > 1)) {
-        printError("-o - writes one picture, not several");
+    SceneArguments named;
+    const Diagnostics problems = resolveScenes(arguments.scenes, named);
+    print(problems);
+    if (hasError(problems)) return kSceneIsWrong;
+    arguments.scenes = std::move(named.scenes);
+    arguments.standardInput = std::move(named.standardInput);
+    arguments.outputIsFolder = named.hasFolder || arguments.scenes.size() > 1;
+    // A filter: the scene comes in, the picture goes out.
+    if (arguments.standardInput && arguments.output.empty() && !arguments.outputIsFolder)
+        arguments.output = "-";
+    if (arguments.output == "-" && arguments.outputIsFolder) {
+        printError("-o - writes the pictures of one scene, not of several; name a folder");
         return kWrongUsage;
     }
-    for (const std::string& each : arguments.picture.options.set) {
-        const Result<plan::Override> parsed = plan::parseOverride(each);
-        print(parsed.diagnostics);
-        if (!parsed) return kWrongUsage;
+    if (arguments.output == "-" && ::isatty(STDOUT_FILENO) == 1) {
+        printError("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
+        return kWrongUsage;
     }
+    if (!acceptsSet(arguments.picture.options.set)) return kWrongUsage;
     std::set<fs::path> names{fs::path(arguments.output).filename()};
     for (const std::string& each : arguments.saves) {
         const auto save = readSave(each);
@@ -56,7 +68,7 @@ int run(RenderArguments& arguments) {
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty()) {
-        printError("expected a scene (.glib), or a suite after --suite");
+        printError("expected a scene (.glib) or a folder of scenes, or a suite after --suite");
         return kWrongUsage;
     }
     std::vector<fs::path>& roots = arguments.picture.options.libraryRoots;
@@ -68,18 +80,21 @@ int run(RenderArguments& arguments) {
 
 void addRender(CommandLine& program, int& status) {
     auto arguments = std::make_shared<RenderArguments>();
-    CommandLine command =
-        program.subcommand("render", "renders scenes to pictures, without a window or a display",
-                           "glibra render a.glib b.glib --size 800x600 -o pictures/");
+    CommandLine command = program.subcommand(
+        "render", "renders scenes to pictures, without a window or a display",
+        "glibra render teapot.glib                            # writes teapot.png\n"
+        "glibra render scenes/ -o pictures/ --size 800x600    # all scenes of a folder\n"
+        "glibra render arrow.glib --frames 60 -o film.png     # film_0000.png, film_0001.png ...");
     RenderArguments& to = *arguments;
-    const Option scenes = command.list("SCENE", to.scenes, "scene files (.glib)");
+    const Option scenes =
+        command.list("SCENE", to.scenes, "scene files (.glib) or folders of them; - is standard input");
     Option suite = command
                        .list("--suite", to.suite.suites,
                              "render the shots of a suite instead: a TOML file or a folder of scenes")
                        .excludes(scenes);
     command.option("-o,--output", to.output,
                    "file of the picture, or a folder for several; the ending of the name decides the "
-                   "format; - means standard output");
+                   "format; - is standard output (PNG)");
     addPictureOptions(command, to.picture);
     command
         .option("--frames", to.frames,
@@ -91,7 +106,7 @@ void addRender(CommandLine& program, int& status) {
     command.driver(to.driver);
     command.jobs(to.jobs);
     addSelectionOptions(command, to.suite);
-    for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite);
+    for (const char* each : {"--only", "--shard", "--resume"}) command.find(each).needs(suite).rare();
     command
         .repeated("--save", to.saves,
                   "write a texture of the scene, or a part of it, to a file as well: shadow=shadow.exr, "
@@ -100,6 +115,7 @@ void addRender(CommandLine& program, int& status) {
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
     addUntrustedOption(command, to.untrusted);
     command.option("--stats", to.statsFile, "file for the times and counts of every stage, as JSON");
+    for (const char* each : {"--driver", "--stats", "--save", "--untrusted"}) command.find(each).rare();
     excludePictureOptions(command, suite);
     for (const char* each : {"--frames", "--fps", "--save", "--explain", "--stats"})
         suite.excludes(command.find(each));

@@ -19,6 +19,7 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
+#include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
@@ -38,7 +39,8 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     std::vector<fs::path> names;
     std::set<std::string> distinct;
     for (const std::string& scene : arguments.scenes) {
-        names.push_back(fs::path(scene).filename().replace_extension(".png"));
+        names.push_back(scene == kStandardInput ? "stdin.png"
+                                                : fs::path(scene).filename().replace_extension(".png"));
         distinct.insert(names.back().string());
     }
     if (distinct.size() < names.size()) {
@@ -58,7 +60,7 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     }
     if (arguments.output.empty()) return names;
     const bool isFolder =
-        arguments.scenes.size() > 1 || fs::is_directory(arguments.output) || arguments.output.back() == '/';
+        arguments.outputIsFolder || fs::is_directory(arguments.output) || arguments.output.back() == '/';
     for (fs::path& name : names)
         name = isFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
     return names;
@@ -91,8 +93,8 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
     const int most = std::min({arguments.frames / kLeastFrames, kMostParts, jobsOf(arguments)});
-    if (arguments.scenes.size() > 1 || arguments.explain || !arguments.statsFile.empty() || most < 2 ||
-        gpu::mayUseHardware(arguments.driver))
+    if (arguments.scenes.size() > 1 || arguments.output == "-" || arguments.explain ||
+        !arguments.statsFile.empty() || most < 2 || gpu::mayUseHardware(arguments.driver))
         return 1;
     std::optional<int> parts = 1;  // if the worker crashes, so does the one that draws, which is reported
     const std::string& scene = arguments.scenes.front();
@@ -103,9 +105,9 @@ std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox
          .stop = stop,
          .sandbox = sandbox},
         [&](std::size_t, const base::Step&) {
-            return std::to_string(render::mostDifferentFrames(scene, arguments.picture.options,
-                                                              arguments.frames, arguments.framesPerSecond,
-                                                              most * kLeastFrames));
+            return std::to_string(render::mostDifferentFrames(
+                scene, optionsFor(scene, arguments.standardInput, arguments.picture.options),
+                arguments.frames, arguments.framesPerSecond, most * kLeastFrames));
         },
         [&](std::size_t, const base::Outcome& outcome) {
             if (outcome.end == base::Outcome::End::finished)
@@ -146,7 +148,7 @@ class JobRunner {
             save.file = fileOf(save.file);
             job.saves.push_back(std::move(save));
         }
-        job.options = arguments_.picture.options;
+        job.options = optionsFor(job.scene.string(), arguments_.standardInput, arguments_.picture.options);
         job.frames = arguments_.frames;
         job.framesPerSecond = arguments_.framesPerSecond;
         job.part = static_cast<int>(piece % parts_);
@@ -156,10 +158,12 @@ class JobRunner {
         return pack(guarded(arguments_.scenes[index], [&] {
             render::JobResult result = render::runJob(
                 *context_, job, [&](int written) { step(std::to_string(written)); }, &shared_);
-            return Answer{.status = result.failed ? kSceneIsWrong : kDone,
+            Answer answer{.status = result.failed ? kSceneIsWrong : kDone,
                           .remarks = {std::move(result.diagnostics), std::move(result.ofFrames)},
                           .explanation = std::move(result.explanation),
                           .statsJson = std::move(result.statsJson)};
+            if (quotesLines_) answer.lines = linesOf(answer.remarks.general, arguments_.standardInput);
+            return answer;
         }));
     }
 
@@ -168,6 +172,7 @@ class JobRunner {
     std::vector<fs::path> outputs_;
     std::size_t parts_;
     const StagingFolder* staging_;
+    bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
@@ -207,9 +212,7 @@ class SceneBatch {
 
     /// Returns the exit status.
     int run() {
-        std::error_code ignored;  // reported with the file that cannot be written
-        for (const fs::path& each : writtenFiles())
-            if (each.has_parent_path()) fs::create_directories(each.parent_path(), ignored);
+        for (const fs::path& each : writtenFiles()) makeFolders(each.parent_path());
         confine();
         JobRunner runner(arguments_, outputs_, parts_, staging_ ? &*staging_ : nullptr);
         base::runInWorkers(
@@ -225,8 +228,9 @@ class SceneBatch {
                 countFrames(piece, countIn(text, arguments_.frames));
             });
         staging_.reset();
+        removeEmptyFolders();
         progress_.clear();
-        print(render::joined(remarks_));
+        print(render::joined(remarks_), lines_);
         interruption_.obey();
         if (arguments_.scenes.size() > 1) printSummary();
         if (!arguments_.statsFile.empty()) writeStats();
@@ -234,6 +238,20 @@ class SceneBatch {
     }
 
   private:
+    void makeFolders(const fs::path& folder) {
+        std::error_code failure;
+        if (folder.empty() || fs::exists(folder, failure)) return;
+        makeFolders(folder.parent_path());
+        // A failure is reported with the file that cannot be written.
+        if (fs::create_directory(folder, failure)) madeFolders_.push_back(folder);
+    }
+    /// Scenes that failed leave no folders behind.
+    void removeEmptyFolders() const {
+        std::error_code notEmpty;
+        for (auto each = madeFolders_.rbegin(); each != madeFolders_.rend(); ++each)
+            fs::remove(*each, notEmpty);
+    }
+
     /// With --untrusted the workers write to a folder of their own.
     void confine() {
         if (!sandbox_) return;
@@ -278,10 +296,12 @@ class SceneBatch {
         if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
         append(answer.remarks.general, std::move(undelivered));
         progress_.clear();
-        if (parts_ > 1)
+        if (parts_ > 1) {
             remarks_.push_back(std::move(answer.remarks));
-        else
-            print(render::joined({answer.remarks}));
+            lines_.merge(answer.lines);
+        } else {
+            print(render::joined({answer.remarks}), answer.lines);
+        }
         const std::string explanation = base::printableText(answer.explanation, true);
         std::fwrite(explanation.data(), 1, explanation.size(), stdout);
         std::fflush(stdout);
@@ -323,6 +343,8 @@ class SceneBatch {
     ProgressLine progress_;
     int status_ = kDone;
     std::vector<std::string> failed_;
+    std::vector<fs::path> madeFolders_;              ///< each after the one that it is in
+    SourceLines lines_;                              ///< for remarks_
     std::vector<std::string> stats_;                 ///< JSON, one per scene
     std::vector<int> framesWritten_;                 ///< one per piece
     std::size_t doneCount_ = 0;                      ///< frames of all pieces

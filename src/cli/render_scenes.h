@@ -15,9 +15,12 @@ namespace glibra::cli {
 
 struct RenderArguments {
     std::vector<std::string> scenes;
-    std::string output;     ///< file or folder; empty: the scenes' names in the current folder
-    std::string statsFile;  ///< --stats
-    suite::Shot picture;    ///< what the options of a picture state
+    /// The text of the scene kStandardInput, if it is one of them.
+    std::optional<std::string> standardInput;
+    std::string output;           ///< file or folder; empty: the scenes' names in the current folder
+    bool outputIsFolder = false;  ///< `output` is a folder, whether it exists or not
+    std::string statsFile;        ///< --stats
+    suite::Shot picture;          ///< what the options of a picture state
     Driver driver = Driver::automatic;
     int frames = 1;
     double framesPerSecond = 30;

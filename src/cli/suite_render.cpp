@@ -59,7 +59,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         progress.begins(selection->suites[each.suite].shots[each.shot].name);
     };
     events.done = [&](const suite::ShotResult& shot) {
-        std::string lines = printable(shot.diagnostics, terminal);
+        std::string lines = printable(shot.diagnostics, hasColor(STDERR_FILENO));
         if (!lines.empty()) {
             lines.pop_back();
             progress.print(lines);

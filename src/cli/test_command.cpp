@@ -1,12 +1,10 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
-#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -15,13 +13,16 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/picture_options.h"
+#include "cli/run_facts.h"
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
 #include "cli/untrusted.h"
+#include "glib/text.h"
 #include "image/file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_key.h"
+#include "suite/golden/orphans.h"
 #include "suite/options/option_words.h"
 #include "suite/report/html_report.h"
 #include "suite/report/junit_report.h"
@@ -36,6 +37,7 @@ namespace fs = std::filesystem;
 struct TestArguments {
     SuiteArguments suites;
     bool update = false;
+    bool prune = false;
     bool force = false;
     bool variant = false;
     bool allowOutside = false;
@@ -51,7 +53,7 @@ struct TestArguments {
 
 /// Writes the reports and prints the summary. Returns the exit status.
 int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
-    const std::string text = suite::toText(run, ::isatty(STDOUT_FILENO) == 1, arguments.results);
+    const std::string text = suite::toText(run, hasColor(STDOUT_FILENO), arguments.results);
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     Diagnostics problems;
@@ -85,26 +87,43 @@ int merge(const TestArguments& arguments) {
     return merged ? std::max(status, report(*merged, arguments, roots)) : status;
 }
 
-/// The command line of this process, or empty if the system does not provide it.
-std::string commandLine() {
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    std::string line;
-    for (std::string word; std::getline(file, word, '\0');)
-        line += (line.empty() ? "" : " ") + suite::shellWord(word);
-    return line;
-}
-
-std::string utcNow() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
-}
-
 /// The line to print for a shot while the run goes on; empty for a plain pass.
 std::string lineOf(const suite::ShotResult& shot) {
     if (shot.verdict == suite::Verdict::passed && !shot.changed) return {};
     return base::printableText(fmt::format("{}: {}/{}{}{}",
                                            shot.changed ? "changed" : suite::name(shot.verdict), shot.suite,
                                            shot.shot, shot.reason.empty() ? "" : ": ", shot.reason));
+}
+
+/// True if two descriptors lead to the same terminal or file.
+bool isSameFile(int first, int second) {
+    struct stat a {};
+    struct stat b {};
+    return ::fstat(first, &a) == 0 && ::fstat(second, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
+}
+
+/// Lists the goldens that belong to no shot, or removes them. Returns the exit status.
+int answerOrphans(const TestArguments& arguments, const std::vector<suite::Suite>& suites) {
+    constexpr std::size_t kMostNames = 10;
+    int status = kDone;
+    for (const suite::Suite& each : suites) {
+        const std::vector<fs::path> orphans = suite::orphanGoldens(each, arguments.goldens);
+        if (orphans.empty()) continue;
+        if (arguments.prune) {
+            const Diagnostics problems = suite::removeOrphans(orphans);
+            print(problems);
+            if (hasError(problems)) status = kSceneIsWrong;
+        }
+        const std::size_t count = orphans.size();
+        std::string text = fmt::format(
+            "{} of no shot of '{}' {}", glib::counted(count, "golden"), each.name,
+            arguments.prune ? (count == 1 ? "was removed:" : "were removed:") : "(--prune removes them):");
+        for (std::size_t i = 0; i < std::min(count, kMostNames); ++i) text += " " + orphans[i].string();
+        if (count > kMostNames) text += fmt::format(" and {} more", count - kMostNames);
+        print({withoutId(Severity::note, text)});
+    }
+    return status;
 }
 
 /// The names of all shots to judge.
@@ -148,7 +167,7 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
-    if (arguments.update && !arguments.allowOutside && arguments.goldens.empty()) {
+    if ((arguments.update || arguments.prune) && !arguments.allowOutside && arguments.goldens.empty()) {
         Diagnostics problems;
         for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
         print(problems);
@@ -183,14 +202,17 @@ int test(const TestArguments& arguments) {
 
     const bool terminal = ::isatty(STDERR_FILENO) == 1;
     SuiteProgress progress(open.size(), terminal);
+    // The report names each failure. Where both go to one place, it would stand there twice.
+    const bool printsLines = !isSameFile(STDERR_FILENO, STDOUT_FILENO);
     suite::RunEvents events;
     events.begins = [&](const suite::ShotReference& each) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
     events.done = [&](const suite::ShotResult& shot) {
-        if (const std::string line = lineOf(shot); !line.empty()) progress.print(line);
-        progress.add(suite::isFailure(shot.verdict));
+        if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
+        // A suite that is new has no goldens; that is no failure to count.
+        progress.add(suite::isFailure(shot.verdict) && shot.verdict != suite::Verdict::missing);
         record->add(shot);
     };
     events.stop = [&] { return interruption.signal() != 0 || record->failed(); };
@@ -216,6 +238,7 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(
         status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
+    if (!end.stopped) status = std::max(status, answerOrphans(arguments, selection->suites));
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();
@@ -232,11 +255,12 @@ int runCommand(const TestArguments& arguments) {
         if (!arguments.suites.suites.empty()) return refuse("--merge takes folders of results, not suites");
         return merge(arguments);
     }
-    if (arguments.suites.suites.empty()) return refuse("expected a suite: a TOML file or a folder of scenes");
+    if (arguments.suites.suites.empty())
+        return refuse("expected a suite: a TOML file or a folder of scenes, such as `glibra test scenes/`");
     if ((arguments.force || arguments.variant) && !arguments.update)
         return refuse("--force and --variant need --update");
-    if (arguments.update && arguments.suites.untrusted)
-        return refuse("--untrusted writes no goldens, so it excludes --update");
+    if ((arguments.update || arguments.prune) && arguments.suites.untrusted)
+        return refuse("--untrusted changes no goldens, so it excludes --update and --prune");
     if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.roots.empty()) return refuse("--root needs --merge; a run knows its folders");
     return test(arguments);
@@ -246,12 +270,16 @@ int runCommand(const TestArguments& arguments) {
 
 void addTest(CommandLine& program, int& status) {
     auto arguments = std::make_shared<TestArguments>();
-    CommandLine command =
-        program.subcommand("test", "renders the shots of suites and compares them with golden pictures",
-                           "glibra test scenes/start.toml --report report");
+    CommandLine command = program.subcommand(
+        "test", "renders the shots of suites and compares them with golden pictures",
+        "glibra test submissions/ --update              # the first pictures become the goldens\n"
+        "glibra test submissions/ --report out/         # out/index.html shows what differs\n"
+        "glibra test scenes/start.toml --only teapot");
     TestArguments& to = *arguments;
     command.list("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
     command.flag("--update", to.update, "accept pictures that differ as the new goldens");
+    command.flag("--prune", to.prune,
+                 "remove goldens that belong to no shot of the suites, instead of listing them");
     command.flag("--force", to.force,
                  "with --update: accept even pictures of one colour or with values that are not a number");
     command.flag("--variant", to.variant,
@@ -277,6 +305,9 @@ void addTest(CommandLine& program, int& status) {
     addPictureOption(command, "memory", to.picture);
     addPictureOption(command, "no-skip", to.picture);
     addUntrustedOption(command, to.suites.untrusted);
+    for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
+                             "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})
+        command.find(each).rare();
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
         arguments->suites.memory = arguments->picture.memory;

@@ -1,18 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/open_window.h"
+#include "cli/scene_arguments.h"
 #include "cli/sister_program.h"
+#include "glib/text.h"
+#include "scene/near_files.h"
 
 namespace glibra::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr SisterProgram kWindow{"glibra-view", "`glibra render SCENE` makes a picture without it"};
+constexpr std::size_t kMostTabs = 64;
+
+bool isSet(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value;
+}
+
+bool isNamedAsScene(const std::string& word) {
+    return glib::sameWord(fs::path(word).extension().string(), ".glib");
+}
 
 }  // namespace
+
+bool isSceneOrFolder(const std::string& word) {
+    std::error_code failure;
+    return isNamedAsScene(word) || fs::is_directory(word, failure);
+}
+
+int openWindow(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words;
+    std::string firstScene;
+    for (const std::string& each : arguments) {
+        std::error_code failure;
+        if (!each.starts_with('-') && isSceneOrFolder(each) && firstScene.empty()) firstScene = each;
+        if (!fs::is_directory(each, failure)) {
+            words.push_back(each);
+            continue;
+        }
+        SceneArguments inside;
+        const Diagnostics problems = resolveScenes({each}, inside);
+        print(problems);
+        if (hasError(problems)) return kSceneIsWrong;
+        if (inside.scenes.size() > kMostTabs) {
+            printLine(fmt::format("{} has {} scenes; the first {} are opened", each, inside.scenes.size(),
+                                  kMostTabs));
+            inside.scenes.resize(kMostTabs);
+        }
+        words.insert(words.end(), inside.scenes.begin(), inside.scenes.end());
+    }
+    const bool asksForHelp = std::any_of(arguments.begin(), arguments.end(), [](const std::string& each) {
+        return each == "-h" || each == "--help" || each == "--help-all";
+    });
+    if (!asksForHelp && !isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY")) {
+        printError(fmt::format(
+            "there is no display to open a window on; `glibra render {}` draws a picture without one",
+            firstScene.empty() ? "SCENE" : firstScene));
+        return kNoDriver;
+    }
+    return becomeProgram(kWindow, words);
+}
+
+std::string whyNoScene(const std::string& scene) {
+    std::error_code failure;
+    if (fs::exists(scene, failure)) return {};
+    scene::FolderListings listings;
+    const fs::path folder = fs::path(scene).has_parent_path() ? fs::path(scene).parent_path() : ".";
+    const auto near =
+        scene::nearestFiles(fs::path(scene).filename().string(), std::span(&folder, 1), listings);
+    return fmt::format("there is no file '{}'{}", scene,
+                       near.empty() ? "" : fmt::format("; did you mean '{}'?", near.front()));
+}
 
 void addView(CommandLine& program, int& status) {
     program.subcommand(
         "view", "shows a scene in a window, with a slider for every range",
-        [&status](const std::vector<std::string>& arguments) { status = becomeProgram(kWindow, arguments); });
+        [&status](const std::vector<std::string>& arguments) { status = openWindow(arguments); });
 }
 
 }  // namespace glibra::cli

@@ -24,7 +24,7 @@ enum class CommandId {
     noise2D, noise3D, timer, messageBox, verbose,
     // modern statements: rows of modern/statement_table.h
     let, set, material, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
-    include, use, key, fps, camera,
+    include, use, key, multMatrix, fps, camera,
     namedTexture1D, namedTexture2D, namedTexture3D, textureArray, namedCubeMap, sampler,
     pass, endPass, fill, clearParts, viewport, scissor, state,
     instances, vertices, attribute, tessLevels,

@@ -107,8 +107,7 @@ constexpr CatalogueRow kRows[] = {
      "may "
      "be wrong"},
     {"draw-W09", "Sphere: gl_Position is NaN or infinite in 12 of 1,520 triangles, which are lost"},
-    {"draw-N01",
-     "no LookAt, so the eye is moved back by 4.125 along z (use --view glman to switch this off)"},
+    {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
      "Sphere with 20 slices, 20 stacks, as the scene states, is up to 3.86 px off; use --override-counts to "
@@ -182,6 +181,9 @@ constexpr CatalogueRow kRows[] = {
     {"file-E09", "'city.obj' has 2.1 GiB, the limit is 1 GiB"},
     {"file-E10", "cannot write 'out/a.png': no space left on device"},
     {"file-E11", "'wood.dds': not decoded within 60 seconds"},
+    {"file-E12",
+     "'../ana/a.frag' lies outside of the scene's folder and the library, and this scene may read only files "
+     "inside"},
     {"file-W01", "'Giraffe.obj' found as 'giraffe.obj'"},
     {"file-W02", "'C:\\models\\cow.obj' found as 'cow.obj' beside the scene"},
     {"file-W03", "'posx.bmp' is a JPEG picture"},

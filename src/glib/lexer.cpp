@@ -46,8 +46,9 @@ class LineReader {
     LineReader(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
                Parentheses parentheses)
         : text_(text.substr(0, range.end)), messages_(messages), parentheses_(parentheses), log_(log) {
-        line_.range = range;
+        line_.range = row_ = range;
         at_ = range.begin;
+        hasBreaks_ = text_.find_first_of("\r\n", at_) != std::string_view::npos;
     }
 
     Line read() {
@@ -67,13 +68,21 @@ class LineReader {
     }
 
   private:
-    Position position(std::size_t offset) const {
-        return {line_.range.number, static_cast<int>(offset - line_.range.begin) + 1};
+    /// Offsets come in rising order, but for a few steps back on the same line.
+    Position position(std::size_t offset) {
+        if (offset < row_.begin) row_ = line_.range;
+        while (hasBreaks_) {
+            const std::size_t end = text_.find_first_of("\r\n", row_.begin);
+            if (end >= offset) break;
+            row_.begin = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+            ++row_.number;
+        }
+        return {row_.number, static_cast<int>(offset - row_.begin) + 1};
     }
 
     void reportControlByte() {
         for (std::size_t i = line_.range.begin; i < line_.range.end; ++i) {
-            if (!isControl(text_[i])) continue;
+            if (!isControl(text_[i]) || text_[i] == '\n' || text_[i] == '\r') continue;
             log_.report("glib-E03",
                         fmt::format("byte 0x{:02x} at offset {}: this is not a text file",
                                     static_cast<unsigned>(static_cast<unsigned char>(text_[i])), i),
@@ -222,6 +231,8 @@ class LineReader {
     std::optional<ExpressionFinder> expressions_;
     Line line_;
     std::size_t at_ = 0;
+    bool hasBreaks_ = false;             ///< there are several lines
+    LineRange row_;                      ///< the line of the last position; its end is not used
     std::size_t afterNoBreakSpace_ = 0;  ///< offset after the last one; 0: none on this line yet
 };
 
@@ -250,6 +261,21 @@ std::optional<LineRange> LineSplitter::next() {
 Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
               Parentheses parentheses) {
     return LineReader(text, range, messages, log, parentheses).read();
+}
+
+bool goesOnInParentheses(std::string_view text, const LineRange& range, int& depth) {
+    std::string_view code = text.substr(range.begin, range.end - range.begin);
+    for (std::size_t at = 0; at < code.size(); ++at) {
+        const char c = code[at];
+        if (c == '#' || code.substr(at, 2) == "//")
+            code = code.substr(0, at);
+        else if (c == '"')
+            at = std::min(code.find('"', at + 1), code.size());
+        else
+            depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    }
+    const std::size_t last = code.find_last_not_of(" \t\v\f");
+    return depth > 0 && last != std::string_view::npos && code[last] == '\\';
 }
 
 LineStart startOf(std::string_view text, const LineRange& range) {

@@ -74,10 +74,14 @@ class LineSplitter {
 /// How a line that begins with MessageBox is read.
 enum class MessageLines { rawText, tokens };
 
-/// Reads one line. `parentheses` says which of them are expressions. Reports glib-E02, E03, E15 (length),
-/// W01, W02, W03, W35.
+/// Reads one line, or several that goesOnInParentheses() joins. `parentheses` says which of them are
+/// expressions. Reports glib-E02, E03, E15 (length), W01, W02, W03, W35.
 Line readLine(std::string_view text, const LineRange& range, MessageLines messages, MessageLog& log,
               Parentheses parentheses = Parentheses::brackets);
+
+/// True if the line ends with a backslash inside parentheses. `depth`: how many were open before, and are
+/// after.
+bool goesOnInParentheses(std::string_view text, const LineRange& range, int& depth);
 
 /// The first two words of a line, as far as they show what the line is; nothing is reported. A word ends
 /// where the lexer ends it.

@@ -52,8 +52,9 @@ void ExpressionFinder::look(std::string_view code) {
     std::size_t at = from_;
     while (at < code.size()) {
         const char c = code[at];
-        if (c == '#' || code.substr(at, 2) == "//") break;
-        if (c == '"') {
+        if (c == '#' || code.substr(at, 2) == "//") {
+            at = std::min(code.find_first_of("\r\n", at), code.size());
+        } else if (c == '"') {
             const std::size_t close = code.find('"', at + 1);
             at = close == std::string_view::npos ? code.size() : close + 1;
         } else if (isLetter(c) || c == '_') {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -59,8 +60,13 @@ class Parser {
             }
         }
         blocks_.finish(commands_);
+        for (const Command& each : commands_)
+            if (declares(each.id)) lostNames_.erase(nameOfObject(each));
         return std::move(commands_);
     }
+
+    /// The names that only faulty statements declare, after parse().
+    std::set<std::string, std::less<>> takeLostNames() { return std::move(lostNames_); }
 
   private:
     void reportUnknown(const Token& word) {
@@ -93,11 +99,12 @@ class Parser {
         const StatementRow* form = statementOf(statement.row->id);
         if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
             return keepModern(statement, *form);
+        if (statement.row->form == ArgumentForm::program) noteName(statement);
         Command command = start(statement, statement.row->id);
         const std::size_t errors = log_.errorCount();
         if (form && !statement.faulty) blocks_.checkPlace(*form, command);
-        read(statement, command);
-        const bool faulty = statement.faulty || log_.errorCount() > errors;
+        if (!refusesNames(statement)) read(statement, command);
+        const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(command.id);
         if (command.id == CommandId::fragment) fragmentFile_ = command.text;
         isModern_ = isModern_ || command.isEvaluatedLater;
         if (leavesOut(command.id, faulty) || faulty) return;
@@ -114,25 +121,50 @@ class Parser {
 
     void keepModern(const Statement& statement, const StatementRow& row) {
         isModern_ = true;
+        if (declares(row.id)) noteName(statement);
         Command command = start(statement, row.id);
         command.isModern = true;
         command.body = statement.body;
         command.bodyPosition = statement.bodyPosition;
         const std::size_t errors = log_.errorCount();
-        if (!statement.faulty)
-            readStatement(
-                row, text_, statement.arguments,
-                [this](std::string_view name) { return mayBeDeclared(name); }, command, log_);
+        if (!statement.faulty && !lacksParentheses(statement, row))
+            readStatement(row, text_, statement.arguments,
+                          {[this](std::string_view name) { return names_.contains(std::string(name)); },
+                           [this](std::string_view name) { return mayBeDeclared(name); }},
+                          command, log_);
         const bool isRead = !statement.faulty && log_.errorCount() == errors;
         if (isRead) blocks_.checkPlace(row, command);
         finishModern(row, command);
-        const bool faulty = statement.faulty || log_.errorCount() > errors;
+        const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(row.id);
+        if (row.id == CommandId::compute) isComputeLost_ = faulty;
         if (!faulty) commands_.push_back(std::move(command));
         blocks_.follow(row, statement.word.position, faulty, commands_);
     }
 
     bool mayBeDeclared(std::string_view name) const {
-        return hasInclude_ || name == "window" || name == "eye" || names_.contains(std::string(name));
+        return hasInclude_ || name == "window" || name == "eye" || names_.contains(std::string(name)) ||
+               lostNames_.contains(name);
+    }
+
+    static bool declares(CommandId id) {
+        if (id == CommandId::program || id == CommandId::group) return true;
+        const StatementRow* row = statementOf(id);
+        return row != nullptr && row->declaresName;
+    }
+
+    static std::string nameOfObject(const Command& command) {
+        if (!command.isModern) return command.text;
+        if (command.values.empty()) return {};
+        const Value& name = command.values.front();
+        return name.path.empty() ? name.text : name.path.front().name;
+    }
+
+    /// Keeps the name that the statement declares even if it is faulty.
+    void noteName(const Statement& statement) {
+        if (statement.arguments.empty()) return;
+        const std::string_view first = statement.arguments.front().text;
+        const std::string name(first.substr(0, first.find('[')));
+        if (!name.empty()) lostNames_.insert(name);
     }
 
     /// Keeps the names that the statement declares, and moves what a classic member of Command can hold
@@ -140,10 +172,11 @@ class Parser {
     void finishModern(const StatementRow& row, Command& command) {
         if (row.id == CommandId::include) hasInclude_ = true;
         if (row.declaresName || row.id == CommandId::include) declaresNames_ = true;
-        if (row.declaresName && !command.values.empty()) {
-            const Value& name = command.values.front();
-            names_.insert(name.path.empty() ? name.text : name.path.front().name);
-        }
+        if (row.id == CommandId::group)  // parameters may stand for textures and buffers
+            for (const KeyedValues& each : command.tags) names_.insert(each.key);
+        if (row.declaresName && !command.values.empty()) names_.insert(nameOfObject(command));
+        if (row.id == CommandId::repeat)
+            if (const KeyedValues* counter = command.key("as")) names_.insert(counter->values.front().text);
         if (row.id == CommandId::compute && !command.values.empty()) setText(command);
         if (row.id != CommandId::program) return;
         if (++programs_ > kMostPrograms)
@@ -151,6 +184,9 @@ class Parser {
         if (!command.values.empty()) setText(command);
         takeUniforms(command);
     }
+
+    /// True for the program of a faulty Compute statement, which would be a program that draws.
+    bool losesStage(CommandId id) { return id == CommandId::program && std::exchange(isComputeLost_, false); }
 
     static void setText(Command& command) {
         command.text = command.values.front().text;
@@ -196,6 +232,33 @@ class Parser {
         log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
 
+    /// Reports glib-E19 for a declared name among the numbers of a classic command, which would count as 0.
+    bool refusesNames(const Statement& statement) {
+        if (statement.row->form != ArgumentForm::numbers || names_.empty()) return false;
+        for (const Token& token : statement.arguments) {
+            const std::string_view head = token.text.substr(0, token.text.find('.'));
+            if (token.kind != TokenKind::word || !names_.contains(std::string(head))) continue;
+            log_.report("glib-E19",
+                        fmt::format("{}: expected a number, found {}; write ({}) for its value",
+                                    statement.row->name(), inQuotes(token.text), token.text),
+                        token.position);
+            return true;
+        }
+        return false;
+    }
+
+    /// Reports glib-E19 for a condition that begins without a parenthesis.
+    bool lacksParentheses(const Statement& statement, const StatementRow& row) {
+        if (row.id != CommandId::when || statement.arguments.empty()) return false;
+        const Token& first = statement.arguments.front();
+        if (first.kind != TokenKind::word || first.truth()) return false;
+        log_.report(
+            "glib-E19",
+            fmt::format("{}: expected a condition in parentheses, found {}", row.name, inQuotes(first.text)),
+            first.position);
+        return true;
+    }
+
     /// Reports glib-E24 for an expression in a command that takes none.
     bool refusesExpressions(const Statement& statement) {
         for (const Token& token : statement.arguments) {
@@ -213,7 +276,8 @@ class Parser {
     StatementReader reader_;
     MessageLog& log_;
     BlockStack blocks_;
-    std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
+    std::unordered_set<std::string> names_;         ///< of textures, buffers, samplers, cameras and variables
+    std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
     bool declaresNames_ = false;
     bool hasInclude_ = false;
     bool isModern_ = false;
@@ -221,16 +285,20 @@ class Parser {
     std::string fragmentFile_;  ///< the name in the last Fragment statement
     std::size_t programs_ = 0;
     bool inFaultyList_ = false;
+    bool isComputeLost_ = false;
 };
 
 /// Reads the commands. Returns true if the scene has modern statements.
-bool read(std::string_view text, std::vector<Command>& commands, MessageLog& log) {
+bool read(std::string_view text, Script& script, MessageLog& log) {
     const MessageLog empty = log;
     Parser parser(text, false, log);
-    commands = parser.parse();
+    script.commands = parser.parse();
+    script.lostNames = parser.takeLostNames();
     if (!parser.hasToReadAgain()) return parser.isModern();
     log = empty;
-    commands = Parser(text, true, log).parse();
+    Parser again(text, true, log);
+    script.commands = again.parse();
+    script.lostNames = again.takeLostNames();
     return true;
 }
 
@@ -248,7 +316,7 @@ Script parse(std::string_view text, std::string path) {
                                    groupedText(static_cast<long long>(kLargestFile))),
                        {});
         else
-            script.isModern = read(text, script.commands, log);
+            script.isModern = read(text, script, log);
     } catch (const std::exception& problem) {
         script.commands.clear();
         log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});

@@ -4,6 +4,7 @@
 #include <glibra/diagnostic.h>
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,9 @@ struct Script {
     std::vector<Command> commands;
     Diagnostics diagnostics;
     bool isModern = false;  ///< it has a modern statement or an expression
+    /// What faulty statements would have declared: objects, variables, programs and groups. Whoever misses
+    /// one of them reports nothing, since the faulty statement has been reported.
+    std::set<std::string, std::less<>> lostNames;
 
     [[nodiscard]] Place place(Position position) const { return {path, position.line, position.column}; }
 };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "glib/bracket_group.h"
+#include "glib/limits.h"
 #include "glib/modern/read_values.h"
 #include "glib/text.h"
 
@@ -79,11 +80,20 @@ std::string_view trimmed(std::string_view line) {
 
 const Line* StatementReader::peek(const Statement* pending) {
     if (!ahead_) {
-        const std::optional<LineRange> range = lines_.next();
+        std::optional<LineRange> range = lines_.next();
         if (!range) return nullptr;
         const bool joinsAny = pending && pending->modern;
+        const Parentheses parentheses = parenthesesOf(text_, *range, pending);
+        // The expressions of a modern statement go on after a backslash.
+        int depth = 0;
+        for (std::optional<LineRange> last = range; last && parentheses == Parentheses::expressions &&
+                                                    range->end - range->begin <= kLongestLine &&
+                                                    goesOnInParentheses(text_, *last, depth);) {
+            last = lines_.next();
+            if (last) range->end = last->end;
+        }
         ahead_ = readLine(text_, *range, joinsAny ? MessageLines::tokens : MessageLines::rawText, log_,
-                          parenthesesOf(text_, *range, pending));
+                          parentheses);
     }
     return &*ahead_;
 }

@@ -56,10 +56,18 @@ void parse(Unit& unit) {
     findUsage(unit);
 }
 
-/// Gives a fragment stage that is alone a vertex stage, if the program wants one.
+/// Gives the fragment stage the vertex stage that covers the target, if the program wants one: where there is
+/// no other stage, or only a vertex stage that was meant for other shapes.
 void supplyVertexStage(ProgramUnits& program) {
-    const bool isAlone = program.units.size() == 1 && program.units.front().stage == Stage::fragment;
-    if (!program.request->suppliesFullScreenVertex || !isAlone) return;
+    if (!program.request->suppliesFullScreenVertex || program.units.empty() ||
+        program.units.back().stage != Stage::fragment || program.units.size() > 2)
+        return;
+    if (program.units.size() == 2) {
+        const Unit& first = program.units.front();
+        if (first.stage != Stage::vertex || !lacksPlace(first, program.units.back())) return;
+        program.units.erase(program.units.begin());
+    }
+    program.result->suppliesVertexStage = true;
     Unit vertex;
     vertex.request = program.request;
     readSource({Stage::vertex, "full_screen.vert", fullScreenVertex(program.units.front())}, vertex,
@@ -89,6 +97,7 @@ void applyRules(ProgramUnits& program) {
     supplyBuiltins(program);
     for (Unit& unit : program.units) supplyFixedState(unit, report);
     placeInTile(program);
+    runInPieces(program);
     connectBuiltinVaryings(program, walks);
     placeFragmentOutputs(program);
     for (std::size_t i = 0; i < walks.size(); ++i) modernizeGeometry(program.units[i], walks[i], report);
@@ -113,6 +122,23 @@ void applyRules(ProgramUnits& program) {
     program.result->isOpaque = findOpacity(program);
 }
 
+std::vector<TypeMismatch> mismatchesOf(const Unit& unit) {
+    constexpr std::size_t kMost = 256;  // drivers stop earlier
+    std::vector<TypeMismatch> all;
+    for (const OperandMismatch& each : unit.bodies.mismatches) {
+        if (all.size() == kMost) break;
+        all.push_back({unit.place(each.op),
+                       wordOf(each.left) + " " + std::string(unit.text(each.op)) + " " + wordOf(each.right)});
+    }
+    for (const ReturnValue& each : unit.bodies.returns)
+        if (all.size() < 2 * kMost && each.type.numeric() && each.wanted.numeric() &&
+            (each.type.columns != each.wanted.columns || each.type.rows != each.wanted.rows))
+            all.push_back(
+                {unit.place(each.expression.first),
+                 "the value is a " + wordOf(each.type) + ", the function returns a " + wordOf(each.wanted)});
+    return all;
+}
+
 void deliver(ProgramUnits& program) {
     TranslatedProgram& result = *program.result;
     if (!program.find(Stage::fragment)) result.fragmentOutputs = 0;
@@ -123,6 +149,7 @@ void deliver(ProgramUnits& program) {
             result.stages.emplace_back(program.request->shim ? emit(unit) : emitAsIs(unit));
         stage.loops = loopsOf(unit);
         stage.facts = factsOf(unit);
+        stage.mismatches = mismatchesOf(unit);
     }
 }
 

@@ -101,56 +101,100 @@ Result<TexelBlock> readTexture(const fs::path& path, int dimensions, const Place
     }
 }
 
+namespace {
+
+/// Pictures that become one texture, in one type.
+struct Pictures {
+    std::vector<TexelBlock> blocks;
+    Component type = Component::u8;
+    Diagnostics remarks;
+};
+
+/// Reads all of them, so that the messages of all come together. `problemOf` says what is wrong with a
+/// picture after the first one, in the words of `command`, or nothing.
+template <class ProblemOf>
+Pictures readPictures(std::span<const fs::path> files, const char* command, const Place& place,
+                      const ReadOptions& options, ProblemOf problemOf) {
+    Pictures all;
+    std::uint64_t bytes = 0;
+    ReadOptions rest = options;
+    for (const fs::path& path : files) {
+        auto block = readTexture(path, 2, place, rest);
+        append(all.remarks, std::move(block.diagnostics));
+        if (!block) continue;
+        const TexelBlock& first = all.blocks.empty() ? *block : all.blocks.front();
+        if (const std::string problem = problemOf(*block, first); !problem.empty()) {
+            all.remarks.push_back(
+                diagnose("file-E06",
+                         fmt::format("{}: '{}' is {} x {}, {}", command, path.filename().string(),
+                                     block->width, block->height, problem),
+                         place));
+            return all;
+        }
+        all.type = std::max(all.type, block->type);
+        bytes += block->data.size();
+        rest.limits.sceneBytesLeft -= block->data.size();
+        if (bytes > options.limits.texelBytes) {
+            all.remarks.push_back(
+                diagnose("file-E09",
+                         fmt::format("{}: the {} have more than {}, the limit of one texture", command,
+                                     std::string_view(command) == "CubeMap" ? "faces" : "pictures",
+                                     readableBytes(options.limits.texelBytes)),
+                         place));
+            return all;
+        }
+        all.blocks.push_back(*std::move(block.value));
+    }
+    return all;
+}
+
+/// The texels of all pictures, one after the other. `flips`: the top row of each comes first.
+void join(Pictures& all, bool flips, TexelBlock& to) {
+    to.width = all.blocks.front().width;
+    to.height = all.blocks.front().height;
+    to.type = all.type;
+    const std::size_t rowBytes = static_cast<std::size_t>(to.width) * 4 * bytesOf(to.type);
+    to.data.reserve(all.blocks.size() * rowBytes * static_cast<std::size_t>(to.height));
+    for (TexelBlock& each : all.blocks) {
+        each = withBlockType(std::move(each), to.type);
+        if (flips) flipRows(each.data, rowBytes);
+        to.data.insert(to.data.end(), each.data.begin(), each.data.end());
+        each.data = {};
+    }
+}
+
+}  // namespace
+
 Result<TexelBlock> readCubeMap(std::span<const fs::path> six, const Place& place,
                                const ReadOptions& options) {
     if (six.size() != 6)
         return diagnose("file-E06", fmt::format("CubeMap: expected 6 faces, found {}", six.size()), place);
-    std::vector<TexelBlock> faces;
-    Diagnostics remarks;
-    Component widest = Component::u8;
-    std::uint64_t bytes = 0;
-    ReadOptions rest = options;
-    for (const fs::path& path : six) {
-        auto face = readTexture(path, 2, place, rest);
-        append(remarks, std::move(face.diagnostics));
-        if (!face) continue;  // all six faces are read, so that the messages of all come together
-        const TexelBlock& first = faces.empty() ? *face : faces.front();
-        if (face->width != face->height || face->width != first.width) {
-            append(remarks,
-                   {diagnose("file-E06",
-                             fmt::format("CubeMap: '{}' is {} x {}, all faces must be squares of equal size",
-                                         path.filename().string(), face->width, face->height),
-                             place)});
-            return remarks;
-        }
-        widest = std::max(widest, face->type);
-        bytes += face->data.size();
-        rest.limits.sceneBytesLeft -= face->data.size();
-        if (bytes > options.limits.texelBytes) {
-            append(remarks,
-                   {diagnose("file-E09",
-                             fmt::format("CubeMap: the faces have more than {}, the limit of one texture",
-                                         readableBytes(options.limits.texelBytes)),
-                             place)});
-            return remarks;
-        }
-        faces.push_back(*std::move(face.value));
-    }
-    if (hasError(remarks)) return remarks;
-
+    Pictures faces = readPictures(six, "CubeMap", place, options, [](const auto& face, const auto& first) {
+        return std::string(face.width != face.height || face.width != first.width
+                               ? "all faces must be squares of equal size"
+                               : "");
+    });
+    if (hasError(faces.remarks)) return std::move(faces.remarks);
     TexelBlock cube;
     cube.faces = 6;
-    cube.width = cube.height = faces.front().width;
-    cube.type = widest;
-    const std::size_t rowBytes = static_cast<std::size_t>(cube.width) * 4 * bytesOf(widest);
-    cube.data.reserve(6 * rowBytes * static_cast<std::size_t>(cube.height));
-    for (TexelBlock& face : faces) {
-        face = withBlockType(std::move(face), widest);
-        flipRows(face.data, rowBytes);
-        cube.data.insert(cube.data.end(), face.data.begin(), face.data.end());
-        face.data = {};
-    }
-    return {std::move(cube), std::move(remarks)};
+    join(faces, true, cube);
+    return {std::move(cube), std::move(faces.remarks)};
+}
+
+Result<TexelBlock> readLayers(std::span<const fs::path> files, const Place& place,
+                              const ReadOptions& options) {
+    Pictures layers = readPictures(files, "layers", place, options, [](const auto& layer, const auto& first) {
+        return layer.width == first.width && layer.height == first.height
+                   ? std::string()
+                   : fmt::format("the first one is {} x {}; all must have the same size", first.width,
+                                 first.height);
+    });
+    if (hasError(layers.remarks)) return std::move(layers.remarks);
+    TexelBlock block;
+    block.dimensions = 3;
+    block.depth = static_cast<int>(files.size());
+    join(layers, false, block);
+    return {std::move(block), std::move(layers.remarks)};
 }
 
 }  // namespace glibra::image

@@ -48,13 +48,6 @@ void addPass(const FramePlan& plan, const PlannedPass& planned, std::vector<Obje
         if (const auto* draw = std::get_if<PlannedDraw>(&step)) addDraw(plan, *draw, to);
 }
 
-using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
-
-Object objectOf(const scene::ObjectView& view) {
-    if (const auto* buffer = std::get_if<scene::BufferView>(&view)) return buffer->buffer;
-    return std::get<scene::TextureView>(view).texture;
-}
-
 bool isPrevious(const scene::ObjectView& view) {
     return std::visit([](const auto& each) { return each.isPrevious; }, view);
 }
@@ -63,26 +56,6 @@ bool hasHistory(const scene::Scene& scene, const Object& object) {
     if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
         return scene.buffers[*buffer].hasHistory;
     return scene.textures[std::get<scene::TextureIndex>(object)].hasHistory;
-}
-
-/// The objects that the node gives a new content, whatever they held: it clears all of them first.
-std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, const scene::NodeIndex& node) {
-    std::set<Object> objects;
-    if (node.kind == scene::NodeIndex::Kind::clear)
-        std::visit([&](auto index) { objects.insert(index); },
-                   plan.clearOf(plan.clears.at(node.index)).object);
-    if (node.kind != scene::NodeIndex::Kind::pass) return objects;
-    const scene::Pass& pass = plan.passOf(plan.passes.at(node.index));
-    const auto isWhole = [&](scene::TextureIndex texture, const scene::TargetPart& part) {
-        return !part.layer && scene.textures[texture].levels == 1;
-    };
-    for (std::size_t i = 0; i < pass.targets.size() && i < pass.clearColors.size(); ++i)
-        if (pass.clearColors[i] &&
-            isWhole(pass.targets[i], i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{}))
-            objects.insert(pass.targets[i]);
-    if (pass.depth && pass.clearDepth && isWhole(pass.depth->texture, {pass.depth->level, pass.depth->layer}))
-        objects.insert(pass.depth->texture);
-    return objects;
 }
 
 }  // namespace
@@ -116,11 +89,36 @@ std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node) {
     return uses;
 }
 
+Object objectOf(const scene::ObjectView& view) {
+    if (const auto* buffer = std::get_if<scene::BufferView>(&view)) return buffer->buffer;
+    return std::get<scene::TextureView>(view).texture;
+}
+
+std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t at) {
+    const scene::NodeIndex& node = plan.order.at(at);
+    std::set<Object> objects;
+    if (node.kind == scene::NodeIndex::Kind::clear)
+        std::visit([&](auto index) { objects.insert(index); },
+                   plan.clearOf(plan.clears.at(node.index)).object);
+    if (node.kind != scene::NodeIndex::Kind::pass) return objects;
+    const scene::Pass& pass = plan.passOf(plan.passes.at(node.index));
+    const auto isWhole = [&](scene::TextureIndex texture, const scene::TargetPart& part) {
+        return !part.layer && scene.textures[texture].levels == 1;
+    };
+    for (std::size_t i = 0; i < pass.targets.size() && i < pass.clearColors.size(); ++i)
+        if (pass.clearColors[i] &&
+            isWhole(pass.targets[i], i < pass.parts.size() ? pass.parts[i] : scene::TargetPart{}))
+            objects.insert(pass.targets[i]);
+    if (pass.depth && pass.clearDepth && isWhole(pass.depth->texture, {pass.depth->level, pass.depth->layer}))
+        objects.insert(pass.depth->texture);
+    return objects;
+}
+
 std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan) {
     std::vector<std::vector<PlannedExchange>> exchanges(plan.order.size());
     bool isAny = false;
     for (std::size_t node = 0; node < plan.order.size(); ++node) {
-        const std::set<Object> covered = overwritten(scene, plan, plan.order[node]);
+        const std::set<Object> covered = overwritten(scene, plan, node);
         std::set<Object> done;
         for (const ObjectUse& each : usesOf(plan, node)) {
             const Object object = objectOf(each.object);
@@ -134,12 +132,12 @@ std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene,
     return exchanges;
 }
 
-std::vector<scene::ObjectView> resetsOf(const scene::Scene& scene, const FramePlan& plan) {
+void findBeginnings(const scene::Scene& scene, FramePlan& plan) {
     std::set<Object> fresh;    // their content is of this frame
     std::set<Object> touched;  // read or written before that
     std::set<Object> written;
     for (std::size_t node = 0; node < plan.order.size(); ++node) {
-        const std::set<Object> covered = overwritten(scene, plan, plan.order[node]);
+        const std::set<Object> covered = overwritten(scene, plan, node);
         for (const ObjectUse& each : usesOf(plan, node)) {
             const Object object = objectOf(each.object);
             if (each.writes) written.insert(object);
@@ -148,15 +146,68 @@ std::vector<scene::ObjectView> resetsOf(const scene::Scene& scene, const FramePl
         }
         fresh.insert(covered.begin(), covered.end());
     }
-    std::vector<scene::ObjectView> resets;
-    for (const Object& each : written) {
-        if (!touched.contains(each) && !hasHistory(scene, each)) continue;
-        if (const auto* buffer = std::get_if<scene::BufferIndex>(&each))
-            resets.emplace_back(scene::BufferView{*buffer});
+    const auto add = [](std::vector<scene::ObjectView>& to, const Object& object) {
+        if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))
+            to.emplace_back(scene::BufferView{*buffer});
         else
-            resets.emplace_back(scene::TextureView{.texture = std::get<scene::TextureIndex>(each)});
+            to.emplace_back(scene::TextureView{.texture = std::get<scene::TextureIndex>(object)});
+    };
+    for (const Object& each : written) {
+        const auto* texture = std::get_if<scene::TextureIndex>(&each);
+        if (touched.contains(each) || hasHistory(scene, each))
+            add(plan.resets, each);
+        else if (texture != nullptr)
+            plan.cleared.push_back(*texture);
     }
-    return resets;
+    for (const Object& each : touched)
+        if (!written.contains(each)) add(plan.reads, each);
+}
+
+std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(
+    const scene::Scene& scene, const FramePlan& plan, const std::vector<scene::ObjectView>& roots) {
+    struct Life {
+        scene::TextureIndex texture;
+        std::size_t first = 0, last = 0;  ///< nodes that use it
+    };
+    std::map<scene::TextureIndex, Life> lives;
+    for (const scene::TextureIndex each : plan.cleared)
+        if (std::holds_alternative<scene::EmptySource>(scene.textures[each].source) &&
+            scene.textures[each].samples == 1)
+            lives.emplace(each, Life{each, plan.order.size(), 0});
+    for (const scene::ObjectView& each : roots)
+        if (const auto* view = std::get_if<scene::TextureView>(&each)) lives.erase(view->texture);
+    for (std::size_t node = 0; node < plan.order.size(); ++node)
+        for (const ObjectUse& each : usesOf(plan, node)) {
+            const auto* view = std::get_if<scene::TextureView>(&each.object);
+            const auto life = view != nullptr ? lives.find(view->texture) : lives.end();
+            if (life == lives.end()) continue;
+            life->second.first = std::min(life->second.first, node);
+            life->second.last = node;
+        }
+    std::vector<Life> inOrder;
+    for (const auto& [texture, life] : lives) inOrder.push_back(life);
+    std::stable_sort(inOrder.begin(), inOrder.end(),
+                     [](const Life& a, const Life& b) { return a.first < b.first; });
+    const auto haveOneLayout = [&](scene::TextureIndex a, scene::TextureIndex b) {
+        const scene::Texture &one = scene.textures[a], &other = scene.textures[b];
+        return one.target == other.target && one.levels == other.levels &&
+               one.hasMipmaps == other.hasMipmaps &&
+               std::get<scene::EmptySource>(one.source) == std::get<scene::EmptySource>(other.source);
+    };
+    std::map<scene::TextureIndex, scene::TextureIndex> sharing;
+    std::vector<Life> memories;  // with the last use of each so far
+    for (const Life& life : inOrder) {
+        const auto free = std::find_if(memories.begin(), memories.end(), [&](const Life& each) {
+            return each.last < life.first && haveOneLayout(each.texture, life.texture);
+        });
+        if (free == memories.end()) {
+            memories.push_back(life);
+            continue;
+        }
+        sharing.emplace(life.texture, free->texture);
+        free->last = life.last;
+    }
+    return sharing;
 }
 
 bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures) {

@@ -2,6 +2,9 @@
 // Which objects of a scene a node reads and writes: from the active resources of its programs and the memory
 // qualifiers in their text.
 
+#include <map>
+#include <set>
+#include <variant>
 #include <vector>
 
 #include "plan/frame_plan.h"
@@ -17,9 +20,22 @@ std::vector<ObjectUse> shaderUses(const PlannedProgram& program, const std::vect
 /// are written, and read too unless the pass clears them.
 std::vector<ObjectUse> usesOf(const FramePlan& plan, std::size_t node);
 
-/// FramePlan::exchanges and FramePlan::resets.
+/// A texture or buffer, whatever part or copy of it.
+using Object = std::variant<scene::TextureIndex, scene::BufferIndex>;
+Object objectOf(const scene::ObjectView& view);
+
+/// The objects that the node (index into FramePlan::order) gives a new content, whatever they held: it clears
+/// all of them first.
+std::set<Object> overwritten(const scene::Scene& scene, const FramePlan& plan, std::size_t node);
+
+/// FramePlan::exchanges.
 std::vector<std::vector<PlannedExchange>> exchangesOf(const scene::Scene& scene, const FramePlan& plan);
-std::vector<scene::ObjectView> resetsOf(const scene::Scene& scene, const FramePlan& plan);
+/// Fills FramePlan::resets, reads and cleared.
+void findBeginnings(const scene::Scene& scene, FramePlan& plan);
+/// FramePlan::sharing.
+std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(const scene::Scene& scene,
+                                                                 const FramePlan& plan,
+                                                                 const std::vector<scene::ObjectView>& roots);
 
 /// True if the shaders of the program may write to an image, a storage block or an atomic counter.
 bool writesMemory(const PlannedProgram& program, const std::vector<TextureUse>& textures);

@@ -210,6 +210,8 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
         std::optional<scene::BufferView> view = finder.find(name);
         if (!view) view = finder.find(plainName(name));
         if (!view && declared != nullptr) view = finder.find(declared->instance);
+        if (!view && isStorage && declared != nullptr && !declared->members.empty())
+            view = finder.find(declared->members.back().name);
         if (view) return uses.push_back({kind, index, *view, place});
         if (isStorage)
             errors.push_back(diagnose(

@@ -58,14 +58,16 @@ class FramePlanner {
         if (options_.reportsOverrides) reportOverrides();
         if (scene_.isModern) {
             plan_.exchanges = exchangesOf(scene_, plan_);
-            plan_.resets = resetsOf(scene_, plan_);
+            findBeginnings(scene_, plan_);
+            if (options_.shareTargets && !options_.everything)
+                plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
         }
         if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
         return std::move(plan_);
     }
 
   private:
-    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, scene::UniformSetIndex>;
+    using VariantKey = std::tuple<scene::ProgramIndex, bool, int, bool, bool, scene::UniformSetIndex>;
 
     const scene::Program* sceneProgram(scene::ProgramIndex index) const {
         return index ? &scene_.programs[index] : nullptr;
@@ -134,13 +136,16 @@ class FramePlanner {
         return programOf(variantOf(scene_, draw, pass), draw.uniforms);
     }
     PlannedProgramIndex programOf(const scene::Dispatch& dispatch) {
-        return programOf(ProgramVariant{dispatch.program}, dispatch.uniforms);
+        return programOf(ProgramVariant{.program = dispatch.program, .inPieces = dispatch.tiles > 1},
+                         dispatch.uniforms);
     }
 
     /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
     PlannedProgramIndex programOf(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {}) {
-        PlannedProgramIndex& index = programs_[VariantKey{
-            variant.program, variant.flatColors, variant.colorTargets, variant.isFullScreen, uniforms}];
+        if (!variant.program) uniforms = {};  // the built-in program reads none of them
+        PlannedProgramIndex& index =
+            programs_[VariantKey{variant.program, variant.flatColors, variant.colorTargets,
+                                 variant.isFullScreen, variant.inPieces, uniforms}];
         if (index) return index;
         const ProgramInterface& interface = interfaceOf_(variant);
         PlannedProgram program{variant, &interface, {}, {}, {}};
@@ -201,6 +206,11 @@ class FramePlanner {
                 to.push_back(
                     fmt::format("vertex input '{}' is the attribute {}", input.name, row->attribute));
         }
+    }
+
+    /// True if the scene would supply the input if it were modern.
+    [[nodiscard]] bool suppliesIfModern(const ActiveInput& input) const {
+        return !scene_.isModern && glsl::findWellKnownInput(input.name, input.type.word) != nullptr;
     }
 
     int loopLimit() {
@@ -411,7 +421,10 @@ class FramePlanner {
             const bool isOfList = shape.list != nullptr && shape.list->attribute(name) != nullptr;
             if (!sources[i].isKnown && !isOfList && !isInternalName(name))
                 warnOnce(draw.place, index, "draw-W03",
-                         fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1", name));
+                         fmt::format("vertex input '{}' is not supplied; it reads 0 0 0 1{}", name,
+                                     suppliesIfModern(interface.inputs[i])
+                                         ? "; scenes with a Camera or another modern statement supply it"
+                                         : ""));
         }
     }
 
@@ -544,9 +557,10 @@ class FramePlanner {
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
     const bool isBuiltin = usesBuiltin(scene, draw, pass);
+    const bool coversTarget = scene.isModern && std::holds_alternative<scene::ClipSpace>(draw.projection);
     return {isBuiltin ? scene::ProgramIndex() : draw.program, draw.flatColors,
             std::max<int>(1, static_cast<int>(pass.targets.size())),
-            !isBuiltin && isWithoutVertexStage(scene, scene.programs[draw.program])};
+            !isBuiltin && (coversTarget || isWithoutVertexStage(scene, scene.programs[draw.program]))};
 }
 
 FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const InterfaceOf& interfaceOf,

@@ -4,6 +4,7 @@
 // something visible needs it.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -24,7 +25,8 @@ struct ProgramVariant {
     scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
-    bool isFullScreen = false;  ///< the vertex stage is supplied: one triangle over the whole target
+    bool isFullScreen = false;  ///< a vertex stage that covers the whole target may be supplied
+    bool inPieces = false;      ///< a compute program that runs in several dispatches
     friend bool operator==(const ProgramVariant&, const ProgramVariant&) = default;
 };
 
@@ -44,12 +46,19 @@ struct TextureUse {
     bool compares = false;      ///< the shader compares depth: 1 where its value is less or equal
     bool readsSamples = false;  ///< the shader reads the single samples of a multisampled texture
     bool isImage = false;
+    /// Of an image: the format that the shader declares; nothing: the texture's own.
+    std::optional<base::TexelFormat> imageFormat{};
+    /// The shader may read mipmaps: its sampler does, or it fetches texels.
+    bool readsMipmaps = true;
+    friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
 /// How the mesh is submitted (language, 4.8).
 struct Submission {
     geometry::Topology topology = geometry::Topology::triangles;
     int patchVertices = 0;
+    std::optional<geometry::ListTopology> strip{};  ///< the primitives share vertices
+    friend bool operator==(const Submission&, const Submission&) = default;
 };
 
 struct PlannedProgram {
@@ -124,8 +133,16 @@ struct FramePlan {
     std::vector<scene::NodeIndex> order;
     /// One element per node of `order`; empty if no node writes an object with history.
     std::vector<std::vector<PlannedExchange>> exchanges;
-    /// What the nodes write before they clear it: in a frame it begins as declared. Only of modern scenes.
+    // What a frame does with objects, in modern scenes only. Everything begins as declared.
+    /// What the nodes write before they clear it.
     std::vector<scene::ObjectView> resets;
+    /// What the nodes read and none writes; an earlier frame may have written it.
+    std::vector<scene::ObjectView> reads;
+    /// Textures that a node clears as wholes before anything else happens to them.
+    std::vector<scene::TextureIndex> cleared;
+    /// Textures that use the memory of another one of `cleared`, because none of them is needed while another
+    /// one is. Only with PlanOptions::shareTargets.
+    std::map<scene::TextureIndex, scene::TextureIndex> sharing;
     scene::List<PlannedProgram> programs;
     scene::List<PlannedMesh> meshes;
     scene::List<PlannedInputs> inputs;
@@ -166,6 +183,7 @@ struct PlanOptions {
     bool everything = false;       ///< for `glibra check` and --no-skip: skips nothing
     bool reportsOverrides = true;  ///< false: one of several lists, whose programs have other uniforms
     bool shareMeshes = true;       ///< false: one mesh per draw
+    bool shareTargets = false;     ///< textures may share memory; only `roots` keep their content
     /// Returns in words why nothing of the draw is visible; empty if it may be visible or has effects besides
     /// those on its target. Called at most once per draw, before its program is asked for, and never with
     /// `everything`.

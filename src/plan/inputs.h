@@ -18,6 +18,7 @@ struct InputSource {
     std::variant<std::string, std::array<double, 4>, scene::BufferView> from;
     bool isPerInstance = false;  ///< of a buffer
     bool isKnown = true;         ///< false: nothing feeds it but perhaps a list with an attribute of its name
+    friend bool operator==(const InputSource&, const InputSource&) = default;
 };
 
 /// The sources of all inputs of a program, in the order of ProgramInterface::inputs, for draws with one set

@@ -222,7 +222,7 @@ MemoryPattern patternOf(const base::CounterBuffer& counters) {
 std::optional<MemoryPattern> patternOf(std::string_view type, const glsl::MemoryStructures& structures) {
     const Result<glsl::MemoryLayout> layout = glsl::layoutOf(type, glsl::Packing::std430, structures);
     if (!layout || layout->stride <= 0) return std::nullopt;
-    // By the beginning of their scalar, vector or matrix, which is the order of declaration.
+    // Sorted by where their scalar, vector or matrix begins, which is the order of declaration.
     std::vector<std::pair<std::uint64_t, MemoryNumber>> numbers;
     for (const glsl::MemoryField& each : layout->fields) addAll(each, 0, unsignedOf(each.offset), numbers);
     if (numbers.size() >= kMostHeadNumbers) return std::nullopt;

@@ -203,7 +203,8 @@ bool usesBuiltin(const scene::Scene& scene, const scene::Draw& draw, const scene
     if (!draw.program) return true;
     const scene::Program& program = scene.programs[draw.program];
     if (!program.hasStage(glsl::Stage::vertex))
-        return !isWithoutVertexStage(scene, program) || !scene.shapes[draw.shape].bare;
+        return !isWithoutVertexStage(scene, program) ||
+               !(scene.shapes[draw.shape].bare || std::holds_alternative<scene::ClipSpace>(draw.projection));
     const bool needsFragments = !scene.isModern || pass.isWindow || !pass.targets.empty();
     return needsFragments && !program.hasStage(glsl::Stage::fragment);
 }

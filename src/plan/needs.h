@@ -39,9 +39,9 @@ using UsesOfDispatch = std::function<std::vector<ObjectUse>(const scene::Dispatc
 /// PlanOptions::outOfSight.
 using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
 
-/// The questions of findNeeds. `texturesOf` is called once per needed draw, from the last pass to the first.
-/// `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is called
-/// once per draw that is needed otherwise. Modern scenes ask `usesOf` in place of `texturesOf`.
+/// What findNeeds asks the planner. `texturesOf` is called once per needed draw, from the last pass to the
+/// first. `mayWriteImages` is called only for draws that seem unnecessary. `outOfSight` may be empty; it is
+/// called once per draw that is needed otherwise. Modern scenes ask `usesOf` in place of `texturesOf`.
 struct NeedQuestions {
     TexturesOf texturesOf;
     MayWriteImages mayWriteImages;
@@ -50,7 +50,7 @@ struct NeedQuestions {
     UsesOfDispatch usesOfDispatch{};
 };
 
-/// Modern scenes: findLiveNeeds. In classic scenes these are needed:
+/// Modern scenes are left to findLiveNeeds. In classic scenes these are needed:
 /// - the window's draws after its last Clear;
 /// - every draw of a pass whose target a needed draw reads anywhere in the frame, since a target keeps its
 ///   content until it is drawn to again;
@@ -72,7 +72,7 @@ Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, con
 bool usesStencil(const scene::Pass& pass);
 
 /// True if the program has a fragment stage and no other: in modern scenes such a program gets a vertex stage
-/// that covers the whole target, when it draws vertices without data.
+/// that covers the whole target, when it draws vertices without data or `FullScreen`.
 bool isWithoutVertexStage(const scene::Scene& scene, const scene::Program& program);
 
 /// True if the built-in program is used: the draw has no program, or the program lacks a vertex or a fragment

@@ -35,6 +35,16 @@ std::optional<double> readNumber(std::string_view token) {
     return value;
 }
 
+/// True for a word that may be one of a choice. Spellings of what is not finite are none.
+bool isChoiceWord(std::string_view text) {
+    if (text.empty() || !(glib::isLetter(text[0]) || text[0] == '_')) return false;
+    const bool isWord = std::all_of(text.begin(), text.end(), [](char each) {
+        return glib::isLetter(each) || each == '_' || (each >= '0' && each <= '9');
+    });
+    return isWord && !glib::sameWord(text, "nan") && !glib::sameWord(text, "inf") &&
+           !glib::sameWord(text, "infinity");
+}
+
 /// Removes the brackets. Returns nothing if the closing one is missing.
 std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
     struct Bracket {
@@ -71,12 +81,17 @@ Result<Override> parseOverride(std::string_view text) {
     if (result.name.empty()) return bad("the name is missing");
 
     std::string_view value = trimmed(text.substr(equals + 1));
+    result.written = value;
     const std::optional<glib::UniformForm> form = takeBrackets(value);
     if (!form) return bad("a bracket is not closed");
     result.form = *form;
     if (value == "true" || value == "false") {
         result.form = glib::UniformForm::truth;
         result.values = {value == "true" ? 1.0 : 0.0};
+        return result;
+    }
+    if (result.program.empty() && result.form == glib::UniformForm::number && isChoiceWord(value)) {
+        result.word = value;
         return result;
     }
     while (!value.empty()) {
@@ -96,6 +111,13 @@ Result<Override> parseOverride(std::string_view text) {
     return result;
 }
 
+Diagnostic notAChoice(std::string_view name, std::string_view word) {
+    return withoutId(Severity::error,
+                     fmt::format("--set {0}={1}: '{1}' is not a number, and the scene has no "
+                                 "choice '{0}' with words",
+                                 name, word));
+}
+
 bool isFor(const Override& override, const scene::Program& program) {
     return override.program.empty() || override.program == program.name ||
            override.program == std::to_string(program.place.line);
@@ -106,7 +128,7 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
     Diagnostics diagnostics;
     for (std::size_t i = 0; i < overrides.size(); ++i) {
         if (i < used.size() && used[i]) continue;
-        const auto& [name, form, values, program] = overrides[i];
+        const auto& [name, form, values, program, written, word] = overrides[i];
         const std::string where =
             program.empty() ? "program of the scene" : "program " + glib::inQuotes(program);
         const bool isElsewhere = std::find(names.begin(), names.end(), name) != names.end();

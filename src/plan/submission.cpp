@@ -103,7 +103,12 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
     const bool isTessellated = program != nullptr && program->hasStage(glsl::Stage::tessEvaluation);
     const std::string& word = draw.word;
 
-    Submission submission{topology, 0};
+    Submission submission{topology, 0, shape.strip};
+    if (shape.strip && isTessellated)
+        return diagnose(
+            "draw-E03",
+            fmt::format("{}: strips, fans and loops cannot be tessellated; write 'Vertices patches'", word),
+            draw.place);
     std::string_view delivered = wordOf(topology);
     if (isTessellated) {
         const Result<Submission> patches = asPatches(shape, draw, interface);
@@ -119,7 +124,7 @@ Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& dr
 
     const std::string& wanted = interface.facts.geometryInput;
     for (const Topology each : {Topology::trianglesAdjacency, Topology::linesAdjacency})
-        if (topology == Topology::triangles && !isTessellated && wanted == wordOf(each)) {
+        if (topology == Topology::triangles && !isTessellated && !shape.strip && wanted == wordOf(each)) {
             submission.topology = each;
             delivered = wanted;
         }

@@ -29,11 +29,13 @@ std::optional<base::TexelFormat> formatOf(const scene::Texture& texture) {
     return std::nullopt;
 }
 
-BaseType texelsOf(const scene::Texture& texture) {
-    const auto format = formatOf(texture);
+BaseType texelsOf(const std::optional<base::TexelFormat>& format) {
     if (!format || !isInteger(*format)) return BaseType::floating;
     return base::rowOf(*format).kind == base::TexelClass::integer ? BaseType::integer
                                                                   : BaseType::unsignedInteger;
+}
+BaseType texelsOf(const scene::Texture& texture) {
+    return texelsOf(formatOf(texture));
 }
 
 /// What a shader sees of the view: a layer or face is 2D. Images also take a layer of a 3D texture.
@@ -41,10 +43,11 @@ TextureTarget targetOf(const scene::Texture& texture, const scene::TextureView& 
     return view.layer ? TextureTarget::texture2D : texture.target;
 }
 
-/// "sampler2D", "uimage3D": the type that reads this view.
+/// "sampler2D", "uimage3D": the type that reads this view. `asFormat`: that of an image in place of the
+/// texture's own.
 std::string fittingWord(const scene::Texture& texture, const scene::TextureView& view, bool isImage,
-                        const SamplerType& asked) {
-    const BaseType texels = texelsOf(texture);
+                        const SamplerType& asked, const std::optional<base::TexelFormat>& asFormat = {}) {
+    const BaseType texels = asFormat ? texelsOf(asFormat) : texelsOf(texture);
     std::string word = texels == BaseType::integer ? "i" : texels == BaseType::unsignedInteger ? "u" : "";
     word += isImage ? "image" : "sampler";
     for (const Dimension& each : kDimensions)
@@ -86,8 +89,7 @@ std::optional<Diagnostic> missingPart(const scene::Scene& scene, const BoundText
     if (const auto levels = scene::levelsOf(texture);
         bound.view.level && levels && *bound.view.level >= *levels)
         return say(fmt::format("'{}' has {} level{}", texture.name, *levels, *levels == 1 ? "" : "s"));
-    const auto size = scene::sizeOfLevel(texture, bound.view.level.value_or(0));
-    const int layers = size ? (*size)[2] : texture.target == TextureTarget::cube ? 6 : 0;
+    const int layers = scene::layersOf(texture, bound.view.level.value_or(0)).value_or(0);
     if (bound.view.layer && layers > 0 && *bound.view.layer >= layers)
         return say(fmt::format("'{}' has {} layer{}", texture.name, layers, layers == 1 ? "" : "s"));
     if (bound.view.isPrevious && !texture.hasHistory)
@@ -124,6 +126,13 @@ SamplerType samplerTypeOf(std::string_view word) {
     return type;
 }
 
+std::optional<base::TexelFormat> imageFormatOf(const ProgramInterface& interface,
+                                               const ActiveUniform& uniform) {
+    const auto declared = interface.facts.memory.images.find(std::string(rootName(uniform.name)));
+    if (declared == interface.facts.memory.images.end()) return std::nullopt;
+    return base::texelFormatNamed(declared->second.format);
+}
+
 std::string nameOf(const scene::Scene& scene, const scene::TextureView& view) {
     const scene::Texture& texture = scene.textures[view.texture];
     std::string text = texture.name;
@@ -153,16 +162,13 @@ std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const Progra
     if (isImage && (isDepth || texture.isSrgb || format == base::TexelFormat::srgb8_alpha8))
         return say("; images take neither depth nor sRGB");
     if (isImage && texture.samples > 1) return say("; images take no samples");
-    if (!isImage && bound.view.layer && texture.target == TextureTarget::texture3D)
-        return say("; a layer of a 3D texture can only be an image or a target");
-    if (isImage && format) {
-        const auto declared = interface.facts.memory.images.find(std::string(rootName(uniform.name)));
-        const bool isKnown =
-            declared != interface.facts.memory.images.end() && !declared->second.format.empty();
-        if (isKnown && declared->second.format != name(*format))
-            return say(fmt::format("; the image has the format {}", declared->second.format));
-    }
-    const std::string fitting = fittingWord(texture, bound.view, isImage, type);
+    const auto declared = isImage ? imageFormatOf(interface, uniform) : std::nullopt;
+    // GL reinterprets texels of equal size.
+    if (declared && format && base::bytesPerTexel(*declared) != base::bytesPerTexel(*format))
+        return say(fmt::format("; the image has the format {}, whose texels have {} bytes, not {}",
+                               name(*declared), base::bytesPerTexel(*declared),
+                               base::bytesPerTexel(*format)));
+    const std::string fitting = fittingWord(texture, bound.view, isImage, type, declared);
     if (fitting != uniform.type.word) return say("; write " + fitting);
     return std::nullopt;
 }

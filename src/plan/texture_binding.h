@@ -23,6 +23,10 @@ SamplerType samplerTypeOf(std::string_view word);
 /// The texture as messages name it: "'shadow.layer(2)'".
 std::string nameOf(const scene::Scene& scene, const scene::TextureView& view);
 
+/// The format that the shader declares for an image; nothing if it declares none.
+std::optional<base::TexelFormat> imageFormatOf(const ProgramInterface& interface,
+                                               const ActiveUniform& uniform);
+
 /// Why that sampler or image cannot read the texture: draw-E09 if the types differ, draw-E10 if the part does
 /// not exist.
 std::optional<Diagnostic> bindingProblem(const scene::Scene& scene, const ProgramInterface& interface,

@@ -25,6 +25,12 @@ bool isNoise(const scene::Scene& scene, scene::TextureIndex texture) {
     return texture && std::holds_alternative<scene::NoiseSource>(scene.textures[texture].source);
 }
 
+bool fetchesTexels(const ProgramInterface& interface) {
+    const auto& stages = interface.facts.stages;
+    return std::any_of(stages.begin(), stages.end(),
+                       [](const glsl::TranslatedStage& each) { return each.facts.fetchesTexels; });
+}
+
 }  // namespace
 
 Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
@@ -68,6 +74,9 @@ std::vector<TextureUse> textureUses(const scene::Scene& scene, scene::SlotTableI
         use.isImage = type.base == BaseType::image;
         if (unit.binding.bound) {
             useNamed(scene, unit.binding.bound->view, type, use);
+            if (use.isImage) use.imageFormat = imageFormatOf(interface, at(interface.uniforms, use.uniform));
+            use.readsMipmaps =
+                use.view.level ? *use.view.level > 0 : use.sampler.readsMipmaps() || fetchesTexels(interface);
             uses.push_back(use);
             continue;
         }

@@ -21,6 +21,7 @@ bool isReal(const ValueType& type) {
 
 /// The value as messages quote it: "range < 0 0 1 >", "list [ 1 2 ]", "colour { 1 .5 0 }", "<true>", "5".
 std::string quote(const GivenValue& given) {
+    if (!given.typed.empty()) return fmt::format("--set {}={}", given.tag, given.typed);
     constexpr std::size_t kMostShown = 6;
     if (given.form == UniformForm::truth) return given.values.front() != 0 ? "<true>" : "<false>";
     std::string numbers;
@@ -98,6 +99,11 @@ class ValueReader {
         reading_.diagnostics.push_back(diagnose(id, std::move(text), place));
     }
     void warnCount(const std::string& text) {
+        if (!given_.typed.empty())
+            return warn("glib-W15",
+                        fmt::format("--set {}={}: {}; {}", given_.tag, given_.typed,
+                                    countText(given_.values.size()), text),
+                        given_.valuePlace);
         warn("glib-W15",
              fmt::format("{}: {} in {}; {}", given_.tag, countText(given_.values.size()),
                          brackets(given_.form), text),
@@ -257,7 +263,7 @@ class ValueReader {
     void readVector() {
         switch (given_.form) {
             case UniformForm::list:
-                return setList(components(), true);
+                return readComponents();
             case UniformForm::color:
                 return readColor();
             case UniformForm::range:
@@ -271,6 +277,17 @@ class ValueReader {
                 break;
         }
         warnForm(fmt::format("read as {} for all components", numberText(reading_.values.front())));
+    }
+
+    /// Three numbers for a vec4 on the command line are a colour, as 0,1,0, which is opaque as in the color
+    /// form.
+    void readComponents() {
+        const bool isTypedColor = !given_.typed.empty() && given_.values.size() == 3 && components() == 4 &&
+                                  type_.base == BaseType::floating;
+        if (!isTypedColor) return setList(components(), true);
+        warnCount(fmt::format("{} takes 4, so the last one is 1", typeName_));
+        setList(components(), false);
+        reading_.values[3] = 1;
     }
 
     void readColor() {

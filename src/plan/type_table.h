@@ -18,6 +18,7 @@ struct GivenValue {
     std::span<const double> values;  ///< as written; a truth value is 1 or 0
     Place tagPlace;
     Place valuePlace;
+    std::string_view typed{};  ///< the value as the command line has it; empty for values of a scene
 };
 
 /// The meaning of a value. `values` are the components, column by column, of one element or of all elements

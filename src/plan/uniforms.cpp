@@ -131,8 +131,8 @@ class Resolver {
         for (const Override& each : overrides_) {
             if (!isFor(each, program_)) continue;
             for (const NamedUniform& named : names_.find(each.name))
-                if (!readValue({each.name, each.form, each.values, {}, {}}, uniform(named.uniform),
-                               named.oneElement)
+                if (!readValue({each.name, each.form, each.values, {}, {}, each.written},
+                               uniform(named.uniform), named.oneElement)
                          .ignored)
                     overridden_.insert({named.uniform, named.element});
         }
@@ -157,7 +157,7 @@ class Resolver {
         for (std::size_t i = 0; i < overrides_.size(); ++i) {
             const Override& each = overrides_[i];
             if (!isFor(each, program_)) continue;
-            const GivenValue given{each.name, each.form, each.values, {}, {}};
+            const GivenValue given{each.name, each.form, each.values, {}, {}, each.written};
             const std::vector<NamedUniform> named = names_.find(each.name);
             if (!named.empty()) used[i] = true;
             if (named.empty() && isSuppliedName(each.name)) {
@@ -351,9 +351,19 @@ class Resolver {
             }
             if (hasInitializer(each)) continue;
             warn("glib-W37",
-                 fmt::format("uniform '{}' of '{}' is not set; it is 0", each.name, program_.name),
+                 fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
+                             modernHint(each)),
                  program_.place);
         }
+    }
+
+    /// What a classic scene has to do to get a matrix with a well-known name; empty if it is none.
+    std::string modernHint(const ActiveUniform& target) const {
+        const auto isUniform = [this](std::string_view name) { return names_.hasUniform(name); };
+        if (drawn_.scene != nullptr || target.isArray || target.block >= 0 ||
+            glsl::findWellKnownUniform(target.name, target.type.word, isUniform) == nullptr)
+            return {};
+        return "; scenes with a Camera or another modern statement supply it";
     }
 
     void listSamplers() {

@@ -21,10 +21,12 @@ namespace glibra::plan {
 /// A constant: `values` fill elements firstElement.. of the uniform, column by column, element by element.
 struct Literal {
     std::vector<double> values;
+    friend bool operator==(const Literal&, const Literal&) = default;
 };
 /// A value that the runtime computes per draw.
 struct Supplied {
     glsl::Builtin value{};
+    friend bool operator==(const Supplied&, const Supplied&) = default;
 };
 /// The value of a uniform.
 using Expression = std::variant<Literal, Supplied>;
@@ -33,6 +35,7 @@ struct UniformBinding {
     UniformIndex uniform{};
     int firstElement = 0;  ///< for arrays
     Expression value;
+    friend bool operator==(const UniformBinding&, const UniformBinding&) = default;
 };
 
 /// A texture that a sampler or image reads by its name.
@@ -76,17 +79,23 @@ struct DrawValues {
     std::function<bool(const ActiveUniform&)> isInBuffer{};
 };
 
-/// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false.
+/// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false, or a word of
+/// a choice.
 struct Override {
     std::string name;
     glib::UniformForm form = glib::UniformForm::number;
-    std::vector<double> values;
+    std::vector<double> values;  ///< empty if there is a word
     /// Name or line of the Program that it is for; empty: all programs that have the uniform.
     std::string program{};
+    std::string written{};  ///< the value as typed, for messages
+    /// A word of the choice `name`. Only the scene knows whether there is one; it has no program.
+    std::string word{};
 };
 /// Reads "NAME=VALUE": "uKd=.5", "uColor=1,.5,0", "uOn=true", "uM=[1 0 0 1]". "Dots:uKd=.5" and "12:uKd=.5"
-/// apply only to the program of that name or on that line.
+/// apply only to the program of that name or on that line. "method=unordered" has a word.
 Result<Override> parseOverride(std::string_view text);
+/// The error for a word whose name is no choice.
+Diagnostic notAChoice(std::string_view name, std::string_view word);
 /// True if the override applies to this program.
 bool isFor(const Override& override, const scene::Program& program);
 

@@ -37,7 +37,7 @@ Result<Picture> Renderer::render(const std::filesystem::path& scene, const Rende
     if (options.checkNan)
         if (Result<render::NanSearch> search = render::NanSearch::load(state_->context, scene, options))
             append(diagnostics, search->at(options.time));
-    if (!image || hasError(diagnostics)) return diagnostics;
+    if (!image || (hasError(diagnostics) && !options.incomplete)) return diagnostics;
     Picture picture;
     picture.width = image->width;
     picture.height = image->height;

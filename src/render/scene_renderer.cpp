@@ -9,6 +9,7 @@
 #include "gpu/object/readback.h"
 #include "plan/accesses.h"
 #include "render/draw/tiles.h"
+#include "render/file/incomplete_mark.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -31,6 +32,7 @@ PreparedScene& PreparedScene::operator=(PreparedScene&&) noexcept = default;
 PreparedScene::~PreparedScene() = default;
 
 FrameDrawer& SceneRenderer::drawer() {
+    state_->forgetDrawn();  // whoever asks for it will draw
     return *state_->drawer;
 }
 const DeviceScene& SceneRenderer::device() const {
@@ -46,9 +48,11 @@ int SceneRenderer::width() const {
     return state_->width;
 }
 void SceneRenderer::setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures) {
+    state_->forgetDrawn();
     state_->drawer->setShift(window, std::move(textures));
 }
 void SceneRenderer::setView(const ViewMatrices& view) {
+    state_->forgetDrawn();
     state_->view = view;
 }
 int SceneRenderer::height() const {
@@ -100,8 +104,10 @@ PreparedScene SceneRenderer::begin(gpu::Context& context, const std::filesystem:
     begun.isStrict_ = options.strict;
     begun.diagnostics_ = std::move(interpreted.diagnostics);
     applyStrict(begun.diagnostics_, options.strict);
-    if (interpreted && !hasError(begun.diagnostics_))
+    const bool isWrong = hasError(begun.diagnostics_);
+    if (interpreted && (!isWrong || options.incomplete))
         begun.state_ = State::of(context, std::move(*interpreted), options, stats, shared);
+    if (begun.state_) (*begun.state_)->isIncomplete = isWrong;
     return begun;
 }
 
@@ -172,10 +178,11 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     };
     append(diagnostics, state->preparePlan(stats, false));
     applyStrict(diagnostics, options.strict);
-    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
+    if (state->isStopped(diagnostics)) return refuse(std::move(diagnostics));
 
-    append(diagnostics, state->checkTiles());
-    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
+    const Diagnostics ofTiles = state->checkTiles();
+    append(diagnostics, ofTiles);
+    if (hasError(ofTiles)) return refuse(std::move(diagnostics));
     state->makeDrawer(stats);
     state->isStateful = state->mayShowEarlierFrames();
     state->device.releaseMeshes();
@@ -194,7 +201,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<State>> prepa
     }
     append(diagnostics, context.debugLog().takeDiagnostics());
     applyStrict(diagnostics, options.strict);
-    if (hasError(diagnostics)) return refuse(std::move(diagnostics));
+    if (state->isStopped(diagnostics)) return refuse(std::move(diagnostics));
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};
 }
 
@@ -218,6 +225,14 @@ Diagnostics SceneRenderer::State::checkTiles() const {
 
 void SceneRenderer::State::makeDrawer(Stats& stats) {
     drawer.emplace(context, plan, programs, device, stats);
+    const bool isFlat = options.incomplete &&
+                        std::any_of(plan.programs.begin(), plan.programs.end(),
+                                    [](const plan::PlannedProgram& each) { return !each.interface->usable; });
+    if (isFlat) {  // draws of programs that cannot be used show their shapes in one colour
+        const plan::ProgramVariant builtin{{}, false, 1};
+        programs.interfaceOf(builtin);
+        drawer->setFallback(programs.find(builtin));
+    }
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
     if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
 }
@@ -230,7 +245,12 @@ Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
     inputs.time = time;
     {
         const StageTimer timer(stats, "interpret");
-        scene = source->at(inputs);
+        scene::Scene next = source->at(inputs);
+        if (std::exchange(isDrawn, false)) {
+            drawnBefore = std::make_unique<Drawn>(Drawn{std::move(scene), std::move(plan)});
+            drawnBefore->plan.nodes = &drawnBefore->scene.frame;
+        }
+        scene = std::move(next);
     }
     Diagnostics diagnostics = std::move(scene.diagnostics);
     scene.diagnostics.clear();
@@ -238,20 +258,34 @@ Diagnostics SceneRenderer::State::moveTo(double time, Stats& stats) {
     isMoving = true;
     device.beginMoment(plan);
     append(diagnostics, preparePlan(stats, false));
-    if (!hasError(diagnostics) && simulation) append(diagnostics, simulation->advance(inputs));
-    if (!hasError(diagnostics)) makeDrawer(loadStats);
+    if (!isStopped(diagnostics) && simulation) append(diagnostics, simulation->advance(inputs));
+    if (!isStopped(diagnostics)) makeDrawer(loadStats);
     return diagnostics;
 }
 
-Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, image::Image& picture,
-                                           Stats& stats) {
+plan::StillNodes SceneRenderer::State::stillNodes() const {
+    const bool hasOwnView = options.viewState.projection == ProjectionMode::scene;
+    if (!options.skip || !hasOwnView || !drawer->drawsPlainly() || (!isDrawn && !drawnBefore)) return {};
+    const plan::PlannedScene now{scene, plan};
+    const bool hasRun = simulation && simulation->changes() != drawnChanges;
+    return plan::stillNodes(isDrawn ? now : plan::PlannedScene{drawnBefore->scene, drawnBefore->plan}, now,
+                            [&](const plan::Object& each) { return hasRun && simulation->lasts(each); });
+}
+
+void SceneRenderer::State::forgetDrawn() {
+    isDrawn = false;
+    drawnBefore.reset();
+}
+
+Diagnostics SceneRenderer::State::drawTile(std::size_t index, double time, const plan::StillNodes& still,
+                                           image::Image& picture, Stats& stats) {
     const Tile& tile = tiles[index];
     const Tile& part = tileParts[index];
     Diagnostics diagnostics;
     {
         const StageTimer timer(stats, "draw");
         const bool textures = index == 0 || !drawer->texturesComeFirst();
-        append(diagnostics, drawer->draw(*window, {view, width, height, tile, time, textures}));
+        append(diagnostics, drawer->draw(*window, {view, width, height, tile, time, textures, &still}));
         if (axes) axes->draw(scene, view, tile, width, height);
         window->resolve();
     }
@@ -279,12 +313,17 @@ Result<image::Image> SceneRenderer::draw(double time, Stats& stats) {
     picture.type = state.options.floatPixels ? image::Component::f32 : image::Component::u8;
     picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(picture.height));
     Diagnostics diagnostics = state.moveTo(time, stats);
-    for (std::size_t i = 0; i < state.tiles.size() && !hasError(diagnostics); ++i)
-        append(diagnostics, state.drawTile(i, time, picture, stats));
+    const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : state.stillNodes();
+    for (std::size_t i = 0; i < state.tiles.size() && !state.isStopped(diagnostics); ++i)
+        append(diagnostics, state.drawTile(i, time, still, picture, stats));
+    state.forgetDrawn();
+    state.isDrawn = state.drawer && state.drawer->drawsPlainly() && !hasError(diagnostics);
+    state.drawnChanges = state.simulation ? state.simulation->changes() : 0;
     stats.add("frames", 1);
     append(diagnostics, state.context.debugLog().takeDiagnostics());
     applyStrict(diagnostics, state.options.strict);
-    if (hasError(diagnostics)) return diagnostics;
+    if (state.isStopped(diagnostics)) return diagnostics;
+    if (state.isIncomplete) markIncomplete(picture);
     return {std::move(picture), std::move(diagnostics)};
 }
 

@@ -20,6 +20,12 @@
 
 namespace glibra::render {
 
+bool SceneRenderer::State::isStopped(const Diagnostics& diagnostics) {
+    if (!hasError(diagnostics)) return false;
+    isIncomplete = options.incomplete;
+    return isBroken || !options.incomplete;
+}
+
 plan::FramePlan SceneRenderer::State::planScene(const plan::PlanOptions& planOptions) {
     return planList(scene.frame, planOptions);
 }
@@ -67,6 +73,7 @@ Diagnostics SceneRenderer::State::keepBudget(plan::PlanOptions& planOptions, Sta
 }
 
 Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
+    isBroken = true;  // until there is a plan
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
     plan::PlanOptions planOptions;
@@ -74,6 +81,8 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     std::erase_if(planOptions.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
     });
+    for (const plan::Override& each : planOptions.overrides)
+        if (!each.word.empty()) return {plan::notAChoice(each.name, each.word)};
     for (const std::string& each : options.wantedTextures) {
         const Result<scene::TextureView> wanted = scene::textureNamed(scene, each);
         if (!wanted) return wanted.diagnostics;
@@ -84,17 +93,15 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
             for (const auto& object : {each.object, each.other})
                 if (object) planOptions.roots.push_back(*object);
     if (options.checks)
-        for (const scene::BufferIndex each : scene.buffers.indices())
-            if (std::any_of(scene.checks.begin(), scene.checks.end(), [&](const scene::Check& check) {
-                    return check.condition != nullptr &&
-                           check.text.find(scene.buffers[each].name) != std::string::npos;
-                }))
+        for (const scene::Check& check : scene.checks)
+            for (const scene::BufferIndex each : check.reads)
                 planOptions.roots.emplace_back(scene::BufferView{each});
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.lacksCompute = lackOfCompute(context.capabilities());
     planOptions.loopLimit = [this] { return gpu::measureLoopLimit(context); };
     planOptions.everything = everything || !options.skip;
     planOptions.shareMeshes = options.skip;
+    planOptions.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics diagnostics;
     // A picture of another moment would need other counts.
     if (options.maxError > 0 && !everything && !changesWithTime)
@@ -106,6 +113,7 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
     plan = planScene(planOptions);
+    isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
         listFoundByName(stats);
@@ -114,9 +122,17 @@ Diagnostics SceneRenderer::State::preparePlan(Stats& stats, bool everything) {
     plan.diagnostics.clear();
     append(diagnostics, std::move(meshDiagnostics));
     const bool isFirst = !simulation;
-    if (!hasError(diagnostics)) append(diagnostics, planSimulation(planOptions, stats));
-    if (!hasError(diagnostics)) append(diagnostics, device.prepare(plan, programs));
-    if (!hasError(diagnostics) && isFirst && simulation) append(diagnostics, simulation->make());
+    if (!isStopped(diagnostics)) {
+        Diagnostics ofSteps = planSimulation(planOptions, stats);
+        isBroken = hasError(ofSteps);
+        append(diagnostics, std::move(ofSteps));
+    }
+    if (!isStopped(diagnostics)) append(diagnostics, device.prepare(plan, programs));
+    if (!isStopped(diagnostics) && isFirst && simulation) {
+        Diagnostics ofSteps = simulation->make();
+        isBroken = hasError(ofSteps);
+        append(diagnostics, std::move(ofSteps));
+    }
     return diagnostics;
 }
 
@@ -151,6 +167,7 @@ Diagnostics SceneRenderer::State::planSimulation(const plan::PlanOptions& planOp
     plan::PlanOptions listOptions = planOptions;
     listOptions.outOfSight = nullptr;
     listOptions.reportsOverrides = false;
+    listOptions.shareTargets = false;
     simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, stats,
                                        [this, listOptions](const scene::NodeList& nodes,
                                                            std::vector<scene::ObjectView> roots) mutable {
@@ -191,7 +208,7 @@ std::string SceneRenderer::State::outOfSight(const scene::Draw& draw, const scen
             targetWidth, targetHeight, {0, 0, targetWidth, targetHeight}, samples, options.tileSize > 0};
     }
     const VertexBox& bounds = device.bounds(draw.shape, programs.mayReadTangents(variant), remarks);
-    const ViewMatrices seen = isMoved(scene.frame, pass) ? view : view.unmoved();
+    const ViewMatrices seen = isMoved(scene.frame, pass) ? view.shifted(pass.shift) : view.unmoved();
     const DrawView drawView = drawViewOf(draw, topology, seen, screen, context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));
 }

@@ -51,6 +51,14 @@ struct SceneRenderer::State {
     ProgramLibrary programs;
     DeviceScene device;
     plan::FramePlan plan;
+    /// The last moment that was drawn, if it was another one than that of `scene` and `plan`.
+    struct Drawn {
+        scene::Scene scene;
+        plan::FramePlan plan;
+    };
+    std::unique_ptr<Drawn> drawnBefore;
+    bool isDrawn = false;                  ///< `scene` and `plan`, completely, and nothing was drawn since
+    std::int64_t drawnChanges = 0;         ///< Simulation::changes() of what was drawn
     std::optional<Simulation> simulation;  ///< of a scene with Once or Step
     std::optional<FrameDrawer> drawer;
     std::optional<Axes> axes;
@@ -59,10 +67,15 @@ struct SceneRenderer::State {
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
     ViewMatrices view;
-    double eyeDistance = 0;   ///< by which the view policy moved the eye back, at time 0
-    bool isMoving = false;    ///< the plan is made for another moment than the first
-    bool isStateful = false;  ///< remembersFrames()
+    double eyeDistance = 0;     ///< by which the view policy moved the eye back, at time 0
+    bool isIncomplete = false;  ///< an error has cost a part of the picture (options.incomplete)
+    bool isBroken = false;      ///< nothing can be drawn, in spite of options.incomplete
+    bool isMoving = false;      ///< the plan is made for another moment than the first
+    bool isStateful = false;    ///< remembersFrames()
 
+    /// True if nothing can be drawn because of an error. With options.incomplete errors of single things are
+    /// noted in isIncomplete instead.
+    [[nodiscard]] bool isStopped(const Diagnostics& diagnostics);
     [[nodiscard]] plan::FramePlan planScene(const plan::PlanOptions& planOptions);
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
                                            const plan::PlanOptions& planOptions);
@@ -73,6 +86,10 @@ struct SceneRenderer::State {
     /// Interprets and plans the scene for this time, if it is another one.
     Diagnostics moveTo(double time, Stats& stats);
     void makeDrawer(Stats& stats);
+    /// What of the frame is the same as in the frame that was drawn last.
+    [[nodiscard]] plan::StillNodes stillNodes() const;
+    /// Every node of the next frame is drawn.
+    void forgetDrawn();
     [[nodiscard]] Diagnostics checkTiles() const;
     void listFoundByName(Stats& stats) const;
     Diagnostics keepBudget(plan::PlanOptions& planOptions, Stats& stats);
@@ -83,7 +100,8 @@ struct SceneRenderer::State {
     /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     [[nodiscard]] bool mayShowEarlierFrames();
-    Diagnostics drawTile(std::size_t index, double time, image::Image& picture, Stats& stats);
+    Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, image::Image& picture,
+                         Stats& stats);
 };
 
 }  // namespace glibra::render

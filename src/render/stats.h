@@ -13,8 +13,11 @@
 
 namespace glibra::render {
 
-/// The name of a count.
+// Names of counts.
 inline constexpr std::string_view kDrawsOutOfTheirTile = "draws out of their tile";
+/// Passes into textures, and dispatches, that were not repeated for a frame (plan::stillNodes).
+inline constexpr std::string_view kStillPasses = "passes not repeated";
+inline constexpr std::string_view kStillDispatches = "dispatches not repeated";
 
 struct Stats {
     struct Stage {

@@ -20,8 +20,8 @@ struct CameraValues {
     [[nodiscard]] glm::dmat4 inverseView() const;
     [[nodiscard]] glm::dvec3 position() const;   ///< of the eye
     [[nodiscard]] glm::dvec3 direction() const;  ///< unit vector in which it looks
-    /// From world space to 0..1 in all three coordinates, before the division by w: what a shadow map is read
-    /// with.
+    /// Takes world space to 0..1 in all three coordinates, before the division by w: what a shadow map is
+    /// read with.
     [[nodiscard]] glm::dmat4 shadow() const;
 };
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <functional>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -196,6 +197,15 @@ std::string notFound(const CleanName& name, std::string_view written, const Sear
         searched.push_back(folder);
     }
     searched.insert(searched.end(), folders.library.begin(), folders.library.end());
+    // The names in a folder whose files must not be read are not for the author of the scene either.
+    constexpr std::size_t kSample = 8;
+    if (folders.readable)
+        std::erase_if(searched, [&](const fs::path& each) {
+            const std::span names =
+                std::span(listings.names(each)).first(std::min(listings.names(each).size(), kSample));
+            return std::none_of(names.begin(), names.end(),
+                                [&](const std::string& one) { return folders.mayRead(each / one); });
+        });
     std::string text = fmt::format("cannot find '{}'", written);
     const std::vector<std::string> near = nearestFiles(name.last, searched, listings);
     for (std::size_t i = 0; i < near.size(); ++i)
@@ -269,11 +279,17 @@ SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& o
     for (const fs::path& root : options.libraryRoots)
         if (!root.empty()) addRoot(folders, root, sceneFolder);
     if (const auto root = libraryAbove(sceneFolder); !failure && root) addRoot(folders, *root, sceneFolder);
+    if (!options.within.empty()) {
+        folders.readable.emplace();
+        folders.readable->add(options.within);
+        for (std::size_t i = 0; i < folders.library.size(); ++i)
+            folders.readable->addBelow(folders.roots[i], folders.library[i]);
+    }
     return folders;
 }
 
-FileReference findFile(std::string_view written, const Place& place, const SearchFolders& folders,
-                       FolderListings& listings) {
+static FileReference lookUp(std::string_view written, const Place& place, const SearchFolders& folders,
+                            FolderListings& listings) {
     FileReference reference{std::string(written), {}, {}, place};
     if (written.size() > kLongestName) {
         reference.remarks.push_back(
@@ -305,6 +321,19 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
             "file-W13",
             "the scene names too many missing files; further names are looked up only as they are written",
             place));
+    return reference;
+}
+
+FileReference findFile(std::string_view written, const Place& place, const SearchFolders& folders,
+                       FolderListings& listings) {
+    FileReference reference = lookUp(written, place, folders, listings);
+    if (reference.path.empty() || folders.mayRead(reference.path)) return reference;
+    reference.path.clear();
+    reference.remarks = {diagnose("file-E12",
+                                  fmt::format("'{}' lies outside of the scene's folder and the library, and "
+                                              "this scene may read only files inside",
+                                              written),
+                                  place)};
     return reference;
 }
 

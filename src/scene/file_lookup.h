@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,6 +57,12 @@ struct SearchFolders {
     std::vector<std::filesystem::path>
         library;  ///< folders of the library roots: shaders/TOPIC, shaders, textures ...
     std::vector<std::filesystem::path> roots;  ///< for each of `library` the library root that it belongs to
+    /// If given, the folders whose files may be read (InterpretOptions::within).
+    std::optional<base::Roots> readable{};
+
+    [[nodiscard]] bool mayRead(const std::filesystem::path& file) const {
+        return !readable || readable->contains(file);
+    }
 };
 
 /// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then
@@ -73,7 +80,7 @@ base::Roots shownRoots(const SearchFolders& folders);
 /// names if the file is missing, file-W01 if the case differs, file-W02 if only the last part of the name was
 /// found beside the scene, file-W12 if several names differ only in case, and file-W13, once per scene, if
 /// the budget of `listings` is spent: from then on names are found only as they are written, and messages
-/// name no others.
+/// name no others. A file that must not be read (SearchFolders::readable) is file-E12 and has no path.
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 

@@ -41,6 +41,14 @@ std::optional<glib::Command> evaluated(Interpreter& in, const glib::Command& com
     return isFaulty ? std::nullopt : std::optional(std::move(result));
 }
 
+/// Remembers the name that a faulty statement would have declared.
+void noteLost(Interpreter& in, const glib::Command& command) {
+    const glib::StatementRow* row = command.isModern ? glib::statementOf(command.id) : nullptr;
+    if (row == nullptr || !row->declaresName || command.values.empty()) return;
+    const glib::Value& name = command.values.front();
+    in.modern.lostNames.insert(name.path.empty() ? name.text : name.path.front().name);
+}
+
 /// All actions by CommandId. The element of a command without an action has no handler.
 std::vector<CommandAction> allActions() {
     std::vector<CommandAction> all(static_cast<std::size_t>(CommandId::firstPrimitive));
@@ -89,7 +97,9 @@ void execute(Interpreter& in, const glib::Command& command) {
     if (action.inList != InList::isPart) in.isOrphan = false;
     if (in.scene.verbose && !action.draws)
         in.report(diagnose("glib-N02", textOf(command), in.place(command)));
+    const std::size_t problems = in.problems;
     action.handler(in, command);
+    if (in.problems > problems) noteLost(in, command);
 }
 
 std::string textOf(const glib::Command& command) {
@@ -134,6 +144,7 @@ struct Interpretation::State {
     InterpretOptions options;
     SearchFolders folders;
     SharedState shared;
+    std::vector<NamedCamera> cameras;  ///< of the last scene
 
     Scene run(const FrameInputs& inputs);
 };
@@ -185,6 +196,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
                    .implicitPass = {},
                    .depthBuffers = {},
                    .windowSize = {}};
+    in.modern.lostNames = script.lostNames;
     in.nodes = &in.scene.frame;
     in.scene.files = shared.files;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
@@ -203,10 +215,18 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         finishPasses(in);
         finishNoise(in);
         shared.cameras.clear();
+        cameras.clear();
         for (const auto& [name, camera] : in.modern.cameras) {
             const auto aspects = shared.aspects.find(name);
             const bool isSeen = aspects != shared.aspects.end() && !aspects->second.empty();
-            shared.cameras[name] = valuesOf(camera, isSeen ? *aspects->second.begin() : windowAspect(in));
+            const double aspect = isSeen ? *aspects->second.begin() : windowAspect(in);
+            shared.cameras[name] = valuesOf(camera, aspect);
+            const auto symbol = shared.environment.find(name.first);
+            const bool isArray = symbol && symbol->count > 0;
+            cameras.push_back(
+                {isArray ? fmt::format("{}[{}]", name.first, name.second) : name.first, camera.view,
+                 camera.clip || camera.aspect ? projectionOf(camera, aspect) : camera.projection,
+                 camera.isMirrored});
         }
         in.scene.namedValues = namedValues(in);
     } catch (const std::exception& problem) {
@@ -271,6 +291,16 @@ Result<bool> Interpretation::holds(
 
 const glib::Script& Interpretation::script() const {
     return state_->script;
+}
+
+const std::vector<NamedCamera>& Interpretation::cameras() const {
+    return state_->cameras;
+}
+
+std::vector<const glib::Script*> Interpretation::scripts() const {
+    std::vector<const glib::Script*> scripts{&state_->script};
+    scripts.insert(scripts.end(), state_->shared.includedOrder.begin(), state_->shared.includedOrder.end());
+    return scripts;
 }
 
 expression::Depends Interpretation::depends() const {

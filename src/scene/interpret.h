@@ -19,6 +19,8 @@ namespace glibra::scene {
 /// Folders that are searched after the scene's own (language, 8.6): normally those in GLIBRA_PATH.
 struct InterpretOptions {
     std::vector<std::filesystem::path> libraryRoots;
+    /// If it is not empty, only files below this folder and below the library folders are found.
+    std::filesystem::path within{};
 };
 
 /// What a frame is a function of, besides the script and its files.
@@ -30,11 +32,20 @@ struct FrameInputs {
     /// Values of variables in place of those that the scene gives them, by name. A value with another number
     /// of components is ignored.
     std::map<std::string, std::vector<double>, std::less<>> variables{};
+    std::map<std::string, std::string, std::less<>> words{};  ///< the same for choices
     /// The number of the step that each Step block is evaluated for, in the order of the text; 0 for those
     /// beyond the end. `time` inside such a block is tick / rate. Variables that are computed outside of it
     /// have the values of `time` above, which should therefore be tick / rate, too.
     std::vector<std::int64_t> ticks{};
     friend bool operator==(const FrameInputs&, const FrameInputs&) = default;
+};
+
+/// A camera as a window can look through it.
+struct NamedCamera {
+    std::string name;  ///< "eye", "slice[2]"
+    glm::dmat4 view{1.0};
+    Projection projection;
+    bool isMirrored = false;  ///< it turns the winding of triangles
 };
 
 /// A script with what its frames share: looked-up files, included scripts, and expressions, which are read
@@ -62,6 +73,10 @@ class Interpretation {
                        const std::function<std::vector<double>(const std::string& buffer)>& read);
 
     [[nodiscard]] const glib::Script& script() const;
+    /// The cameras that the last scene declares, sorted by name.
+    [[nodiscard]] const std::vector<NamedCamera>& cameras() const;
+    /// The script and the included ones that have been read.
+    [[nodiscard]] std::vector<const glib::Script*> scripts() const;
     /// What the last scene depends on besides its variables. With nothing of time, window and mouse every
     /// call of at() gives the same scene.
     [[nodiscard]] expression::Depends depends() const;

@@ -44,12 +44,12 @@ bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {
 }
 
 /// Shapes that the view does not place as others.
-void placeBySpace(Draw& made, glib::CommandId command) {
+void placeBySpace(const Interpreter& in, Draw& made, glib::CommandId command) {
     const geometry::PrimitiveSpec* spec = glib::primitiveOf(command);
     if (spec == nullptr || spec->space == geometry::Space::model) return;
     if (spec->space == geometry::Space::clip) {
         made.modelView = glm::dmat4(1);
-        made.projection = ClipSpace{};
+        made.projection = in.scene.isModern ? coveringSpace(in, currentAspect(in)) : ClipSpace{};
         return;
     }
     made.isSky = true;
@@ -72,7 +72,9 @@ ShapeIndex shareShape(Interpreter& in, Shape shape) {
         const FileReference& reference = in.scene.files[shape.file];
         file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
     }
-    if (shape.bare) file = fmt::format("\nvertices {}", static_cast<int>(*shape.bare));
+    if (shape.bare)
+        file = fmt::format("\nvertices {} {}", static_cast<int>(*shape.bare),
+                           shape.strip ? static_cast<int>(*shape.strip) : -1);
     ShapeIndex& index = in.shapes[{shape.command, shape.numbers, std::move(file)}];
     if (!index) index = in.scene.shapes.add(std::move(shape));
     return index;
@@ -146,7 +148,7 @@ void draw(Interpreter& in, const glib::Command& command, const Drawing& drawing)
     if (!in.modern.pass && !state.local.isBlendStated)
         made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
     lookAt(in, made);
-    placeBySpace(made, in.scene.shapes[drawing.shape].command);
+    placeBySpace(in, made, in.scene.shapes[drawing.shape].command);
     made.patchVertices = state.patchVertices;
     made.flatColors = state.flatColors;
     made.sampling = state.sampling;

@@ -43,6 +43,12 @@ namespace {
 
 void doStage(Interpreter& in, const glib::Command& command) {
     const glsl::Stage stage = stageOf(command.id);
+    // In a modern scene the vertex stage of another program begins a new pipeline: stages between it and the
+    // fragment stage that belong to an earlier program end.
+    if (in.scene.isModern && stage == glsl::Stage::vertex)
+        for (const glsl::Stage each : std::exchange(in.state.stagesOfProgram, {}))
+            if (each != glsl::Stage::vertex && each != glsl::Stage::fragment) in.state.stageFiles.erase(each);
+    in.state.stagesOfProgram.erase(stage);
     if (command.isModern)
         in.state.stageFiles[stage] = inlineShader(in, command);
     else if (command.text.empty())
@@ -60,7 +66,10 @@ void doProgram(Interpreter& in, const glib::Command& command) {
     if (computes) {
         program.stages = {{glsl::Stage::compute, std::exchange(in.state.computeFile, {})}};
     } else {
-        for (const auto& [stage, file] : in.state.stageFiles) program.stages.push_back({stage, file});
+        for (const auto& [stage, file] : in.state.stageFiles) {
+            program.stages.push_back({stage, file});
+            in.state.stagesOfProgram.insert(stage);
+        }
         program.geometryInput = in.state.geometryInput;
         program.geometryOutput = in.state.geometryOutput;
         program.geometryVerticesOut = in.state.geometryVerticesOut;

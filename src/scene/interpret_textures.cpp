@@ -195,6 +195,7 @@ void finishNoise(Interpreter& in) {
         noise.isSizeGiven = in.areNoiseSizesGiven[index.position()];
         FileReference file =
             noiseFileBeside(in.folders.beside.front(), noise.dimensions, noise.size, texture.place);
+        if (!file.path.empty() && !in.folders.mayRead(file.path)) file.path.clear();
         noise.remarks = std::move(file.remarks);
         const std::string key = "\n" + file.path.string();
         if (!file.path.empty()) noise.file = fileNamed(in, key, [&] { return std::move(file); });

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/matrices.h"
+#include "scene/modern/evaluate.h"
 #include "scene/state.h"
 
 namespace glibra::scene {
@@ -90,6 +91,13 @@ void doBackground(Interpreter& in, const glib::Command& command) {
         command.numbers.empty() ? kInitialBackground : glm::dvec4(vectorAt(command, 0), at(command, 3, 1));
 }
 
+void doMultMatrix(Interpreter& in, const glib::Command& command) {
+    static constexpr expression::Type kMatrix[] = {expression::Type::matrix(4)};
+    if (command.values.empty()) return;
+    if (const auto matrix = evaluate(in, command.values.front(), {.types = kMatrix}))
+        multiply(in, command, matrix->mat4());
+}
+
 void doTranslate(Interpreter& in, const glib::Command& command) {
     multiply(in, command, translation(vectorAt(command, 0)));
 }
@@ -129,6 +137,7 @@ constexpr CommandAction kActions[] = {
     {glib::CommandId::lookAt, doLookAt},
     {glib::CommandId::color, doColor, InList::isPart},
     {glib::CommandId::background, doBackground},
+    {glib::CommandId::multMatrix, doMultMatrix},
     {glib::CommandId::translate, doTranslate},
     {glib::CommandId::rotate, doRotate},
     {glib::CommandId::scale, doScale},

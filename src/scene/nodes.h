@@ -21,12 +21,19 @@ namespace glibra::scene {
 struct Perspective {
     double fieldOfView = 50;  ///< vertical, full angle, degrees
     double near = .1, far = 1000;
+    friend bool operator==(const Perspective&, const Perspective&) = default;
 };
 struct Orthographic {
     double left = -3, right = 3, bottom = -3, top = 3, near = -1000, far = 1000;
+    friend bool operator==(const Orthographic&, const Orthographic&) = default;
 };
-/// Positions are clip coordinates: no matrix acts on them.
-struct ClipSpace {};
+/// Positions are clip coordinates: no matrix acts on them. A fragment stage without a vertex stage of its own
+/// may still ask for the matrices of the camera.
+struct ClipSpace {
+    std::variant<Perspective, Orthographic, glm::dmat4> projection = glm::dmat4(1.0);
+    glm::dmat4 view{1.0};
+    friend bool operator==(const ClipSpace&, const ClipSpace&) = default;
+};
 /// A matrix is taken as it is, whatever the shape of the target.
 using Projection = std::variant<Perspective, Orthographic, glm::dmat4, ClipSpace>;
 
@@ -59,6 +66,7 @@ struct Draw {
     AttributeSetIndex attributes{};  ///< none: only those of the mesh
     std::optional<std::array<double, 6>> tessellationLevels{};  ///< four outer and two inner ones
     bool isSky = false;                                         ///< the eye is at the origin of modelView
+    friend bool operator==(const Draw&, const Draw&) = default;
 };
 
 /// Clears parts of the target. A Clear that only repeats the implicit clear of the pass is left out.
@@ -67,6 +75,7 @@ struct Clear {
     std::optional<glm::dvec4> color{glm::dvec4(0.0)};  ///< of all colour targets
     bool depth = true;
     bool stencil = false;
+    friend bool operator==(const Clear&, const Clear&) = default;
 };
 
 /// A part of a texture as a target.
@@ -75,9 +84,9 @@ struct TargetPart {
     friend auto operator<=>(const TargetPart&, const TargetPart&) = default;
 };
 
-/// Drawing into one target list. The implicit clear of the language (2.3) is in `clearColors`, `clearDepth`
+/// A pass without what it draws. The implicit clear of the language (2.3) is in `clearColors`, `clearDepth`
 /// and `clearStencil`.
-struct Pass {
+struct PassSetup {
     std::vector<TextureIndex> targets;  ///< of the colours
     std::vector<TargetPart> parts;      ///< one per target; empty: level 0 of all
     std::optional<TextureView> depth;   ///< nothing: `depthBuffer`
@@ -90,16 +99,27 @@ struct Pass {
     std::optional<int> clearStencil{};  ///< nothing: the content is kept, or there is no stencil
     Place place;                        ///< of RenderToTexture or Pass, for messages
     std::string camera{};               ///< of `from`; empty: `eye`
+    /// The camera that `camera` is derived from by Reflect and Shift; empty: `eye`. What moves that one moves
+    /// this one, too.
+    std::string rootCamera{};
+    glm::dmat4 shift{1.0};  ///< view of `camera` = shift * view of the root * reflections
+    friend bool operator==(const PassSetup&, const PassSetup&) = default;
+};
+
+/// Drawing into one target list.
+struct Pass : PassSetup {
     std::vector<std::variant<Draw, Clear>> steps;
 };
 
 /// As many invocations as the object has texels or elements, or as these three numbers say.
 struct Over {
     std::variant<std::array<std::uint64_t, 3>, ObjectView> what;
+    friend bool operator==(const Over&, const Over&) = default;
 };
 /// Three group counts that a buffer holds.
 struct GroupsFrom {
     BufferView buffer;
+    friend bool operator==(const GroupsFrom&, const GroupsFrom&) = default;
 };
 
 /// Runs a compute program.
@@ -148,6 +168,7 @@ struct Check {
     double tolerance = 0;        ///< absolute
     std::string word{};
     const glib::Value* condition = nullptr;  ///< of the script, which must outlive the check
+    std::vector<BufferIndex> reads{};        ///< the buffers that the condition reads
 };
 
 /// A step of a node list.

@@ -15,6 +15,7 @@
 #include "base/program_resources.h"
 #include "base/sampler_state.h"
 #include "base/texel_format.h"
+#include "geometry/list_mesh.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
@@ -70,7 +71,9 @@ struct Shape {
     FileIndex file{};
     std::shared_ptr<const geometry::Mesh>
         list;  ///< the mesh itself, if the text of the scene contains the vertices
-    std::optional<geometry::Topology> bare{};  ///< of `Vertices`: primitives without vertex data
+    std::optional<geometry::Topology> bare{};       ///< of `Vertices`: primitives without vertex data
+    std::optional<geometry::ListTopology> strip{};  ///< of `Vertices`: the primitives share vertices
+    friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 using base::TexelFormat;
@@ -83,6 +86,7 @@ struct PictureSource {
 struct EmptySource {
     int width = 1, height = 1, depth = 1;  ///< `depth` of a 2D array: its layers
     TexelFormat format = TexelFormat::rgba8;
+    friend bool operator==(const EmptySource&, const EmptySource&) = default;
 };
 /// Precision of noise texels: 8 bits, as in glman, or 16 bits.
 enum class NoiseTexels { bytes, shorts };
@@ -182,6 +186,7 @@ struct AttributeSet {
 /// How a draw samples its textures.
 struct Sampling {
     bool clamp = false;  ///< clamp to edge, otherwise repeat (noise always repeats, cube maps always clamp)
+    friend bool operator==(const Sampling&, const Sampling&) = default;
 };
 
 /// Units that hold the noise textures until a scene fills them; Noise2 and Noise3 without a tag read them.

@@ -70,7 +70,8 @@ struct State {
     Sampling sampling;
     SlotTable slots;
     std::map<glsl::Stage, FileIndex> stageFiles;
-    FileIndex computeFile{};  ///< of the next Program alone
+    std::set<glsl::Stage> stagesOfProgram;  ///< those of stageFiles that the last Program has
+    FileIndex computeFile{};                ///< of the next Program alone
     std::string geometryInput, geometryOutput;
     int geometryVerticesOut = 0;
     ProgramIndex program{};
@@ -128,10 +129,20 @@ struct Interpreter {
     int noiseSizes[2] = {64, 64};                       ///< 2D, 3D
     bool areNoiseSizesGiven[2] = {false, false};
     std::optional<std::pair<int, int>> windowSize;
+    std::set<std::tuple<std::string, std::string, int, int>> reported{};  ///< errors by id and place
+    std::size_t problems = 0;  ///< errors of this frame, also those that an earlier frame has reported
 
     [[nodiscard]] Place place(const glib::Command& command) const { return script->place(command.position); }
     /// Messages are limited in number, except notes, which the scene asks for.
     void report(Diagnostic diagnostic) {
+        if (diagnostic.severity == Severity::error) ++problems;
+        // A statement of a repetition or group has each mistake once.
+        if (scene.isModern && diagnostic.severity == Severity::error &&
+            !reported
+                 .insert(
+                     {diagnostic.id, diagnostic.place.file, diagnostic.place.line, diagnostic.place.column})
+                 .second)
+            return;
         if (diagnostic.severity == Severity::note)
             log.keep(std::move(diagnostic));
         else

@@ -32,6 +32,14 @@ std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level)
     return size;
 }
 
+std::optional<int> layersOf(const Texture& texture, int level) {
+    if (const auto size = sizeOfLevel(texture, level)) return (*size)[2];
+    if (texture.target == TextureTarget::cube) return 6;
+    const auto* picture = std::get_if<PictureSource>(&texture.source);
+    if (picture == nullptr || picture->files.size() < 2) return std::nullopt;
+    return static_cast<int>(picture->files.size());
+}
+
 std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pass) {
     if (pass.isWindow) return std::nullopt;
     TextureIndex texture;

@@ -15,6 +15,9 @@ std::optional<int> levelsOf(const Texture& texture);
 /// 1D texture has the height 1. Nothing for textures of files.
 std::optional<std::array<int, 3>> sizeOfLevel(const Texture& texture, int level);
 
+/// How many layers or faces a level has; nothing if that depends on a file.
+std::optional<int> layersOf(const Texture& texture, int level);
+
 /// Width and height of the targets of a pass; nothing for the window and for textures of files.
 std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pass);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -74,7 +75,79 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
+/// The size in the first frame header (ISO/IEC 10918-1, B.2.2).
+std::optional<std::array<double, 3>> sizeOfJpeg(const std::filesystem::path& path) {
+    constexpr int kMostSegments = 1000;
+    std::ifstream file(path, std::ios::binary);
+    const auto byte = [&] { return file.get() & 0xff; };
+    const auto number = [&] {
+        const int high = byte();
+        return high * 256 + byte();
+    };
+    file.seekg(2);
+    for (int i = 0; i < kMostSegments && byte() == 0xff && file; ++i) {
+        int marker = byte();
+        while (marker == 0xff && file) marker = byte();
+        const int length = number();
+        const bool isFrame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (isFrame) {
+            byte();  // precision
+            const int height = number();
+            const int width = number();
+            if (!file || width == 0 || height == 0) return std::nullopt;
+            return std::array<double, 3>{static_cast<double>(width), static_cast<double>(height), 1};
+        }
+        if (length < 2) return std::nullopt;
+        file.seekg(length - 2, std::ios::cur);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::array<double, 3>> sizeOfFile(const std::filesystem::path& path, std::size_t dimensions) {
+    const auto beginning = beginningOf(path);
+    if (!beginning) return std::nullopt;
+    const auto byte = [&](std::size_t at) { return std::to_integer<std::uint32_t>(beginning->bytes.at(at)); };
+    const auto whole = [](std::uint32_t value) {
+        return std::abs(static_cast<double>(static_cast<std::int32_t>(value)));
+    };
+    constexpr std::size_t kNeeded = 26;  // the head of a PNG or BMP up to its size
+    std::array<double, 3> size{1, 1, 1};
+    switch (image::formatOf(std::span(beginning->bytes).first(beginning->count))) {
+        case image::Format::jpeg:
+            return sizeOfJpeg(path);
+        case image::Format::png:
+            if (beginning->count < kNeeded) return std::nullopt;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const std::size_t at = 16 + 4 * i;
+                size.at(i) = whole(byte(at) << 24U | byte(at + 1) << 16U | byte(at + 2) << 8U | byte(at + 3));
+            }
+            break;
+        case image::Format::bmp:
+            if (beginning->count < kNeeded) return std::nullopt;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const bool isCore = byte(14) == 12;  // BITMAPCOREHEADER
+                const std::size_t at = 18 + (isCore ? 2 : 4) * i;
+                const std::uint32_t low = byte(at) | byte(at + 1) << 8U;
+                // The height of rows from the top is negative.
+                size.at(i) = whole(isCore ? low : low | byte(at + 2) << 16U | byte(at + 3) << 24U);
+            }
+            break;
+        case image::Format::unknown: {
+            if (!fitsRaw(*beginning, dimensions, 1) && !fitsRaw(*beginning, dimensions, 4))
+                return std::nullopt;
+            for (std::size_t i = 0; i < dimensions; ++i)
+                size.at(i) = static_cast<double>(beginning->integer(i));
+            break;
+        }
+        default:
+            return std::nullopt;
+    }
+    if (dimensions == 1) size[1] = 1;
+    return size;
+}
 
 TextureTarget targetOfFile(const std::filesystem::path& path) {
     const auto beginning = beginningOf(path);

@@ -1,7 +1,10 @@
 #pragma once
 // Finds the dimension of a texture file, and whether it holds noise, without reading its texels (language,
-// 8.1, 8.3 and 9.5). At most 32 bytes and the length of the file are read.
+// 8.1, 8.3 and 9.5), and its size. At most 32 bytes and the length of the file are read, of a JPEG picture
+// the heads of its segments.
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -13,6 +16,10 @@ namespace glibra::scene {
 /// The target of a file that `Texture` names: 2D for pictures; for raw textures the smallest dimension whose
 /// header fits the length exactly; 2D for everything else, which is rejected when it is read.
 TextureTarget targetOfFile(const std::filesystem::path& path);
+
+/// Width, height and depth of the texels that a texture of that many dimensions (1 to 3) has from the file.
+/// Nothing for files that are no BMP, JPEG, PNG or raw texture.
+std::optional<std::array<double, 3>> sizeOfFile(const std::filesystem::path& path, std::size_t dimensions);
 
 /// True if the file is a raw byte texture of exactly size x size (x size) texels.
 bool holdsNoise(const std::filesystem::path& path, int dimensions, int size);

@@ -172,7 +172,7 @@ ViewMove autoView(const Scene& scene, const MeshOf& meshOf, double windowAspect)
     move.distance = moved;
     move.diagnostics.push_back(diagnose(
         "draw-N01",
-        fmt::format("no LookAt, so the eye is moved back by {} along z (use --view glman to switch this off)",
+        fmt::format("no LookAt, so the eye is moved back by {} along z (use --eye glman to switch this off)",
                     moved),
         draws.front().draw->place));
     return move;

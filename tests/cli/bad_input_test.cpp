@@ -287,7 +287,7 @@ TEST_F(BadInput, UnknownOutputFormat) {
 TEST_F(BadInput, WrongUsageIsStatusTwo) {
     folder.write("scene.glib", "Sphere\n");
     for (const char* arguments :
-         {"", "paint scene.glib", "render", "render scene.glib --size 0x10", "render scene.glib --size 600",
+         {"paint scene.glib", "render", "render scene.glib --size 0x10", "render scene.glib --size 600",
           "render scene.glib --size 99999999999x1", "render scene.glib --driver vulkan",
           "render scene.glib --frames 0", "render scene.glib --nonsense", "render scene.glib --time later",
           "render scene.glib --set uKd"}) {

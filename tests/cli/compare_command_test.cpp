@@ -132,5 +132,40 @@ TEST_F(CompareCommand, WrongUsageIsStatusTwo) {
         EXPECT_EQ(compare(arguments).status, 2) << arguments;
 }
 
+TEST_F(CompareCommand, FoldersAreComparedPictureByPicture) {
+    const std::string a = readFile(folder / "a.png"), far = readFile(folder / "far.png");
+    for (const char* each :
+         {"one/same.png", "two/same.png", "one/other.png", "one/deep/gone.png", "two/deep/b.png"})
+        folder.write(each, a);
+    folder.write("two/other.png", far);
+    folder.write("one/notes.txt", "no picture");
+    const Finished run = compare("one two");
+    EXPECT_EQ(run.status, 1);
+    expectContains(run.out, "deep/b.png: missing from one\n");
+    expectContains(run.out, "deep/gone.png: missing from two\n");
+    expectContains(run.out, "other.png: different: ");
+    expectContains(run.out, "same.png: identical\n");
+    expectContains(run.err, "1 of 4 pictures are the same");
+    const Finished json = compare("one two --json --heatmap maps");
+    expectContains(json.out, "\"name\": \"same.png\"");
+    EXPECT_TRUE(std::filesystem::exists(folder / "maps/other.png"));
+    EXPECT_EQ(compare("one one").status, 0);
+    std::filesystem::create_directory(folder / "empty");
+    EXPECT_EQ(compare("empty empty").status, 3);
+}
+
+TEST_F(CompareCommand, AFigureThatIsAtItsLimitSaysSo) {
+    const auto file = [](int shade) {
+        std::vector<std::byte> pixels(64 * 64 * 3, static_cast<std::byte>(shade));
+        const auto png = image::encodePng({64, 64, 3, image::Component::u8, std::move(pixels)});
+        return std::string(reinterpret_cast<const char*>(png.data()), png.size());
+    };
+    folder.write("dark.png", file(10));
+    folder.write("light.png", file(200));
+    expectContains(compare("dark.png light.png").out, "mean of a block     at least 3 of 255 at");
+    expectContains(compare("dark.png light.png --json").out, "\"biasCountsUpTo\": 3");
+    EXPECT_EQ(compare("dark.png dark.png --heatmap m.png").out.find("at least"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "glib/command_table.h"
+#include "glib/modern/statement_table.h"
 #include "program.h"
 
 namespace glibra::test {
@@ -25,6 +29,20 @@ std::string firstDifference(const std::string& a, const std::string& b) {
         if (ofA != ofB || more != moreOfB) return fmt::format("line {}: '{}', now '{}'", line, ofA, ofB);
         if (!more) return "the end of the last line";
     }
+}
+
+/// What stands between backquotes on a page, outside of its generated sections.
+std::string quotedOn(std::string page) {
+    for (std::size_t from; (from = page.find("<!-- generated: ")) != std::string::npos;)
+        page.erase(from, page.find("<!-- end -->", from) - from);
+    std::string quoted;
+    bool isQuoted = false;
+    for (const char c : page) {
+        if (c == '`') isQuoted = !isQuoted;
+        if (c == '\n') isQuoted = false;
+        quoted += isQuoted ? c : ' ';
+    }
+    return quoted;
 }
 
 TEST(LanguageCommand, PrintsEverySectionBetweenItsMarkers) {
@@ -78,8 +96,53 @@ TEST(LanguageCommand, PagesOfTheDocumentationAreCurrent) {
         const Finished finished = glibra(folder.path(), "language --markdown --update page.md");
         EXPECT_EQ(finished.status, 0) << each.path() << ": " << finished.err;
         EXPECT_EQ(firstDifference(before, readFile(folder / "page.md")), "")
-            << each.path() << ": run tools/docs";
+            << each.path() << " is not current: run tools/docs";
     }
+}
+
+TEST(LanguageCommand, ThePageDescribesEveryCommandAndStatement) {
+    const std::string quoted = quotedOn(readFile(fs::path(GLIBRA_SOURCE_DIR) / "docs" / "language.md"));
+    const auto describes = [&](std::string_view word) {
+        return std::regex_search(quoted, std::regex(fmt::format("\\b{}\\b", word)));
+    };
+    EXPECT_FALSE(describes("Spher"));
+    std::vector<std::string_view> words;
+    for (const glib::CommandRow& row : glib::commandTable()) words.push_back(row.name());
+    for (const glib::StatementRow& row : glib::statementTable()) words.push_back(row.name);
+    for (const std::string_view each : words)
+        EXPECT_TRUE(describes(each)) << each << ": describe it in docs/language.md, outside of the generated "
+                                     << "tables (commands: 3, shapes: 4, modern statements: 12)";
+}
+
+TEST(LanguageCommand, ListsTheNamesThatShadersReadWithTheirTypes) {
+    const Folder folder;
+    const std::string all = glibra(folder.path(), "language").out;
+    for (const char* name : {"\nTimer ", "\nuModelViewMatrix ", "\naVertex ", "\nNoise3 ", "\nSphere "})
+        EXPECT_NE(all.find(name), std::string::npos) << name;
+    const Finished vertex = glibra(folder.path(), "language aVertex");
+    EXPECT_EQ(vertex.status, 0);
+    EXPECT_NE(vertex.out.find("the position of the vertex"), std::string::npos) << vertex.out;
+    EXPECT_NE(vertex.out.find("vec4 vertex input"), std::string::npos) << vertex.out;
+    EXPECT_NE(glibra(folder.path(), "language gl_NormalMatrix").out.find("mat3 uniform"), std::string::npos);
+    const std::string color = glibra(folder.path(), "language gl_Color").out;  // two meanings
+    EXPECT_NE(color.find("vec4 uniform"), std::string::npos) << color;
+    EXPECT_NE(color.find("vec4 vertex input"), std::string::npos) << color;
+    const Finished near = glibra(folder.path(), "language aVertx");
+    EXPECT_EQ(near.status, 2);
+    EXPECT_NE(near.err.find("did you mean 'aVertex'?"), std::string::npos) << near.err;
+}
+
+TEST(LanguageCommand, TheSampleOfTheReadmeIsAFile) {
+    const fs::path root = GLIBRA_SOURCE_DIR;
+    const std::string readme = readFile(root / "README.md"),
+                      scene = readFile(root / "docs/examples/dots.glib");
+    const std::size_t begin = readme.find("\nPerspective 50\n") + 1;
+    ASSERT_NE(begin, std::string::npos + 1);
+    const std::string sample = readme.substr(begin, readme.find("```", begin) - begin);
+    EXPECT_EQ(scene.substr(scene.find("Perspective")), sample);
+    const Folder folder;
+    EXPECT_EQ(glibra(folder.path(), "check " + (root / "docs/examples/dots.glib").string()).status, 0);
+    EXPECT_NE(readFile(root / "cmake/install.cmake").find("docs/examples"), std::string::npos);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(RenderOptions, ASuiteRefusesWhatItStatesItself) {
 
 TEST(RenderOptions, HelpAndDocumentationListEveryOption) {
     const Folder folder;
-    const std::string help = glibra(folder.path(), "render --help").out;
+    const std::string help = glibra(folder.path(), "render --help-all").out;
     const std::string page = glibra(folder.path(), "language --markdown").out;
     for (const OptionRow& row : suite::optionTable()) {
         const std::string name = "--" + std::string(row.name);

@@ -49,7 +49,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_F(TestCommand, FailsWithoutGoldensPassesWithThem) {
     const Finished missing = run("s.toml");
     EXPECT_EQ(missing.status, 1);
-    EXPECT_TRUE(contains(missing.out, "3 missing")) << missing.out;
+    EXPECT_TRUE(contains(missing.out, "3 drawn, none has a golden yet")) << missing.out;
     EXPECT_FALSE(exists("golden"));
     const Finished update = run("s.toml --update");
     EXPECT_EQ(update.status, 0) << update.out << update.err;
@@ -216,7 +216,7 @@ TEST_F(TestCommand, AMergeShowsNoFileThatSomebodyElseNames) {
     const Finished merged = run("--merge parts/1 --results all --report report");
     EXPECT_EQ(merged.status, 3) << merged.err;
     EXPECT_TRUE(contains(merged.err, "links are not followed")) << merged.err;
-    EXPECT_TRUE(contains(merged.err, "is no picture")) << merged.err;
+    EXPECT_TRUE(contains(merged.err, "is not a picture")) << merged.err;
     for (const char* each : {"all", "report"})
         for (const auto& file : fs::recursive_directory_iterator(folder / each)) {
             if (!file.is_regular_file()) continue;
@@ -307,6 +307,43 @@ TEST_F(TestCommand, UpdateOfOneShotLeavesTheOnesItIsComparedWithAlone) {
     EXPECT_TRUE(readFile(folder / "golden/left.png") == left);
     EXPECT_FALSE(readFile(folder / "golden/right.png") == right);
     EXPECT_EQ(run("s.toml --only right").status, 1) << "without --update the other one is judged too";
+}
+
+TEST(OrphanGoldens, AreListedAndPruned) {
+    const Folder folder;
+    folder.write("all/a.glib", "Sphere\n");
+    folder.write("all/b.glib", "Cube\n");
+    ASSERT_EQ(glibra(folder.path(), "test all --update").status, 0);
+    ASSERT_TRUE(std::filesystem::exists(folder / "all/golden/b.png"));
+    std::filesystem::remove(folder / "all/b.glib");
+    const Finished listed = glibra(folder.path(), "test all");
+    EXPECT_EQ(listed.status, 0);
+    EXPECT_NE(listed.err.find("1 golden of no shot of 'all' (--prune removes them): all/golden/b.png"),
+              std::string::npos)
+        << listed.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "all/golden/b.png"));
+    const Finished partial = glibra(folder.path(), "test all --only a --prune");
+    EXPECT_EQ(partial.status, 0) << partial.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "all/golden/b.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "all/golden/a.png"));
+    EXPECT_EQ(glibra(folder.path(), "test all").err.find("golden of no shot"), std::string::npos);
+    EXPECT_EQ(glibra(folder.path(), "test all --prune --untrusted").status, 2);
+}
+
+TEST(ResultPaths, OpenFromTheCurrentFolder) {
+    const Folder folder;
+    folder.write("all/a.glib", "Sphere\n");
+    ASSERT_EQ(glibra(folder.path(), "test all --update").status, 0);
+    folder.write("all/a.glib", "Cube\n");
+    const Finished run = glibra(folder.path(), "test all --results some/results");
+    EXPECT_EQ(run.status, 1);
+    for (const char* title : {"    expected        ", "    got             ", "    difference      "}) {
+        const std::size_t at = run.out.find(title);
+        ASSERT_NE(at, std::string::npos) << title << run.out;
+        const std::size_t begin = at + std::string_view(title).size();
+        const std::string path = run.out.substr(begin, run.out.find('\n', begin) - begin);
+        EXPECT_TRUE(std::filesystem::is_regular_file(folder / path)) << path;
+    }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "../glib/modern_syntax.h"
+#include "base/texel_format.h"
 #include "check.h"
 #include "glib/command_table.h"
 #include "glib/lexer.h"
@@ -75,8 +77,14 @@ const glibra::fuzz::Grammar& glibra::fuzz::grammar() {
             made.words.emplace_back(word);
         for (const glib::StatementRow& row : glib::statementTable()) {
             made.words.emplace_back(row.name);
-            made.statements.emplace_back(row.name);
+            for (const std::string& word : glib::wordsOf(row)) made.words.push_back(word);
+            // Every statement in all its forms.
+            for (const glib::test::Samples& samples : glib::test::samplesOf(glib::syntaxOf(row).root)) {
+                std::string& line = made.statements.emplace_back(row.name);
+                for (const glib::test::Sample& each : samples) line += " " + each.text;
+            }
         }
+        for (const base::TexelFormatRow& row : base::texelFormats()) made.words.emplace_back(row.name);
         for (const char* line : {"Let a <0 1 2>",
                                  "Let b <red green blue>",
                                  "Let c {1 .5 0}",

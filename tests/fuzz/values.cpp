@@ -126,7 +126,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         checkOption(line);
         const Result<plan::Override> value = plan::parseOverride(line);
         check(value.value.has_value() != hasError(value.diagnostics), "a value or an error");
-        if (value) check(!value->name.empty() && !value->values.empty(), "a value has a name and numbers");
+        if (value)
+            check(!value->name.empty() && value->values.empty() != value->word.empty(),
+                  "a value has a name, and numbers or a word");
         const Result<suite::Shard> shard = suite::parseShard(line);
         check(shard.value.has_value() != hasError(shard.diagnostics), "a shard or an error");
         if (shard) check(shard->index >= 1 && shard->index <= shard->count, "a shard is one of its count");

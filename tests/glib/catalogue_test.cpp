@@ -67,7 +67,8 @@ TEST(Catalogue, HoldsEveryIdThatTheSourcesGive) {
         }
     }
     EXPECT_GT(given.size(), 100U);
-    for (const std::string& each : given) EXPECT_TRUE(findDiagnostic(each)) << each;
+    for (const std::string& each : given)
+        EXPECT_TRUE(findDiagnostic(each)) << each << ": add a row to src/glib/diagnostic_catalogue.cpp";
 }
 
 TEST(Catalogue, FindsAnId) {

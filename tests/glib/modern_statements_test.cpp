@@ -208,6 +208,41 @@ TEST(ModernWords, AreSuggested) {
     EXPECT_EQ(messageOf("Include a.glib\nPass window form\nEndPass"), "");
 }
 
+TEST(ModernWords, AreHiddenByDeclaredNames) {
+    EXPECT_EQ(messageOf("Texture2D depth 8 8 depth24\nPass window depth clear depth .5\nEndPass"), "");
+    EXPECT_EQ(
+        messageOf("Pass window depth\nEndPass"),
+        "1:13 glib-E16 Pass: unknown word 'depth'; expected a name (targets), 'from', 'clear' or 'keep'");
+    EXPECT_EQ(messageOf("Pass window clear {1 0 0} {0 1 0} keep depth stencil\nEndPass"), "");
+    EXPECT_EQ(messageOf("Include a.glib\nPass window clear depth .5\nEndPass"), "");
+    EXPECT_EQ(messageOf("Include a.glib\nPass window from left keep color\nEndPass"), "");
+}
+
+TEST(ModernValues, OfNamesStandInParentheses) {
+    EXPECT_EQ(
+        messageOf("Let many 3\nInstances many"),
+        "2:11 glib-E16 Instances: unknown word 'many'; expected 'from' or a number (count); write (many) for "
+        "its value");
+    EXPECT_EQ(
+        messageOf("Repeat [first last] as mode\nState provoking mode\nEndRepeat"),
+        "2:17 glib-E16 State: unknown word 'mode'; expected 'first' or 'last'; write (mode) for its value");
+    EXPECT_EQ(messageOf("Camera side[6] Face i 0 0 0 1 9"),
+              "1:21 glib-E19 Camera: expected a number (face), found 'i'; write (i) for its value");
+    EXPECT_EQ(messageOf("Let x 3\nTranslate 0 x 0"),
+              "2:13 glib-E19 Translate: expected a number, found 'x'; write (x) for its value");
+    EXPECT_EQ(messageOf("Let x 3\nTranslate 0 y 0"), "2:13 glib-W05 'y' is not a number, 0 used");
+    EXPECT_EQ(messageOf("Let speed 3\nWhen speed > 1\nEndWhen"),
+              "2:6 glib-E19 When: expected a condition in parentheses, found 'speed'");
+}
+
+TEST(ModernDispatches, TakeOneToThreeCountsAndTags) {
+    const Command one = only("Dispatch Sort 4 uStage 3 uLast <true>");
+    EXPECT_EQ(one.values.size(), 2U);
+    EXPECT_EQ(one.tags.size(), 2U);
+    EXPECT_EQ(only("Dispatch Sort over (window) tiles 2 uStage 3").tags.size(), 1U);
+    EXPECT_EQ(only("Dispatch Sort 1 2 3").values.size(), 4U);
+}
+
 TEST(ModernLimits, HaveMessages) {
     const std::string deep = "Let a (" + std::string(10'000, '(') + "1" + std::string(10'000, ')') + ")";
     EXPECT_EQ(messageOf(deep), "1:7 glib-E15 expression of 20,001 bytes; the limit is 8,192");

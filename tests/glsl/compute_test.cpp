@@ -47,6 +47,27 @@ TEST(Compute, VersionIsTheDrivers) {
     EXPECT_TRUE(sourceOf(translate(request), Stage::compute).starts_with("#version 460 core\n"));
 }
 
+TEST(Compute, PiecesSeeTheNumbersOfTheWhole) {
+    ProgramRequest request = program({{Stage::compute, R"(#version 430 core
+#define PLACE gl_GlobalInvocationID.x
+layout(local_size_x = 8) in;
+buffer Found { uint found[]; };
+void main() { found[PLACE] = gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_LocalInvocationID.x; }
+)"}});
+    EXPECT_EQ(sourceOf(translate(request), Stage::compute).find("glibra_"), std::string::npos);
+    EXPECT_FALSE(translate(request).inPieces);
+    request.inPieces = true;
+    const TranslatedProgram pieces = translate(request);
+    EXPECT_EQ("", ids(pieces.diagnostics));
+    EXPECT_EQ("", glslangErrors(pieces));
+    EXPECT_TRUE(pieces.inPieces);
+    const std::string source = sourceOf(pieces, Stage::compute);
+    for (const char* name :
+         {"uniform uvec3 glibra_FirstGroup;", "uniform uvec3 glibra_FirstInvocation;",
+          "uniform uvec3 glibra_GroupCount;", "(gl_GlobalInvocationID + glibra_FirstInvocation).x"})
+        EXPECT_NE(source.find(name), std::string::npos) << source;
+}
+
 TEST(Compute, OldDriverIsOneMessage) {
     ProgramRequest request = program({{Stage::compute, kSums}});
     request.target.version = 410;

@@ -61,6 +61,30 @@ TEST(FullScreenVertex, OnlyForAFragmentStageAlone) {
     EXPECT_EQ(1U, translateSingle(Stage::fragment, kPlainFragment).stages.size());
 }
 
+TEST(FullScreenVertex, ReplacesAVertexStageThatLacksThePlace) {
+    ProgramRequest request = program(
+        {{Stage::vertex, kPlainVertex},
+         {Stage::fragment, "#version 330\nin vec2 vST;\nout vec4 o;\nvoid main() { o = vST.xyxy; }"}});
+    EXPECT_EQ("glsl-W11", ids(translate(request).diagnostics));
+    request.suppliesFullScreenVertex = true;
+    const TranslatedProgram translated = translate(request);
+    EXPECT_EQ("", ids(translated.diagnostics));
+    EXPECT_EQ("", glslangErrors(translated));
+    EXPECT_TRUE(translated.suppliesVertexStage);
+    EXPECT_TRUE(hasTokens(sourceOf(translated, Stage::vertex), "vST = corner;"));
+}
+
+TEST(FullScreenVertex, KeepsAVertexStageWithThePlace) {
+    ProgramRequest request = program(
+        {{Stage::vertex,
+          "#version 330\nout vec2 vST;\nvoid main() { vST = aVertex.yx; gl_Position = aVertex; }"},
+         {Stage::fragment, "#version 330\nin vec2 vST;\nout vec4 o;\nvoid main() { o = vST.xyxy; }"}});
+    request.suppliesFullScreenVertex = true;
+    const TranslatedProgram translated = translate(request);
+    EXPECT_FALSE(translated.suppliesVertexStage);
+    EXPECT_FALSE(hasTokens(sourceOf(translated, Stage::vertex), "vST = corner;"));
+}
+
 TEST(FullScreenVertex, TilesAndOtherTargets) {
     ProgramRequest request = program(
         {{Stage::fragment, "#version 330\nin vec2 vST;\nout vec4 o;\nvoid main() { o = vST.xyxy; }"}});

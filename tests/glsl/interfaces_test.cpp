@@ -133,6 +133,20 @@ TEST(Interface, MissingPositionIsReported) {
               textOf(pair("void main() { }", "void main() { fColor = vec4(1.); }").diagnostics, "glsl-W14"));
 }
 
+TEST(Interface, PositionsThatALaterStageMakesAreNotMissing) {
+    const auto drawn = [](const std::string& place) {
+        return translateStages(
+            {{Stage::vertex, "#version 400\nout vec3 vPlace;\nvoid main() { vPlace = aVertex.xyz; }\n"},
+             {Stage::geometry,
+              "#version 400\nlayout(triangles) in; layout(points, max_vertices = 1) out;\nin vec3 vPlace[];\n"
+              "void main() { gl_Position = " +
+                  place + "; EmitVertex(); }\n"},
+             {Stage::fragment, kPlainFragment}});
+    };
+    EXPECT_EQ("", ids(drawn("vec4(vPlace[0], 1.)").diagnostics));
+    EXPECT_EQ("glsl-W14", ids(drawn("gl_in[0].gl_Position + vec4(vPlace[0], 0.)").diagnostics));
+}
+
 TEST(Samplers, NumberBecomesTheSamplerTheFunctionNames) {
     const TranslatedProgram translated =
         translateSingle(Stage::fragment,

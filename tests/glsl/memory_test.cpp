@@ -110,7 +110,7 @@ struct T { float x, y, z; };
 layout(std430) buffer B {
     float a;        //   0
     vec3 b;         //  16
-    float c;        //  28, behind the vec3
+    float c;        //  28, after the vec3
     vec3 d[2];      //  32, 16 each
     mat3 m;         //  64, 16 a column
     bool e;         // 112

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "fixture.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {

@@ -1,4 +1,5 @@
 #include "gpu/object/texture.h"
+#include "gpu/object/sampler.h"
 
 #include <algorithm>
 #include <bit>

@@ -7,6 +7,7 @@
 
 #include "base/number.h"
 #include "fixture.h"
+#include "gpu/context/call_counter.h"
 #include "gpu/format/value_type.h"
 #include "gpu/object/buffer.h"
 
@@ -95,6 +96,24 @@ TEST_F(UniformTest, ElementsCanBeSetFromAnyPlaceOn) {
     EXPECT_EQ(setUniform(*program, uniform, all, -1), 0);
     EXPECT_EQ(setUniform(*program, uniform, {}), 0);
     EXPECT_TRUE(getUniform(*program, uniform, 4).empty());
+}
+
+TEST_F(UniformTest, EqualValuesAreUploadedOnce) {
+    const auto program = withArrayOf("float");
+    ASSERT_TRUE(program);
+    const base::ActiveUniform uniform = find(*program, "u");
+    const std::array four{1., 2., 3., 4.};
+    const auto uploads = [&](std::span<const double> values, int first) {
+        const CallCounter counter;
+        setUniform(*program, uniform, values, first);
+        return counter.counts().calls;
+    };
+    EXPECT_EQ(uploads(four, 0), 1U);
+    EXPECT_EQ(uploads(four, 0), 0U);
+    EXPECT_EQ(uploads(std::array{3.}, 2), 0U) << "element 2 holds it already";
+    EXPECT_EQ(uploads(std::array{9.}, 2), 1U);
+    EXPECT_EQ(uploads(four, 0), 1U);
+    EXPECT_EQ(getUniform(*program, uniform, 2), std::vector{3.});
 }
 
 TEST_F(UniformTest, SamplersTakeTheirUnit) {

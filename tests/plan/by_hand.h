@@ -44,6 +44,7 @@ inline ValueType valueType(std::string word) {
         {"vec4", {BaseType::floating, 1, 4, {}, ""}},
         {"dvec3", {BaseType::doublePrecision, 1, 3, {}, ""}},
         {"ivec3", {BaseType::integer, 1, 3, {}, ""}},
+        {"ivec4", {BaseType::integer, 1, 4, {}, ""}},
         {"uvec2", {BaseType::unsignedInteger, 1, 2, {}, ""}},
         {"bvec2", {BaseType::boolean, 1, 2, {}, ""}},
         {"mat2", {BaseType::floating, 2, 2, {}, ""}},

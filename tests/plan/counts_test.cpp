@@ -119,5 +119,21 @@ TEST(RangeOrder, DoesNotMatterWithoutASlider) {
     EXPECT_EQ(ids(read("bool", UniformForm::range, {1, 1, 1}).diagnostics), "glib-W20");
 }
 
+TEST(TypedValue, OfThreeNumbersForAVec4IsAnOpaqueColour) {
+    const std::vector<double> values{0, 1, 0};
+    const auto typed = [&](const char* word, UniformForm form, const char* text) {
+        return readValue({"uColor", form, values, {}, {}, text}, test::uniform("uColor", word));
+    };
+    const Reading color = typed("vec4", UniformForm::list, "0,1,0");
+    EXPECT_EQ(color.values, (Values{0, 1, 0, 1}));
+    EXPECT_EQ(textOf(color.diagnostics, "glib-W15"),
+              "--set uColor=0,1,0: 3 values; vec4 takes 4, so the last one is 1");
+    EXPECT_EQ(typed("ivec4", UniformForm::list, "0,1,0").values, (Values{0, 1, 0, 0}));
+    EXPECT_EQ(textOf(typed("vec2", UniformForm::list, "0,1,0").diagnostics, "glib-W15"),
+              "--set uColor=0,1,0: 3 values; vec2 takes 2, so the surplus is ignored");
+    EXPECT_EQ(textOf(typed("float", UniformForm::list, "0,1,0").diagnostics, "glib-W20"),
+              "uColor is float, so --set uColor=0,1,0 is read as 0");
+}
+
 }  // namespace
 }  // namespace glibra::plan

@@ -41,9 +41,14 @@ TEST(OverrideText, HoldsASwitch) {
     expectOverride("uOn=true", "uOn", UniformForm::truth, {1});
     expectOverride("uOn=<false>", "uOn", UniformForm::truth, {0});
 }
+TEST(OverrideText, HoldsAWordOfAChoice) {
+    expectOverride("method=front_only2", "method", UniformForm::number, {});
+    EXPECT_EQ(parseOverride("method= front_only2 ")->word, "front_only2");
+    EXPECT_EQ(parseOverride("method=1")->word, "");
+}
 TEST(OverrideText, IsRejectedIfItIsMalformed) {
-    for (const char* text : {"uKd", "=5", "uKd=", "uKd=five", "uKd=1,x", "uKd=[1", "uKd=[]", "uKd=inf",
-                             "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
+    for (const char* text : {"uKd", "=5", "uKd=", "uKd=1,x", "Dots:uKd=five", "uKd=[five]", "uKd=[1",
+                             "uKd=[]", "uKd=inf", "uKd=nan", "uKd=1e99", "uKd=0x10", "uKd=1.5f", "uKd=[", ""})
         EXPECT_FALSE(parseOverride(text)) << text;
     EXPECT_FALSE(parseOverride("uKd=" + std::string(20000, '1')));
     std::string many = "uKd=";

@@ -163,6 +163,11 @@ TEST(UnsetUniform, IsReported) {
     EXPECT_EQ(textOf(result.diagnostics, "glib-W37"), "uniform 'uTime' of 'Dots' is not set; it is 0");
     EXPECT_EQ(result.diagnostics.front().place, test::at(5));
 }
+TEST(UnsetUniform, WithAWellKnownNameNeedsAModernScene) {
+    EXPECT_EQ(textOf(resolve(interfaceWith({{"mvp", "mat4"}}), {}).diagnostics, "glib-W37"),
+              "uniform 'mvp' of 'Dots' is not set; it is 0; scenes with a Camera or another modern statement "
+              "supply it");
+}
 TEST(UnsetUniform, IsNotReportedIfItIsSupplied) {
     const auto interface = interfaceWith({{"Timer", "float"},
                                           {"uNormalMatrix", "mat3"},

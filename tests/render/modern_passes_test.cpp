@@ -1,11 +1,10 @@
-// Passes of modern scenes: depth, layers, what is cleared and kept, stencil, blending, state, and what is
-// skipped.
+// Passes of modern scenes: depth, layers, what is cleared and kept, tiles, and what is skipped.
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "modern_by_hand.h"
+#include "modern_squares.h"
+#include "scene_text.h"
 
 namespace glibra::test {
 namespace {
@@ -13,36 +12,6 @@ namespace {
 using base::TexelFormat;
 using scene::TextureTarget;
 using scene::TextureView;
-
-constexpr const char* kConstant = "uniform vec4 uColor; out vec4 fColor; void main() { fColor = uColor; }";
-constexpr const char* kRead =
-    "uniform sampler2D uMap; out vec4 fColor; void main() { fColor = texture(uMap, vST); }";
-
-using Color = std::array<double, 4>;
-
-/// A scene whose squares have one colour.
-struct Squares {
-    ModernScene modern;
-    scene::ProgramIndex constant, read;
-
-    explicit Squares(int width = 4, int height = 4)
-        : modern(width, height),
-          constant(modern.shading("Constant", kConstant)),
-          read(modern.shading("Read", kRead)) {}
-
-    scene::Draw& square(const Color& color, double z = 0, double size = 1) {
-        scene::Draw& drawn = modern.square(constant, z, size);
-        modern.set(drawn, {{"uColor", {color[0], color[1], color[2], color[3]}}});
-        return drawn;
-    }
-    void show(const TextureView& view) {
-        modern.window();
-        modern.set(modern.square(read), {}, {{"uMap", view}});
-    }
-};
-
-constexpr Color kRed{1, 0, 0, 1}, kGreen{0, 1, 0, 1};
-constexpr base::FractionRectangle kLeft{0, 0, .5, 1};
 
 TEST(ModernPasses, IntoDepthAloneNeedNoFragmentStage) {
     Squares scene;
@@ -160,178 +129,6 @@ TEST(ModernPasses, MirrorWithTheStencil) {
         }
 }
 
-TEST(ModernPasses, CompareDepthAndStencilAsTheTablesSay) {
-    const auto holds = [](base::Comparison comparison, int value, int stored) {
-        switch (comparison) {
-            case base::Comparison::never:
-                return false;
-            case base::Comparison::less:
-                return value < stored;
-            case base::Comparison::lequal:
-                return value <= stored;
-            case base::Comparison::equal:
-                return value == stored;
-            case base::Comparison::gequal:
-                return value >= stored;
-            case base::Comparison::greater:
-                return value > stored;
-            case base::Comparison::notequal:
-                return value != stored;
-            case base::Comparison::always:
-                break;
-        }
-        return true;
-    };
-    for (int i = 0; i < 8; ++i) {
-        const auto comparison = static_cast<base::Comparison>(i);
-        Squares depth(3, 1), stencil(3, 1);
-        depth.modern.window();
-        depth.square(kRed, 0);
-        stencil.modern.window().clearStencil = 2;
-        for (int value = 1; value <= 3; ++value) {
-            const base::FractionRectangle third{(value - 1) / 3., 0, 1 / 3., 1};
-            scene::Draw& tested = depth.square(kGreen, (value - 2) * .5);
-            tested.raster.depthFunction = comparison;
-            tested.raster.scissor = third;
-            scene::Draw& marked = stencil.square(kGreen);
-            marked.raster.stencilTest = true;
-            marked.raster.stencilFront.function = comparison;
-            marked.raster.stencilFront.reference = value;
-            marked.raster.scissor = third;
-        }
-        const ModernPicture deep = draw(depth.modern), cut = draw(stencil.modern);
-        for (int value = 1; value <= 3; ++value) {
-            const int wanted = holds(comparison, value, 2) ? 255 : 0;
-            EXPECT_EQ(deep.at(value - 1, 0)[1], wanted) << "depth " << i << ", " << value;
-            EXPECT_EQ(cut.at(value - 1, 0)[1], wanted) << "stencil " << i << ", " << value;
-        }
-    }
-}
-
-/// The factor of a component (GL 4.6, table 17.2).
-double factorOf(base::BlendFactor factor, std::size_t component, const Color& source, const Color& stored,
-                const Color& constant) {
-    using enum base::BlendFactor;
-    switch (factor) {
-        case zero:
-            return 0;
-        case one:
-            return 1;
-        case sourceColor:
-            return source[component];
-        case oneMinusSourceColor:
-            return 1 - source[component];
-        case destinationColor:
-            return stored[component];
-        case oneMinusDestinationColor:
-            return 1 - stored[component];
-        case sourceAlpha:
-            return source[3];
-        case oneMinusSourceAlpha:
-            return 1 - source[3];
-        case destinationAlpha:
-            return stored[3];
-        case oneMinusDestinationAlpha:
-            return 1 - stored[3];
-        case constantColor:
-            return constant[component];
-        case oneMinusConstantColor:
-            return 1 - constant[component];
-        case constantAlpha:
-            return constant[3];
-        case oneMinusConstantAlpha:
-            return 1 - constant[3];
-        case sourceAlphaSaturate:
-            break;
-    }
-    return component == 3 ? 1 : std::min(source[3], 1 - stored[3]);
-}
-
-double blended(const base::BlendFunction& function, std::size_t component, const Color& source,
-               const Color& stored, const Color& constant) {
-    const double s = source[component], d = stored[component];
-    const double left = s * factorOf(function.source, component, source, stored, constant);
-    const double right = d * factorOf(function.destination, component, source, stored, constant);
-    switch (function.equation) {
-        case base::BlendEquation::add:
-            return left + right;
-        case base::BlendEquation::subtract:
-            return left - right;
-        case base::BlendEquation::reverseSubtract:
-            return right - left;
-        case base::BlendEquation::min:
-            return std::min(s, d);
-        case base::BlendEquation::max:
-            break;
-    }
-    return std::max(s, d);
-}
-
-TEST(ModernPasses, BlendWithEveryFactorAndEquation) {
-    // One picture per equation: a pixel for each pair of factors.
-    constexpr Color kSource{.9, .35, .6, .7}, kStored{.25, .8, .5, .4}, kBlendConstant{.3, .55, .75, .65};
-    for (int equation = 0; equation < base::kBlendEquationCount; ++equation) {
-        Squares scene(base::kBlendFactorCount, base::kBlendFactorCount);
-        const auto map = scene.modern.texture("map", TexelFormat::rgba32f, base::kBlendFactorCount,
-                                              base::kBlendFactorCount);
-        scene.modern.pass({map}, glm::dvec4(kStored[0], kStored[1], kStored[2], kStored[3]));
-        const auto functionAt = [&](int x, int y) {
-            return base::BlendFunction{static_cast<base::BlendFactor>(x), static_cast<base::BlendFactor>(y),
-                                       static_cast<base::BlendEquation>(equation)};
-        };
-        for (int y = 0; y < base::kBlendFactorCount; ++y)
-            for (int x = 0; x < base::kBlendFactorCount; ++x) {
-                scene::Draw& drawn = scene.square(kSource);
-                drawn.raster.depthTest = false;
-                constexpr double kSide = base::kBlendFactorCount;
-                drawn.raster.scissor = base::FractionRectangle{x / kSide, y / kSide, 1 / kSide, 1 / kSide};
-                drawn.raster.blend[0] = {true, functionAt(x, y), functionAt(x, y)};
-                drawn.raster.blendConstant = kBlendConstant;
-            }
-        scene.show({.texture = map});
-        scene.modern.scene.textures[map].sampler.filter = base::Filter::nearest;
-        RenderOptions options;
-        options.floatPixels = true;
-        options.alpha = true;
-        const ModernPicture picture = draw(scene.modern, options);
-        for (int y = 0; y < base::kBlendFactorCount; ++y)
-            for (int x = 0; x < base::kBlendFactorCount; ++x) {
-                std::array<float, 4> found{};
-                const auto row = picture.image.row(base::kBlendFactorCount - 1 - y);
-                std::memcpy(found.data(), row.data() + static_cast<std::size_t>(x) * sizeof found,
-                            sizeof found);
-                for (std::size_t i = 0; i < 4; ++i)
-                    ASSERT_NEAR(static_cast<double>(found[i]),
-                                blended(functionAt(x, y), i, kSource, kStored, kBlendConstant), 2e-6)
-                        << "factors " << x << ", " << y << ", equation " << equation << ", component " << i;
-            }
-    }
-}
-
-TEST(ModernPasses, BlendAndMaskEachTargetAlone) {
-    Squares scene;
-    const auto first = scene.modern.texture("first", TexelFormat::rgba8, 4, 4);
-    const auto second = scene.modern.texture("second", TexelFormat::rgba8, 4, 4);
-    const auto both =
-        scene.modern.shading("Both",
-                             "layout(location = 0) out vec4 fFirst; layout(location = 1) out vec4 "
-                             "fSecond; void main() { fFirst = fSecond = vec4(.2, .4, .6, 1.); }");
-    scene.modern.pass({first, second}, glm::dvec4(.2, .2, .2, 1));
-    scene::Draw& drawn = scene.modern.square(both);
-    drawn.raster.blend[0] = {
-        true, {base::BlendFactor::one, base::BlendFactor::one, base::BlendEquation::add}, {}};
-    drawn.raster.write[1] = {false, true, false, true};
-    const auto show =
-        scene.modern.shading("Show",
-                             "uniform sampler2D first, second; out vec4 fColor; void main() { fColor = vST.s "
-                             "< .5 ? texture(first, vST) : texture(second, vST); }");
-    scene.modern.window();
-    scene.modern.square(show);
-    const ModernPicture picture = draw(scene.modern);
-    EXPECT_EQ(picture.at(0, 1), (std::array{102, 153, 204}));
-    EXPECT_EQ(picture.at(3, 1), (std::array{51, 102, 51}));
-}
-
 TEST(ModernPasses, KeepViewportAndScissorInTiles) {
     Squares scene(40, 24);
     scene.modern.window(glm::dvec4(0, 0, 1, 1));
@@ -344,7 +141,7 @@ TEST(ModernPasses, KeepViewportAndScissorInTiles) {
     RenderOptions options;
     options.tileSize = 16;
     EXPECT_TRUE(whole.image.data == draw(scene.modern, options).image.data);
-    // Rectangles by hand: (5, 6) with 20 x 12 pixels; (20, 6) with 15 x 15, of which the middle half, cut.
+    // Rectangles by hand: (5, 6) with 20 x 12 pixels; (20, 6) with 15 x 15 pixels, cut to its middle half.
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 40; ++x) {
             const int up = 23 - y;
@@ -452,6 +249,42 @@ void main() { fColor = vec4(uSize); }
     EXPECT_NE(found.find("'Named': vertex input 'vertPos' is the attribute position\n"), std::string::npos);
 }
 
+TEST(ModernPasses, GiveAFragmentStageAloneTheMatricesOfTheCamera) {
+    // The inverse of a perspective of 90 degrees, 1 to 10: 1, 1, -.45 and .55 where they stand here.
+    const std::string head =
+        "WindowSize 8 8\nCamera eye LookAt 0 0 5  0 0 0  0 1 0  Perspective 90 1 10\nTranslate 7 7 7\n";
+    const std::string show =
+        "Fragment inline\n#version 330\nin vec2 vST;\nout vec4 fColor;\nuniform mat4 invProjection, mv;\n"
+        "void main() { fColor = vec4(.4 * invProjection[1][1], invProjection[3][3], -mv[3][2] / 20., vST.x); "
+        "}\n"
+        "EndFragment\nProgram Show\n";
+    const std::string other =
+        "Vertex inline\n#version 330\nvoid main() { gl_Position = vec4(2.); }\nEndVertex\n";
+    const std::string inPass = "Pass window\nFullScreen\nEndPass\n";
+    for (const std::string& scene :
+         {head + show + "Fill window with Show\n", head + other + show + "Fill window with Show\n",
+          head + show + inPass, head + other + show + inPass})
+        EXPECT_EQ(pixel(picture(scene), 4, 4), (std::array<int, 3>{102, 140, 64})) << scene;
+}
+
+TEST(ModernPasses, BlendFullScreenRectanglesOfAFragmentStageAlone) {
+    const Picture drawn = picture(
+        "WindowSize 8 8\nFragment inline\n#version 330\nin vec2 vST;\nout vec4 fColor;\n"
+        "void main() { fColor = vec4(step(.5, vST), 0., 1.); }\nEndFragment\nProgram Halves\n"
+        "Pass window clear {0 0 .2}\nState blend add\nFullScreen\nFullScreen\nEndPass\n");
+    EXPECT_EQ(pixel(drawn, 1, 1), (std::array<int, 3>{0, 255, 51}));
+    EXPECT_EQ(pixel(drawn, 6, 1), (std::array<int, 3>{255, 255, 51}));
+    EXPECT_EQ(pixel(drawn, 6, 6), (std::array<int, 3>{255, 0, 51}));
+}
+
+TEST(ModernPasses, GiveAStorageBlockTheBufferThatIsNamedLikeItsLastMember) {
+    const Picture drawn = picture(
+        "WindowSize 8 8\nBuffer lights vec4 [0 .2 .4 1]\nFragment inline\n#version 430\nout vec4 fColor;\n"
+        "layout(std430) readonly buffer Lights { vec4 lights[]; };\nvoid main() { fColor = lights[0]; }\n"
+        "EndFragment\nProgram Show\nFill window with Show\n");
+    EXPECT_EQ(pixel(drawn, 4, 4), (std::array<int, 3>{0, 51, 102}));
+}
+
 TEST(ModernPasses, AreNotMovedWithTheWindowUnlessItsCameraSeesThem) {
     // The window's eye is moved by half a picture; the pass of another camera is not.
     constexpr const char* kPlaced = R"(#version 330 core
@@ -468,7 +301,9 @@ void main() { fColor = vec4(1.); }
 )"}});
         const auto map = modern.texture("uMap", TexelFormat::rgba8, 4, 4);
         const auto read = modern.shading("Read", kRead);
-        modern.pass({map}, glm::dvec4(0, 0, 0, 1)).camera = camera;
+        scene::Pass& pass = modern.pass({map}, glm::dvec4(0, 0, 0, 1));
+        pass.camera = camera;
+        if (camera != "eye") pass.rootCamera = camera;
         modern.square(placed);
         modern.window();
         modern.square(read);

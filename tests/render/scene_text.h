@@ -11,7 +11,7 @@
 
 namespace glibra::test {
 
-/// Renders with a context that all tests of the program share. Fails the test with the diagnostics if there
+/// Renders with a context of its own. Fails the test with the diagnostics if there
 /// is no picture.
 Picture picture(const std::string& scene, const std::map<std::string, std::string>& files = {},
                 const RenderOptions& options = {});

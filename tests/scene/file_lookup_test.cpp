@@ -51,6 +51,37 @@ TEST_F(FileLookup, PathsMayBeRelativeOrAbsolute) {
     EXPECT_TRUE(find(path.string()).remarks.empty());
 }
 
+TEST_F(FileLookup, AConfinedSceneFindsOnlyFilesOfItsFolderAndTheLibrary) {
+    const fs::path own = folder.write("ana/src/a.frag");
+    const fs::path beside = folder.write("ana/wood.png");
+    folder.write("bob/b.frag");
+    folder.write("secrets.txt");
+    const fs::path library = folder.write("course/shaders/noise.glsl");
+    fs::create_symlink(folder.path() / "secrets.txt", folder.path() / "ana/src/link.frag");
+    fs::create_symlink(folder.path() / "bob", folder.path() / "ana/src/friend");
+    const InterpretOptions options{{folder.path() / "course"}, folder.path() / "ana"};
+    const auto confined = [&](std::string_view name) {
+        return scene::find(name, folder.path() / "ana/src/scene.glib", options);
+    };
+    EXPECT_EQ(confined("a.frag").path, own);
+    EXPECT_EQ(fs::canonical(confined("../wood.png").path), fs::canonical(beside));
+    EXPECT_EQ(confined("noise.glsl").path, library);
+    for (const char* each :
+         {"../../bob/b.frag", "../../BOB/b.frag", "link.frag", "friend/b.frag", "/etc/passwd"}) {
+        const FileReference file = confined(each);
+        EXPECT_EQ(file.path, fs::path()) << each;
+        ASSERT_EQ(idsOf(file.remarks), "file-E12") << each;
+    }
+    EXPECT_EQ(
+        textOf(confined("link.frag")),
+        "file-E12 'link.frag' lies outside of the scene's folder and the library, and this scene may read "
+        "only files inside");
+    // Names near to a missing one come from the folders that may be read.
+    EXPECT_EQ(textOf(confined("../../secret.txt")), "file-E01 cannot find '../../secret.txt'");
+    EXPECT_EQ(textOf(confined("friend/c.frag")), "file-E01 cannot find 'friend/c.frag'; nearest: 'a.frag'");
+    EXPECT_EQ(textOf(confined("noize.glsl")), "file-E01 cannot find 'noize.glsl'; nearest: 'noise.glsl'");
+}
+
 TEST_F(FileLookup, BackslashesAreSlashesEvenIfDoubled) {
     const fs::path path = folder.write("sub/deep/cow.obj");
     EXPECT_EQ(find("sub\\deep\\cow.obj").path, path);

@@ -153,6 +153,12 @@ TEST(Modern, MaterialsSetTheirFourMembers) {
     const Draw draw = drawsOf(scene).at(0);
     EXPECT_EQ(valuesOf(scene, draw, "material.diffuse"), (std::vector<double>{.7516, .6065, .2265, 1}));
     EXPECT_EQ(valuesOf(scene, draw, "material.shininess"), std::vector<double>{51.2});
+    const Scene chosen = run(
+        "Vertex a.vert\nFragment a.frag\nProgram P\nRepeat [silver gold] as metal\nMaterial (metal)\nBox\n"
+        "EndRepeat\n");
+    EXPECT_EQ(textsOf(chosen.diagnostics), "");
+    EXPECT_EQ(valuesOf(chosen, drawsOf(chosen).at(1), "material.diffuse"),
+              (std::vector<double>{.7516, .6065, .2265, 1}));
     const Scene wrong = run("Material glod\nBox\n");
     EXPECT_EQ(textsOf(wrong.diagnostics), "1:10 glib-E27 no material 'glod'; did you mean 'gold'?");
 }
@@ -269,6 +275,25 @@ TEST(Modern, UseMakesAnEarlierProgramCurrent) {
 }
 
 // ---- Cameras.
+
+TEST(ModernPasses, ClearEachTargetToAColourOfItsOwn) {
+    const std::string textures = "Texture2D a 4 4 rgba8\nTexture2D b 4 4 r8\n";
+    const Scene scene =
+        run(textures + "Pass a b clear {1 0 0 1} {0 0 1 0}\nEndPass\nPass a b clear {0 1 0}\nEndPass\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    ASSERT_GE(scene.frame.passes.size(), 2U);
+    using Colors = std::vector<std::optional<glm::dvec4>>;
+    EXPECT_EQ(scene.frame.passes[0].clearColors, (Colors{glm::dvec4(1, 0, 0, 1), glm::dvec4(0, 0, 1, 0)}));
+    EXPECT_EQ(scene.frame.passes[1].clearColors, (Colors{glm::dvec4(0, 1, 0, 1), glm::dvec4(0, 1, 0, 1)}));
+    const Scene kept =
+        run(textures + "Texture2D z 4 4 depth24\nPass a b z clear {1 0 0 1} keep depth\nEndPass\n");
+    EXPECT_EQ(textsOf(kept.diagnostics), "");
+    ASSERT_GE(kept.frame.passes.size(), 1U);
+    EXPECT_EQ(kept.frame.passes[0].clearColors, (Colors{glm::dvec4(1, 0, 0, 1), glm::dvec4(1, 0, 0, 1)}));
+    EXPECT_FALSE(kept.frame.passes[0].clearDepth);
+    EXPECT_EQ(idsOf(run(textures + "Pass a b clear {1 0 0} {1 0 0} {1 0 0}\nEndPass\n").diagnostics),
+              "glib-E26");
+}
 
 TEST(Cameras, TheCameraEyeSeesTheWindow) {
     const Scene scene =

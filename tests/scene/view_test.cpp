@@ -101,7 +101,7 @@ TEST(ViewPolicy, TheDefaultSphereIsSeenWhole) {
     EXPECT_EQ(move.distance, 2.375);
     ASSERT_EQ(move.diagnostics.size(), 1U);
     EXPECT_EQ(toString(move.diagnostics[0]),
-              "scene.glib:1:1: note: no LookAt, so the eye is moved back by 2.375 along z (use --view glman "
+              "scene.glib:1:1: note: no LookAt, so the eye is moved back by 2.375 along z (use --eye glman "
               "to switch "
               "this off) "
               "[draw-N01]");

@@ -275,7 +275,7 @@ TEST_F(Merge, AFileThatIsNoPictureIsLeftOutAndNamed) {
     const Result<RunResult> result = merged();
     ASSERT_TRUE(result);
     EXPECT_EQ(ids(result.diagnostics), "result-W02 result-W02 result-W02 ");
-    EXPECT_NE(result.diagnostics[1].text.find("'s/b': 'evil.sh' is no picture"), std::string::npos)
+    EXPECT_NE(result.diagnostics[1].text.find("'s/b': 'evil.sh' is not a picture"), std::string::npos)
         << result.diagnostics[1].text;
     for (const ShotResult& each : result->shots) EXPECT_TRUE(each.got.empty());
     for (const auto& each : fs::directory_iterator(folder / "into"))

@@ -2,9 +2,12 @@
 
 #include "suite/options/option_table.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -108,6 +111,17 @@ TEST(OptionTable, NamesAndKeysAreUniqueAndDescribed) {
         EXPECT_TRUE(row.key.empty() || keys.insert(row.key).second) << row.key;
         EXPECT_TRUE(row.needs.empty() || findOption(row.needs)) << row.name;
     }
+}
+
+TEST(OptionTable, ThePageOfSuitesHasEveryKey) {
+    std::ifstream file(GLIBRA_SOURCE_DIR "/docs/suites.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t table = page.find("## Keys of a shot");
+    ASSERT_NE(table, std::string::npos);
+    const std::string keys = page.substr(table, page.find("\n## ", table) - table);
+    for (const OptionRow& row : optionTable())
+        EXPECT_TRUE(row.key.empty() || keys.find(fmt::format("`{}`", row.key)) != std::string::npos)
+            << row.key << ": add it to the table under 'Keys of a shot' in docs/suites.md";
 }
 
 TEST(OptionTable, AWrongTextSaysWhatWouldBeRightAndChangesNothing) {

@@ -164,6 +164,14 @@ TEST(SuiteFile, MakesAShotOfEveryValueOfASweep) {
     EXPECT_EQ(suite->shots[1].options.set, (Strings{"uTol=0.1"}));
 }
 
+TEST(SuiteFile, SweepsOverTheWordsOfAChoice) {
+    const SceneFolder folder{"oval.glib"};
+    const auto suite = folder.read("[[shot]]\nscript = 'oval.glib'\nsweep = { method = ['lit', 'toon'] }\n");
+    EXPECT_EQ(folder.shown(suite), "oval@method=lit\noval@method=toon\n");
+    ASSERT_TRUE(suite);
+    EXPECT_EQ(suite->shots[1].options.set, (Strings{"method=toon"}));
+}
+
 TEST(SuiteFile, AListIsAVectorInSetAndSeveralValuesInSweep) {
     const SceneFolder folder{"a.glib"};
     const auto one = folder.read("[[shot]]\nscript = 'a.glib'\nset = { uColor = [0, 0.1, 0.2] }\n");

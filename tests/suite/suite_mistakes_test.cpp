@@ -111,13 +111,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ShotIsNoTable", "shot = [1]\n",
                 "1:9 suite-E03 shot: expected a table under [[shot]], found the number 1\n"},
         Mistake{"WrongTypes",
-                shot("samples = 'four'\nstrict = 1\ntimeout = '3'\nsize = 'big'\nview = 'best'\ntags = "
+                shot("samples = 'four'\nstrict = 1\ntimeout = '3'\nsize = 'big'\neye = 'best'\ntags = "
                      "3\ntime = true"),
                 "3:11 suite-E03 samples: expected a whole number, found the text 'four'\n"
                 "4:10 suite-E03 strict: expected true or false, found the number 1\n"
                 "5:11 suite-E03 timeout: expected a number, found the text '3'\n"
                 "6:8 suite-E03 size: expected [WIDTH, HEIGHT] or \"WIDTHxHEIGHT\", found the text 'big'\n"
-                "7:8 suite-E03 view: expected \"auto\" or \"glman\", found the text 'best'\n"
+                "7:7 suite-E03 eye: expected \"auto\" or \"glman\", found the text 'best'\n"
                 "8:8 suite-E03 tags: expected a text between quotes, or a list of such, found the number 3\n"
                 "9:8 suite-E03 time: expected a number, found true\n"},
         Mistake{"DateAsTime", shot("time = 1979-05-27"),
@@ -155,9 +155,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "5:16 suite-E04 sweep.uA: the list is empty\n"
                 "6:14 suite-E04 set.uA: the list is empty\n"
                 "7:8 suite-E04 name: the text is empty\n"},
-        Mistake{"UniformTextThatIsNone", shot("set = { uA = 'red', uB = '[1 2' }"),
-                "3:14 suite-E04 set.uA: 'red': 'red' is not a number\n"
-                "3:26 suite-E04 set.uB: '[1 2': a bracket is not closed\n"},
+        Mistake{"UniformTextThatIsNone", shot("set = { uA = '1 red', uB = '[1 2' }"),
+                "3:14 suite-E04 set.uA: '1 red': 'red' is not a number\n"
+                "3:28 suite-E04 set.uB: '[1 2': a bracket is not closed\n"},
         Mistake{
             "BadNames",
             shot("name = '../x'\n[[shot]]\nscript = 'teapot.glib'\nname = '/etc/x'\n[[shot]]\nscript = "
@@ -207,8 +207,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "2:10 suite-E10 script: cannot find 'teapto.glib'; did you mean 'teapot.glib'?\n"},
         Mistake{"MissingScriptOfAList", "[[shot]]\nscript = ['teapot.glib', 'start/cwo.glib']\n",
                 "2:26 suite-E10 script: cannot find 'start/cwo.glib'; did you mean 'cow.glib'?\n"},
-        Mistake{"NoScene", "[[shot]]\nscript = '/etc/passwd'\n",
-                "2:10 suite-E10 script: '/etc/passwd' is no scene; the name of a scene ends with '.glib'\n"},
+        Mistake{
+            "NoScene", "[[shot]]\nscript = '/etc/passwd'\n",
+            "2:10 suite-E10 script: '/etc/passwd' is not a scene; the name of a scene ends with '.glib'\n"},
         Mistake{"MissingEnding", "[[shot]]\nscript = 'teapot'\n",
                 "2:10 suite-E10 script: cannot find 'teapot'; did you mean 'teapot.glib'?\n"},
         Mistake{

@@ -87,7 +87,7 @@ TEST(Figures, AreNoneWhereNothingWasCompared) {
 TEST(Figures, NaNAgainstANumberIsCalledNoNumber) {
     ShotResult shot = failedShot();
     shot.judgement.comparison.largest = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(figures(shot)[0].value, "no number (blue, at 17 4)");
+    EXPECT_EQ(figures(shot)[0].value, "not a number (blue, at 17 4)");
 }
 
 TEST(Junit, CountsEachKindOfOutcomeOnce) {
@@ -135,9 +135,24 @@ TEST(Terminal, EndsWithTheSummary) {
     const std::string text =
         toText(runOf({failedShot(), withVerdict(Verdict::passed), withVerdict(Verdict::missing)}), false);
     const std::string end =
-        "1 failed, 1 missing, 1 passed; 3 shots in 1 min 5 s, llvmpipe (LLVM 15.0.6, 256 bits)\n";
+        "1 drawn without a golden, 1 failed, 1 passed; 3 shots in 1 min 5 s, llvmpipe (LLVM 15.0.6, 256 "
+        "bits)\n";
     ASSERT_GE(text.size(), end.size());
     EXPECT_EQ(text.substr(text.size() - end.size()), end) << text;
+}
+
+TEST(Terminal, PicturesOfANewSuiteAreNoFailures) {
+    std::vector<ShotResult> shots;
+    for (int i = 0; i < 30; ++i) shots.push_back(withVerdict(Verdict::missing));
+    EXPECT_EQ(counts(runOf({shots[0]})), "1 drawn, it has no golden yet");
+    EXPECT_EQ(counts(runOf(shots)), "30 drawn, none has a golden yet");
+    // Scenes that cannot be drawn have no golden either.
+    for (int i = 0; i < 10; ++i) shots.push_back(withVerdict(Verdict::failed));
+    EXPECT_EQ(counts(runOf(shots)), "30 drawn, 10 failed, none has a golden yet");
+    shots.push_back(withVerdict(Verdict::crashed));
+    EXPECT_EQ(counts(runOf(shots)), "30 drawn, 10 failed, 1 crashed, none has a golden yet");
+    shots.push_back(withVerdict(Verdict::passed));
+    EXPECT_EQ(counts(runOf(shots)), "30 drawn without a golden, 10 failed, 1 crashed, 1 passed");
 }
 
 TEST(Terminal, ShowsTheReasonTheFiguresAndTheCommandsOfAFailure) {

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "render/check/object_content.h"
 #include "scene_folder.h"
 #include "view/debug_view/texels.h"
 #include "view/session/frame_cost.h"
@@ -35,15 +37,16 @@ TEST(Texels, OfAFloatTargetAreItsNumbers) {
         if (session.live().scene().textures[each].unit == 6) target = each;
     const gpu::Texture* texture = session.live().texture(target);
     ASSERT_TRUE(texture);
-    const view::TexelImage image = view::texelsOf(*texture, 0);
-    ASSERT_EQ(image.width, 8);
-    ASSERT_EQ(image.height, 4);
-    const float* texel = image.rgba.data() + 4 * (2 * 8 + 5);
-    EXPECT_EQ(texel[0], 5.5F);
-    EXPECT_EQ(texel[1], 2.5F);
-    EXPECT_EQ(texel[2], -2.5F);
+    const auto image = render::contentOf(*texture, 0, std::nullopt);
+    ASSERT_TRUE(image);
+    ASSERT_EQ(image->width, 8);
+    ASSERT_EQ(image->height, 4);
+    const auto texel = image->at(2 * 8 + 5);
+    EXPECT_EQ(texel[0], 5.5);
+    EXPECT_EQ(texel[1], 2.5);
+    EXPECT_EQ(texel[2], -2.5);
     EXPECT_EQ(view::textureTitle(session.live().scene(), target), "unit 6 / 2D: target, line 3");
-    const view::NonFiniteTexels bad = view::countNonFinite(image);
+    const view::NonFiniteTexels bad = view::countNonFinite(*image);
     EXPECT_EQ(bad.nan, 4);
     EXPECT_EQ(bad.infinite, 7);
 }
@@ -53,13 +56,13 @@ TEST(Texels, OfThePictureAreWhatIsOnTheScreen) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
-    const view::TexelImage color = view::colorTexels(*session.picture());
-    const float* centre = color.rgba.data() + 4 * (5 * 20 + 10);
-    EXPECT_NEAR(centre[0], .2F, .002F);
-    EXPECT_NEAR(centre[2], .6F, .002F);
-    const view::TexelImage depth = view::depthTexels(*session.picture());
-    EXPECT_NEAR(depth.rgba[4 * (5 * 20 + 10)], .25F, 1e-6F);
-    EXPECT_EQ(depth.rgba[0], 1.F);
+    const auto color = view::contentOf(*session.picture(), false);
+    const auto centre = color.at(5 * 20 + 10);
+    EXPECT_NEAR(centre[0], .2, .002);
+    EXPECT_NEAR(centre[2], .6, .002);
+    const auto depth = view::contentOf(*session.picture(), true);
+    EXPECT_NEAR(depth.at(5 * 20 + 10)[0], .25, 1e-6);
+    EXPECT_EQ(depth.at(0)[0], 1);
 }
 
 TEST(Texels, OfNoiseHaveItsSlices) {
@@ -73,28 +76,85 @@ TEST(Texels, OfNoiseHaveItsSlices) {
     session.drawIfNeeded();
     const gpu::Texture* noise = session.live().texture(scene::TextureIndex(1));
     ASSERT_TRUE(noise);
-    EXPECT_EQ(view::sliceCount(*noise), 64);
-    const view::TexelImage first = view::texelsOf(*noise, 0);
-    const view::TexelImage other = view::texelsOf(*noise, 7);
-    EXPECT_NE(first.rgba, other.rgba);
-    EXPECT_NEAR(first.rgba[0], 127 / 255., 1e-6) << "the noise is 127/255 at lattice points";
-    EXPECT_EQ(view::texelsOf(*noise, 9999).rgba, view::texelsOf(*noise, 63).rgba);
+    EXPECT_EQ(noise->layers(), 64);
+    const auto first = render::contentOf(*noise, 0, 0);
+    const auto other = render::contentOf(*noise, 0, 7);
+    ASSERT_TRUE(first && other);
+    EXPECT_EQ(first->size(), 64U * 64);
+    EXPECT_NE(first->values, other->values);
+    EXPECT_NEAR(first->values[0], 127 / 255., 1e-6) << "the noise is 127/255 at lattice points";
 }
 
-TEST(Texels, AreShownWithGainAndMarksForWhatIsNoNumber) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float infinite = std::numeric_limits<float>::infinity();
-    const view::TexelImage image{2, 2, {.25F, .5F, 2, 1, nan, 0, 0, 1, 0, infinite, 0, 1, -1, 0, 0, .5F}};
+TEST(Texels, AreShownInARangeAndWithMarksForWhatIsNoNumber) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    render::Content image;
+    image.width = image.height = 2;
+    image.values = {.25, .5, 2, 1, nan, 0, 0, 1, 0, infinite, 0, 1, -1, 0, 0, .5};
     const std::vector<std::uint8_t> plain = view::screenBytes(image, {});
     EXPECT_EQ(std::vector(plain.begin(), plain.begin() + 4), (std::vector<std::uint8_t>{64, 128, 255, 255}));
     EXPECT_EQ(plain[4], plain[6]);
     EXPECT_EQ(plain[5], 0) << "magenta";
     EXPECT_EQ(plain[8], 0) << "cyan";
     EXPECT_EQ(plain[9], plain[10]);
-    const std::vector<std::uint8_t> green = view::screenBytes(image, {view::Channels::green, .5F});
+    const std::vector<std::uint8_t> green = view::screenBytes(image, {view::Channels::green, 0, 2});
     EXPECT_EQ(std::vector(green.begin(), green.begin() + 4), (std::vector<std::uint8_t>{64, 64, 64, 255}));
-    const std::vector<std::uint8_t> alpha = view::screenBytes(image, {view::Channels::alpha, 1});
+    const std::vector<std::uint8_t> alpha = view::screenBytes(image, {view::Channels::alpha});
     EXPECT_EQ(alpha[12], 128);
+    EXPECT_EQ(view::rangeOf(image, view::Channels::rgb), std::pair(-1.0, 2.0));
+    EXPECT_EQ(view::rangeOf(image, view::Channels::green), std::pair(0.0, .5)) << "infinity does not count";
+
+    render::Content depth;
+    depth.width = 2;
+    depth.components = 1;
+    depth.values = {.9, .95};
+    const auto [low, high] = view::rangeOf(depth, view::Channels::rgb);
+    const std::vector<std::uint8_t> grey = view::screenBytes(depth, {view::Channels::rgb, low, high});
+    EXPECT_EQ(grey, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 255, 255}));
+}
+
+TEST(Texels, OfNamedTexturesAreThoseOfALevelALayerOrTheResolvedSamples) {
+    const SceneFolder folder(
+        "WindowSize 16 16\nTexture2D glow 8 8 rgba32f levels 4 generate\n"
+        "Texture2DArray sheets 4 4 3 r32f\nTexture2D ids 4 4 r32ui\nTexture2D soft 8 8 rgba8 samples 4\n"
+        "Fragment glow.frag\nProgram Glow\nFragment id.frag\nProgram Id\n"
+        "Fragment show.frag\nProgram Show uGlow glow uSheets sheets uIds ids uSoft soft\n"
+        "Fill glow with Glow\nFill sheets.layer(2) with Glow\nFill ids with Id\nFill soft with Glow\n"
+        "Fill window with Show\n",
+        {{"glow.frag",
+          "#version 330\nout vec4 c;\nvoid main() { c = vec4(floor(gl_FragCoord.x), 3, 0, 1); }\n"},
+         {"id.frag", "#version 330\nout uint c;\nvoid main() { c = 4294967290u + uint(gl_FragCoord.x); }\n"},
+         {"show.frag",
+          "#version 330\nuniform sampler2D uGlow, uSoft; uniform sampler2DArray uSheets; uniform usampler2D "
+          "uIds;\n"
+          "out vec4 c;\nvoid main() { c = texture(uGlow, vec2(.5)) + texture(uSheets, vec3(.5)) + "
+          "texture(uSoft, vec2(.5)) + vec4(texture(uIds, vec2(.5))); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
+    session.drawIfNeeded();
+    const auto content = [&](const std::string& name, int level, std::optional<int> layer) {
+        const scene::Scene& scene = session.live().scene();
+        for (const scene::TextureIndex each : scene.textures.indices())
+            if (scene.textures[each].name == name)
+                return render::contentOf(*session.live().completed(each, false), level, layer)
+                    .value.value_or(render::Content{});
+        return render::Content{};
+    };
+    EXPECT_EQ(content("glow", 0, {}).at(5)[0], 5);
+    EXPECT_EQ(content("glow", 1, {}).width, 4);
+    EXPECT_EQ(content("glow", 1, {}).at(1)[0], 2.5) << "the mean of 2 and 3";
+    EXPECT_EQ(content("glow", 3, {}).at(0)[0], 3.5);
+    EXPECT_EQ(content("sheets", 0, 1).at(2)[0], 0);
+    EXPECT_EQ(content("sheets", 0, 2).at(2)[0], 2);
+    EXPECT_EQ(content("ids", 0, {}).at(3)[0], 4294967293.0) << "integers are exact";
+    EXPECT_EQ(content("soft", 0, {}).at(0)[1], 1) << "samples are resolved";
+    std::vector<std::string> titles;
+    for (const scene::TextureIndex each : session.live().scene().textures.indices())
+        titles.push_back(view::textureTitle(session.live().scene(), each));
+    EXPECT_EQ(titles[2], "glow: 2D, 8 x 8, rgba32f, line 2");
+    EXPECT_EQ(titles[3], "sheets: 2D array, 4 x 4 x 3, r32f, line 3");
+    EXPECT_EQ(titles[5], "soft: 2D, 8 x 8, rgba8, 4 samples, line 5");
 }
 
 TEST(FrameCost, CountsFramesDrawsAndVertices) {
@@ -108,14 +168,14 @@ TEST(FrameCost, CountsFramesDrawsAndVertices) {
     EXPECT_GT(cost.millisecondsPerFrame, 0);
     ASSERT_EQ(cost.draws.size(), 2U);
     EXPECT_EQ(cost.draws[0].line, 8);
-    ASSERT_EQ(cost.passes.size(), 2U);
-    EXPECT_EQ(cost.passes[0].target, "unit 6");
-    EXPECT_EQ(cost.passes[0].line, 4);
-    EXPECT_EQ(cost.passes[1].target, "window");
-    EXPECT_EQ(cost.draws[0].pass, 0);
-    EXPECT_EQ(cost.draws[1].pass, 1);
-    EXPECT_EQ(cost.passes[0].milliseconds, cost.draws[0].milliseconds);
-    EXPECT_GT(cost.passes[0].milliseconds + cost.passes[1].milliseconds, 0);
+    ASSERT_EQ(cost.nodes.size(), 2U);
+    EXPECT_EQ(cost.nodes[0].what, "pass into unit 6");
+    EXPECT_EQ(cost.nodes[0].line, 4);
+    EXPECT_EQ(cost.nodes[1].what, "pass into window");
+    EXPECT_EQ(cost.draws[0].node, 0U);
+    EXPECT_EQ(cost.draws[1].node, 1U);
+    EXPECT_GT(cost.nodes[0].milliseconds + cost.nodes[1].milliseconds, 0);
+    EXPECT_TRUE(cost.blocks.empty());
     EXPECT_EQ(cost.draws[1].line, 12);
     if (cost.counts) {
         EXPECT_EQ(cost.counts->primitives, 2U * 2 * 4 * 4) << "two quads of 4 x 4 cells";

@@ -11,6 +11,7 @@
 #include "bench/reference/filter_reference.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/object/program.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 

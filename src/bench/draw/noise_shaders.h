@@ -9,6 +9,7 @@
 
 #include "bench/draw/noise_volume.h"
 #include "gpu/object/program.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/target.h"
 
 namespace glibra::bench {

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "bench/draw/offscreen.h"
+#include "gpu/object/sampler.h"
 
 namespace glibra::bench {
 namespace {

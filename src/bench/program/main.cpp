@@ -34,14 +34,20 @@ void addMeasure(cli::CommandLine& line, MeasureArguments& to) {
 }
 
 int run(int argc, char** argv) {
-    cli::Program program("run time against error: curves and their Pareto fronts",
-                         "glibra bench --quick transforms -o out/", "glibra bench");
+    cli::Program program(
+        "run time against error: curves and their Pareto fronts",
+        "glibra bench --list\n"
+        "glibra bench --quick transforms -o out/\n"
+        "glibra bench --against out/bench.json           # what changed since an earlier run",
+        "glibra bench");
     cli::CommandLine line = program.line();
     MeasureArguments arguments;
     addMeasure(line, arguments);
     cli::CommandLine precision = line.subcommand(
         "precision", "the error of GLSL's functions on this driver, as `glibra info --precision` prints it",
-        "glibra bench precision --json");
+        "glibra bench precision\n"
+        "glibra bench precision --json\n"
+        "glibra bench precision --driver osmesa");
     Driver driver = Driver::automatic;
     bool asJson = false;
     precision.driver(driver);

@@ -12,6 +12,7 @@
 #include "bench/draw/offscreen.h"
 #include "bench/reference/pixel_filter.h"
 #include "bench/reference/test_card.h"
+#include "gpu/object/sampler.h"
 
 namespace glibra::bench {
 namespace {

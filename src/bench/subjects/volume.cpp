@@ -10,6 +10,7 @@
 #include "bench/core/fit.h"
 #include "bench/draw/offscreen.h"
 #include "bench/reference/volume_field.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::bench {

@@ -135,7 +135,7 @@ std::string ShapeReader::readRecord(const Bytes& record) {
 std::string ShapeReader::readSinglePoint(const Bytes& record, const ShapeType& type) {
     if (!record.holds(4, type.hasZ ? 24 : 16)) return "is too short";
     if (!addPoint(record.real(4), record.real(12), type.hasZ ? record.real(20) : 0))
-        return "has a coordinate that is no number";
+        return "has a coordinate that is not a number";
     return {};
 }
 
@@ -160,7 +160,8 @@ std::string ShapeReader::readPoints(const Bytes& record, const ShapeType& type) 
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto at = static_cast<std::size_t>(pointsAt + 16 * i);
         const double z = type.hasZ ? record.real(static_cast<std::size_t>(zAt + 8 * i)) : 0;
-        if (!addPoint(record.real(at), record.real(at + 8), z)) return "has a coordinate that is no number";
+        if (!addPoint(record.real(at), record.real(at + 8), z))
+            return "has a coordinate that is not a number";
     }
     const auto partStart = [&](std::uint64_t part) {
         return part == parts ? count : record.little(static_cast<std::size_t>(partsAt + 4 * part));

@@ -175,14 +175,31 @@ class Compiler {
     std::size_t at_ = 0;
 };
 
+void addOnce(std::vector<std::string>& keys, const std::string& key) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+}
+
+/// Where a node stands.
+struct Surroundings {
+    bool isSkippable = false, isChosen = false;
+    bool isAfterKey = false;  ///< of the same alternative
+};
+
 /// Sets isSkippable and isChosen, and collects the keys.
-void finish(SyntaxNode& node, bool isSkippable, bool isChosen, std::vector<std::string>& keys) {
-    node.isSkippable = isSkippable;
-    node.isChosen = isChosen;
-    if (node.kind == Kind::key && std::find(keys.begin(), keys.end(), node.text) == keys.end())
-        keys.push_back(node.text);
-    const bool skips = isSkippable || node.kind == Kind::optional || node.kind == Kind::set;
-    for (SyntaxNode& each : node.children) finish(each, skips, isChosen || node.kind == Kind::choice, keys);
+void finish(SyntaxNode& node, Surroundings around, Syntax& syntax) {
+    node.isSkippable = around.isSkippable;
+    node.isChosen = around.isChosen;
+    if (node.kind == Kind::key) {
+        addOnce(syntax.keys, node.text);
+        if (!around.isAfterKey) addOnce(syntax.outerKeys, node.text);
+    }
+    if (node.kind == Kind::optional || node.kind == Kind::set) around.isSkippable = true;
+    if (node.kind == Kind::choice) around.isChosen = true;
+    for (SyntaxNode& each : node.children) {
+        finish(each, around, syntax);
+        // What follows the key of an alternative belongs to it: it cannot be left out, nor be another's key.
+        if (node.kind == Kind::sequence && each.kind == Kind::key) around = {false, false, true};
+    }
 }
 
 std::string joined(const SyntaxNode& node, std::string_view between);
@@ -250,7 +267,7 @@ const Syntax& syntaxOf(const StatementRow& row) {
         for (const StatementRow& each : statementTable()) {
             Syntax syntax;
             syntax.root = Compiler(expanded(each.syntax)).compile();
-            finish(syntax.root, false, false, syntax.keys);
+            finish(syntax.root, {}, syntax);
             all.emplace(each.id, std::move(syntax));
         }
         return all;

@@ -48,7 +48,8 @@ struct SyntaxNode {
 
 struct Syntax {
     SyntaxNode root;
-    std::vector<std::string> keys;  ///< all keys, each once, without suffixes
+    std::vector<std::string> keys;       ///< all keys, each once, without suffixes
+    std::vector<std::string> outerKeys;  ///< those that may stand without another key before them
 };
 
 /// The compiled syntax of a row of the table.

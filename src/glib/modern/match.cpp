@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/suggest.h"
-#include "glib/limits.h"
+#include "glib/modern/build_command.h"
 #include "glib/modern/grammar.h"
-#include "glib/modern/read_values.h"
-#include "glib/number.h"
+#include "glib/modern/mismatch.h"
+#include "glib/modern/pieces.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -22,97 +21,27 @@ namespace {
 using Kind = Value::Kind;
 using Node = SyntaxNode;
 
-/// What a part of the syntax read: a key, values, or a tag (with its value as the next event).
-struct Event {
-    enum class Kind : std::uint8_t { key, value, tag };
-    Kind kind = Kind::value;
-    const Node* node = nullptr;
-    std::size_t begin = 0;  ///< pieces
-    std::size_t end = 0;
-};
-
-struct Expectation {
-    std::string text;
-    bool isWord = false;  ///< a key or one of several words, so that a suggestion can name it
-};
-
-bool isNumeric(const Value& value) {
-    return value.kind == Kind::number || value.kind == Kind::expression;
-}
-bool isWord(const Value& value) {
-    return value.kind == Kind::word || value.kind == Kind::truth;
-}
-bool isUnquoted(const Value& value) {
-    return isWord(value) && !value.text.empty();
-}
-
-std::string_view beforePoint(std::string_view text) {
-    return text.substr(0, text.find('.'));
-}
-std::string_view afterPoint(std::string_view text) {
-    const std::size_t point = text.find('.');
-    return point == std::string_view::npos ? std::string_view() : text.substr(point + 1);
-}
-
-/// True for identifiers with points between them; a leading point is allowed if something stands before it.
-bool isDotted(std::string_view text, bool hasHead) {
-    if (hasHead) {
-        if (!text.starts_with('.')) return false;
-        text.remove_prefix(1);
-    }
-    while (true) {
-        const std::size_t point = text.find('.');
-        if (!isIdentifier(text.substr(0, point))) return false;
-        if (point == std::string_view::npos) return true;
-        text.remove_prefix(point + 1);
-    }
-}
-
 class Matcher {
   public:
-    Matcher(const StatementRow& row, std::string_view text, std::vector<Piece> pieces,
-            const IsDeclared& isDeclared, MessageLog& log)
-        : row_(row),
-          syntax_(syntaxOf(row)),
-          text_(text),
-          pieces_(std::move(pieces)),
-          isDeclared_(isDeclared),
-          log_(log) {}
+    Matcher(const StatementRow& row, Pieces pieces, const DeclaredNames& names, MessageLog& log)
+        : row_(row), syntax_(syntaxOf(row)), pieces_(std::move(pieces)), names_(names), log_(log) {}
 
     void read(Command& command) {
         std::size_t at = 0;
         const bool matched = match(syntax_.root, at);
         if (matched && at == pieces_.size())
-            build(command);
+            build(row_, events_, std::move(pieces_), command, log_);
         else
-            report(matched, at, command.position);
+            mismatch_.report(row_, pieces_, names_, matched, at, command.position, log_);
     }
 
   private:
-    // ---- What was found.
-
-    const Value* piece(std::size_t at) const { return at < pieces_.size() ? &pieces_[at].value : nullptr; }
-    bool isJoined(std::size_t at) const { return at < pieces_.size() && pieces_[at].isJoined; }
-
-    bool fail(std::size_t at, std::string expected, bool isWord = false) {
-        if (at > furthest_) {
-            furthest_ = at;
-            expected_.clear();
-        }
-        if (at == furthest_ && std::none_of(expected_.begin(), expected_.end(),
-                                            [&](const Expectation& each) { return each.text == expected; }))
-            expected_.push_back({std::move(expected), isWord});
-        return false;
-    }
-
     /// Takes back what an alternative that does not fit has read.
     bool rewind(std::size_t& at, std::size_t begin, std::size_t events) {
         at = begin;
         events_.resize(events);
         return false;
     }
-
-    // ---- The syntax.
 
     bool match(const Node& node, std::size_t& at) {
         if (!node.repeats) return matchOnce(node, at, node.isSkippable);
@@ -172,12 +101,12 @@ class Matcher {
             const auto found = std::find_if(node.children.begin(), node.children.end(),
                                             [&](const Node& each) { return match(each, at); });
             if (found == node.children.end() || at == begin) break;
-            std::string suffix(afterPoint(pieces_[begin].value.text));
+            std::string suffix(afterPoint(pieces_[begin].text));
             const auto before = std::find_if(used.begin(), used.end(), [&](const Used& each) {
                 return each.alternative == &*found && each.suffix == suffix;
             });
             if (before != used.end()) {
-                if (!conflict_ || begin > conflict_->second) conflict_ = {before->piece, begin};
+                mismatch_.contradict(before->piece, begin);
                 rewind(at, begin, events);
                 break;
             }
@@ -189,14 +118,14 @@ class Matcher {
     }
 
     bool matchKey(const Node& node, std::size_t& at) {
-        const Value* value = piece(at);
+        const Value* value = pieces_.find(at);
         if (value == nullptr || !isUnquoted(*value) || !sameWord(beforePoint(value->text), node.text))
-            return fail(at, "'" + node.text + "'", true);
+            return mismatch_.expect(at, "'" + node.text + "'", true);
         if (!suffixFits(node, value->text)) {
-            if (node.hasNumberSuffix) return fail(at, fmt::format("'{0}' or '{0}.1'", node.text));
+            if (node.hasNumberSuffix) return mismatch_.expect(at, fmt::format("'{0}' or '{0}.1'", node.text));
             for (const std::string& each : node.words)
-                fail(at, fmt::format("'{}.{}'", node.text, each), true);
-            return fail(at, "'" + node.text + "'", true);
+                mismatch_.expect(at, fmt::format("'{}.{}'", node.text, each), true);
+            return mismatch_.expect(at, "'" + node.text + "'", true);
         }
         events_.push_back({Event::Kind::key, &node, at, at + 1});
         ++at;
@@ -216,12 +145,13 @@ class Matcher {
     bool matchNumbers(const Node& node, std::size_t& at) {
         const std::size_t begin = at;
         bool hasExpression = false;
-        while (at < pieces_.size() && at - begin < node.most && isNumeric(pieces_[at].value))
-            hasExpression = pieces_[at++].value.kind == Kind::expression || hasExpression;
+        while (at < pieces_.size() && at - begin < node.most && isNumeric(pieces_[at]))
+            hasExpression = pieces_[at++].kind == Kind::expression || hasExpression;
         const std::size_t count = at - begin;
         if (count < node.most)
-            fail(at, node.most == 1 ? fmt::format("a number ({})", node.text)
-                                    : fmt::format("number {} of {} ({})", count + 1, node.most, node.text));
+            mismatch_.expect(at, node.most == 1
+                                     ? fmt::format("a number ({})", node.text)
+                                     : fmt::format("number {} of {} ({})", count + 1, node.most, node.text));
         if (count < (hasExpression ? 1 : node.least)) return rewind(at, begin, events_.size());
         events_.push_back({Event::Kind::value, &node, begin, at});
         return true;
@@ -230,13 +160,13 @@ class Matcher {
     bool matchFiles(const Node& node, std::size_t& at, bool isSkippable) {
         const std::size_t begin = at;
         while (at - begin < node.most) {
-            const Value* value = piece(at);
+            const Value* value = pieces_.find(at);
             const bool fits = value != nullptr && (value->kind == Kind::text || isUnquoted(*value)) &&
                               !isKeyInstead(*value, isSkippable || node.isChosen || at > begin);
             if (!fits) {
-                fail(at, node.most == 1
-                             ? fmt::format("a file ({})", node.text)
-                             : fmt::format("file {} of {} ({})", at - begin + 1, node.most, node.text));
+                mismatch_.expect(at, node.most == 1 ? fmt::format("a file ({})", node.text)
+                                                    : fmt::format("file {} of {} ({})", at - begin + 1,
+                                                                  node.most, node.text));
                 return rewind(at, begin, events_.size());
             }
             ++at;
@@ -250,8 +180,8 @@ class Matcher {
         if (node.type == ValueType::file) return matchFiles(node, at, isSkippable);
         const std::size_t end = valueEnd(node, at, isSkippable);
         if (end == at) {
-            if (node.type != ValueType::oneOf) return fail(at, describe(node));
-            for (const std::string& each : node.words) fail(at, "'" + each + "'", true);
+            if (node.type != ValueType::oneOf) return mismatch_.expect(at, describe(node));
+            for (const std::string& each : node.words) mismatch_.expect(at, "'" + each + "'", true);
             return false;
         }
         events_.push_back({Event::Kind::value, &node, at, end});
@@ -290,10 +220,10 @@ class Matcher {
 
     /// Returns the index after the value; `at` if there is none of this type.
     std::size_t valueEnd(const Node& node, std::size_t at, bool isSkippable) const {
-        const Value* value = piece(at);
+        const Value* value = pieces_.find(at);
         if (value == nullptr) return at;
         const Kind kind = value->kind;
-        const bool isLone = !isJoined(at + 1) || pieces_[at + 1].value.kind == Kind::word;
+        const bool isLone = !pieces_.isJoined(at + 1) || pieces_[at + 1].kind == Kind::word;
         bool fits = false;
         switch (node.type) {
             case ValueType::name:
@@ -302,14 +232,15 @@ class Matcher {
                 break;
             case ValueType::array:  // [...] at the end is the value
                 if (kind != Kind::word || !isIdentifier(value->text)) return at;
-                return isSubscript(at + 1) && pieces_[at + 1].value.kind == Kind::list &&
+                return pieces_.isSubscript(at + 1) && pieces_[at + 1].kind == Kind::list &&
                                at + 2 < pieces_.size()
                            ? at + 2
                            : at + 1;
             case ValueType::object:
-                return isUnquoted(*value) && isKeyInstead(*value, isSkippable || node.isChosen)
+                return isUnquoted(*value) && isKeyInstead(*value, isSkippable || node.isChosen) &&
+                               !isNamedLikeKey(at, isSkippable)
                            ? at
-                           : objectEnd(at);
+                           : pieces_.objectEnd(at);
             case ValueType::word:
                 fits = isUnquoted(*value) && !isKeyInstead(*value, isSkippable);
                 break;
@@ -320,7 +251,7 @@ class Matcher {
                 fits = isUnquoted(*value) || kind == Kind::text || kind == Kind::number;
                 break;
             case ValueType::any:
-                if (kind == Kind::word) return objectEnd(at);
+                if (kind == Kind::word) return pieces_.objectEnd(at);
                 [[fallthrough]];
             case ValueType::constant:
                 fits = kind != Kind::word && kind != Kind::text;
@@ -357,78 +288,42 @@ class Matcher {
         if (!mayBeLeftOut || !isUnquoted(value)) return false;
         std::vector<std::string_view> keys(syntax_.keys.begin(), syntax_.keys.end());
         const std::string_view word = beforePoint(value.text);
+        // A buffer `Count` may be named after the key `buffer`, though there is a key `count`.
+        if (names_.mayHave(word) && std::find(keys.begin(), keys.end(), word) == keys.end()) return false;
         if (std::any_of(keys.begin(), keys.end(),
                         [&](std::string_view each) { return sameWord(each, word); }))
             return word.size() == value.text.size();
-        return word.size() == value.text.size() && !isDeclared_(word) &&
+        return word.size() == value.text.size() && !names_.mayHave(word) &&
                !base::nearestName(word, keys).empty();
     }
 
-    // ---- Names with parts.
-
-    /// True if a [k] or (k) touches the name before it.
-    bool isSubscript(std::size_t at) const {
-        if (!isJoined(at)) return false;
-        const Value& value = pieces_[at].value;
-        if (value.kind == Kind::expression) return true;
-        return value.kind == Kind::list && value.count.empty() &&
-               source(value).find_first_of("\r\n") == std::string_view::npos;
-    }
-
-    /// Returns the index after an object's name; `at` if there is none.
-    std::size_t objectEnd(std::size_t at) const {
-        const Value* value = piece(at);
-        if (value == nullptr || value->kind != Kind::word || !isDotted(value->text, false)) return at;
-        for (std::size_t next = at + 1;;) {
-            if (isSubscript(next))
-                ++next;
-            else if (isJoined(next) && pieces_[next].value.kind == Kind::word &&
-                     isDotted(pieces_[next].value.text, true))
-                ++next;
-            else
-                return next;
-        }
-    }
-
-    /// Returns the index after a tag; `at` if there is none. A [k] belongs to the tag if a point or a value
-    /// follows; otherwise it is the tag's value.
-    std::size_t tagEnd(std::size_t at) const {
-        const Value* value = piece(at);
-        if (value == nullptr || !isUnquoted(*value) || !isDotted(value->text, false)) return at;
-        std::size_t next = at + 1;
-        while (isSubscript(next) && pieces_[next].value.kind == Kind::list && valueFollows(next + 1)) {
-            ++next;
-            if (isJoined(next) && pieces_[next].value.kind == Kind::word) ++next;
-        }
-        return next;
-    }
-
-    bool valueFollows(std::size_t at) const {
-        const Value* value = piece(at);
-        if (value == nullptr) return false;
-        if (value->kind != Kind::word) return true;
-        if (isJoined(at) && isDotted(value->text, true)) return true;
-        // A word is a value if what follows it is not: `uTex[2] shadow uB 5`, but `uA[3] uB 5`.
-        const std::size_t next = objectEnd(at);
-        if (next == at) return false;
-        return next == pieces_.size() || pieces_[next].value.kind == Kind::word;
-    }
-
-    std::string_view source(const Value& value) const {
-        return text_.substr(value.begin, value.end - value.begin);
+    /// True for the name of an object that is also a key, where that key cannot stand: a key that only stands
+    /// after others, as `depth` in Pass; after a key that needs a name, as in `Expect buffer count [1]`; and
+    /// as a target, as in `Pass color depth`.
+    bool isNamedLikeKey(std::size_t at, bool isSkippable) const {
+        const Value& value = pieces_[at];
+        if (!names_.mayHave(value.text)) return false;
+        const auto isIt = [&](const std::string& each) { return sameWord(each, value.text); };
+        if (std::none_of(syntax_.outerKeys.begin(), syntax_.outerKeys.end(), isIt)) return true;
+        const bool isAfterKey =
+            !events_.empty() && events_.back().kind == Event::Kind::key && events_.back().end == at;
+        if (isAfterKey && !isSkippable) return true;
+        const bool wantsNumber = value.text == "depth" || value.text == "stencil";
+        const Value* next = pieces_.find(at + 1);
+        return wantsNumber && (next == nullptr || !isNumeric(*next));
     }
 
     bool matchPairs(const Node& node, std::size_t& at) {
         bool any = false;
         while (at < pieces_.size()) {
-            const std::size_t tag = tagEnd(at);
-            if (tag == at) {
-                fail(at, "a tag");
+            const std::size_t tag = pieces_.tagEnd(at);
+            if (tag == at || isUnusedKey(pieces_[at])) {
+                mismatch_.expect(at, "a tag");
                 break;
             }
             const std::size_t end = anyEnd(tag);
             if (end == tag) {
-                fail(tag, fmt::format("a value of '{}'", written(at, tag)));
+                mismatch_.expect(tag, fmt::format("a value of '{}'", pieces_.written(at, tag)));
                 break;
             }
             events_.push_back({Event::Kind::tag, &node, at, tag});
@@ -436,217 +331,44 @@ class Matcher {
             at = end;
             any = true;
         }
-        if (!any && at == pieces_.size()) fail(at, "a tag");
+        if (!any && at == pieces_.size()) mismatch_.expect(at, "a tag");
         return any || !node.needsOne;
     }
 
+    /// True if a word where a tag may stand is a key that could still stand here, or such a key misspelt.
+    bool isUnusedKey(const Value& value) const {
+        std::vector<std::string_view> keys;
+        for (const std::string& each : syntax_.keys)
+            if (std::none_of(events_.begin(), events_.end(), [&](const Event& event) {
+                    return event.kind == Event::Kind::key && event.node->text == each;
+                }))
+                keys.push_back(each);
+        const auto isKey = [&](std::string_view each) { return sameWord(each, value.text); };
+        return isUnquoted(value) &&
+               (std::any_of(keys.begin(), keys.end(), isKey) || !base::nearestName(value.text, keys).empty());
+    }
+
     std::size_t anyEnd(std::size_t at) const {
-        const Value* value = piece(at);
+        const Value* value = pieces_.find(at);
         if (value == nullptr || value->kind == Kind::text) return at;
-        return value->kind == Kind::word ? objectEnd(at) : at + 1;
-    }
-
-    std::string written(std::size_t begin, std::size_t end) const {
-        return std::string(text_.substr(pieces_[begin].value.begin,
-                                        pieces_[end - 1].value.end - pieces_[begin].value.begin));
-    }
-
-    // ---- The command.
-
-    /// The index of a subscript, from its text between the brackets.
-    Value indexOf(const Value& subscript) const {
-        Value index = subscript;
-        if (subscript.kind == Kind::expression) return index;
-        if (subscript.items.size() == 1 && isNumeric(subscript.items.front())) return subscript.items.front();
-        index.kind = Kind::expression;
-        index.items.clear();
-        const std::string_view all = source(subscript);
-        index.text = all.substr(1, all.size() - 2);
-        return index;
-    }
-
-    static void addParts(std::string_view text, std::vector<NamePart>& path) {
-        if (text.starts_with('.')) text.remove_prefix(1);
-        while (true) {
-            const std::size_t point = text.find('.');
-            path.push_back({std::string(text.substr(0, point)), {}});
-            if (point == std::string_view::npos) return;
-            text.remove_prefix(point + 1);
-        }
-    }
-
-    std::vector<NamePart> pathOf(std::size_t begin, std::size_t end) const {
-        std::vector<NamePart> path;
-        for (std::size_t i = begin; i < end; ++i) {
-            const Value& value = pieces_[i].value;
-            if (value.kind == Kind::word || value.kind == Kind::truth)
-                addParts(value.text, path);
-            else
-                path.back().index = {indexOf(value)};
-        }
-        return path;
-    }
-
-    Value nameOf(std::size_t begin, std::size_t end) const {
-        Value name = pieces_[begin].value;
-        name.kind = Kind::word;
-        name.text = written(begin, end);
-        name.end = pieces_[end - 1].value.end;
-        name.path = pathOf(begin, end);
-        return name;
-    }
-
-    static bool isName(const Event& event) {
-        if (event.node->kind == Node::Kind::pairs) return true;
-        const ValueType type = event.node->type;
-        return type == ValueType::object || type == ValueType::array || type == ValueType::any;
-    }
-
-    void build(Command& command) {
-        std::vector<Value>* place = &command.values;
-        for (const Event& event : events_) {
-            const Value& first = pieces_[event.begin].value;
-            if (event.kind == Event::Kind::key) {
-                command.keys.push_back(
-                    {event.node->text, lower(afterPoint(first.text)), {}, first.position, {}});
-                place = &command.keys.back().values;
-            } else if (event.kind == Event::Kind::tag) {
-                KeyedValues tag{written(event.begin, event.end), {}, {}, first.position, {}};
-                std::vector<NamePart> path = pathOf(event.begin, event.end);
-                if (path.size() > 1 || !path.front().index.empty()) tag.path = std::move(path);
-                command.tags.push_back(std::move(tag));
-                place = &command.tags.back().values;
-            } else if (first.kind == Kind::word && isName(event)) {
-                place->push_back(nameOf(event.begin, event.end));
-            } else {
-                for (std::size_t i = event.begin; i < event.end; ++i)
-                    place->push_back(std::move(pieces_[i].value));
-                finish(place->back(), *event.node);
-            }
-        }
-        checkTags(command);
-    }
-
-    /// `true` is a truth only where any value may stand. The words of a list have one spelling.
-    static void finish(Value& value, const Node& node) {
-        const bool isAny =
-            node.kind == Node::Kind::pairs || node.type == ValueType::any || node.type == ValueType::constant;
-        if (value.kind == Kind::truth && isAny) value.text.clear();
-        if (value.kind == Kind::truth && !isAny) value = plainWord(value);
-        if (node.type == ValueType::oneOf && value.kind == Kind::word) value.text = lower(value.text);
-    }
-    static Value plainWord(Value value) {
-        value.kind = Kind::word;
-        value.number = 0;
-        return value;
-    }
-
-    void checkTags(const Command& command) {
-        if (command.tags.size() > kMostTags) {
-            log_.report("glib-E15", fmt::format("{} has more than {} tags", row_.name, kMostTags),
-                        command.tags[kMostTags].position);
-            return;
-        }
-        std::vector<const KeyedValues*> sorted;
-        for (const KeyedValues& each : command.tags) sorted.push_back(&each);
-        std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
-            return std::pair(std::string_view(a->key), a) < std::pair(std::string_view(b->key), b);
-        });
-        for (std::size_t i = 1; i < sorted.size(); ++i)
-            if (sorted[i]->key == sorted[i - 1]->key) {
-                log_.report("glib-E18",
-                            fmt::format("{}: tag {} given twice", row_.name, inQuotes(sorted[i]->key)),
-                            sorted[i]->position);
-                return;
-            }
-    }
-
-    // ---- Errors.
-
-    std::string foundText(std::size_t at) const {
-        const std::string_view all = source(pieces_[at].value);
-        return inQuotes(all.substr(0, all.find_first_of("\r\n")));
-    }
-
-    std::string listOfExpected() const {
-        constexpr std::size_t kShown = 8;
-        std::string text;
-        const std::size_t shown = std::min(expected_.size(), kShown);
-        for (std::size_t i = 0; i < shown; ++i) {
-            if (i > 0) text += i + 1 == shown && shown == expected_.size() ? " or " : ", ";
-            text += expected_[i].text;
-        }
-        return shown < expected_.size() ? text + " ..." : text;
-    }
-
-    std::string suggested(std::string_view word) const {
-        std::vector<std::string_view> words;
-        for (const Expectation& each : expected_)
-            if (each.isWord) words.push_back(std::string_view(each.text).substr(1, each.text.size() - 2));
-        std::string nearest = base::nearestName(word, words);
-        if (nearest.empty()) nearest = base::nearestName(beforePoint(word), words);
-        return nearest;
-    }
-
-    void report(bool matched, std::size_t at, Position command) {
-        if (conflict_ && conflict_->second >= std::max(furthest_, at)) return reportConflict();
-        if (furthest_ < at) {
-            furthest_ = at;
-            expected_.clear();
-        }
-        if (furthest_ >= pieces_.size()) {
-            log_.report(
-                "glib-E17",
-                fmt::format("{}: expected {}, found the end of the statement", row_.name, listOfExpected()),
-                command);
-            return;
-        }
-        const Value& found = pieces_[furthest_].value;
-        const bool expectsWord = std::any_of(expected_.begin(), expected_.end(),
-                                             [](const Expectation& each) { return each.isWord; });
-        if (isUnquoted(found) && expectsWord) {
-            const std::string nearest = suggested(found.text);
-            if (!nearest.empty())
-                return reportAt("glib-E16", fmt::format("unknown word {}; did you mean '{}'?",
-                                                        foundText(furthest_), nearest));
-            return reportAt("glib-E16", fmt::format("unknown word {}; expected {}", foundText(furthest_),
-                                                    listOfExpected()));
-        }
-        if (matched && furthest_ == at)
-            return reportAt("glib-E18", fmt::format("surplus argument {}", foundText(furthest_)));
-        reportAt("glib-E19", fmt::format("expected {}, found {}", listOfExpected(), foundText(furthest_)));
-    }
-
-    void reportAt(const char* id, const std::string& message) {
-        log_.report(id, fmt::format("{}: {}", row_.name, message), pieces_[furthest_].value.position);
-    }
-
-    void reportConflict() {
-        const auto [before, at] = *conflict_;
-        furthest_ = at;
-        if (sameWord(pieces_[before].value.text, pieces_[at].value.text))
-            return reportAt("glib-E18", fmt::format("{} given twice", foundText(at)));
-        reportAt("glib-E18", fmt::format("{} contradicts {}", foundText(at), foundText(before)));
+        return value->kind == Kind::word ? pieces_.objectEnd(at) : at + 1;
     }
 
     const StatementRow& row_;
     const Syntax& syntax_;
-    std::string_view text_;
-    std::vector<Piece> pieces_;
-    const IsDeclared& isDeclared_;
+    Pieces pieces_;
+    const DeclaredNames& names_;
     MessageLog& log_;
     std::vector<Event> events_;
-    std::size_t furthest_ = 0;
-    std::vector<Expectation> expected_;
-    std::optional<std::pair<std::size_t, std::size_t>> conflict_;  ///< the earlier and the later piece
+    Mismatch mismatch_;
 };
 
 }  // namespace
 
 void readStatement(const StatementRow& row, std::string_view text, std::span<const Token> tokens,
-                   const IsDeclared& isDeclared, Command& command, MessageLog& log) {
+                   const DeclaredNames& names, Command& command, MessageLog& log) {
     std::optional<std::vector<Piece>> pieces = readPieces(tokens, log);
-    if (pieces) Matcher(row, text, std::move(*pieces), isDeclared, log).read(command);
+    if (pieces) Matcher(row, {text, std::move(*pieces)}, names, log).read(command);
 }
 
 }  // namespace glibra::glib

@@ -12,12 +12,15 @@
 
 namespace glibra::glib {
 
-/// True if the name is declared before the statement, or may be: a misspelt key is not such a name.
-using IsDeclared = std::function<bool(std::string_view name)>;
+/// What is known about names. A misspelt key is not a declared name.
+struct DeclaredNames {
+    std::function<bool(std::string_view name)> has;      ///< declared before the statement
+    std::function<bool(std::string_view name)> mayHave;  ///< the same, or an included file may declare it
+};
 
 /// Fills `values`, `keys` and `tags` of the command from the tokens. `text` is the whole scene. Reports at
 /// most one error: glib-E05, E15 to E20, E24.
 void readStatement(const StatementRow& row, std::string_view text, std::span<const Token> tokens,
-                   const IsDeclared& isDeclared, Command& command, MessageLog& log);
+                   const DeclaredNames& names, Command& command, MessageLog& log);
 
 }  // namespace glibra::glib

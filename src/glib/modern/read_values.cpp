@@ -107,7 +107,16 @@ class PieceReader {
 
     std::optional<Value> readGroup() {
         const Token& open = tokens_[at_];
-        if (open.text == "(") return readSingle();  // it is not closed on its line
+        // A Program statement is cut by the classic rules, by which `(1)` and `(1 0 0)` are brackets.
+        if (open.text == "(" && !isNumericBracket()) return readSingle();
+        if (open.text == "(" && tokens_[at_ + 2].kind == TokenKind::close) {
+            Value number = valueOf(tokens_[at_ + 1], Kind::expression);
+            number.position = open.position;
+            number.begin = open.begin;
+            number.end = tokens_[at_ + 2].end;
+            at_ += 3;
+            return number;
+        }
         ++at_;
         Value group = valueOf(open, open.text == "<"   ? Kind::range
                                     : open.text == "{" ? Kind::color
@@ -126,6 +135,14 @@ class PieceReader {
                           close.position);
         group.end = close.end;
         return checked(std::move(group));
+    }
+
+    /// True if numbers and a ')' follow the bracket.
+    [[nodiscard]] bool isNumericBracket() const {
+        std::size_t at = at_ + 1;
+        while (at < tokens_.size() && tokens_[at].kind == TokenKind::number) ++at;
+        return at > at_ + 1 && at < tokens_.size() && tokens_[at].kind == TokenKind::close &&
+               tokens_[at].text == ")";
     }
 
     static bool isNumeric(const Value& value) {

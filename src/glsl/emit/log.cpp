@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "glsl/emit/emit.h"
+#include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
 
 namespace glibra::glsl {
@@ -101,6 +102,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     std::string rest;
     bool failed = false;
     bool candidates = false;
+    LogAdvice advice(program, stage);
     for (const std::string_view each : linesOf(log)) {
         const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
         if (line && candidates && isCandidate(line->text)) continue;
@@ -116,6 +118,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         if (candidates) text.resize(text.size() - kCandidates.size());
         result.push_back(line->isWarning ? withoutId(Severity::warning, text, place)
                                          : diagnose("glsl-E01", text, place));
+        if (!line->isWarning) advice.addTo(*line, result.back());
         failed = failed || !line->isWarning;
     }
     if (!rest.empty() && result.empty()) {

@@ -172,19 +172,6 @@ int expandColumn(std::string_view text, int column) {
     return static_cast<int>(std::min(i, text.size())) + 1;
 }
 
-/// The first quoted word of a message: `foo', 'foo' or "foo".
-std::string_view quotedWord(std::string_view text) {
-    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-        if (text[i] != '`' && text[i] != '\'' && text[i] != '"') continue;
-        std::size_t end = i + 1;
-        while (end < text.size() && isWordPart(text[end])) ++end;
-        if (end > i + 1 && end < text.size() && (text[end] == '\'' || text[end] == '"'))
-            return text.substr(i + 1, end - i - 1);
-        i = end;
-    }
-    return {};
-}
-
 /// The column of the `word` that is nearest to `column`; `column` if there is none.
 int nearestWord(std::string_view text, std::string_view word, int column) {
     int best = column;
@@ -256,30 +243,54 @@ bool stripSeverity(std::string_view& text) {
     return false;
 }
 
-int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file) {
-    if (line.column <= 0) return 1;
+std::string_view quotedWord(std::string_view text) {
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        if (text[i] != '`' && text[i] != '\'' && text[i] != '"') continue;
+        std::size_t end = i + 1;
+        while (end < text.size() && isWordPart(text[end])) ++end;
+        if (end > i + 1 && end < text.size() && (text[end] == '\'' || text[end] == '"'))
+            return text.substr(i + 1, end - i - 1);
+        i = end;
+    }
+    return {};
+}
+
+std::optional<EmittedPlace> emittedPlace(const TranslatedStage& stage, const LogLine& line,
+                                         const std::string& file) {
     const LineMap& map = stage.lineMap;
-    std::size_t index = map.lines.size();
-    for (std::size_t i = 0; i < map.lines.size() && index == map.lines.size(); ++i)
-        if (map.lines[i].file >= 0 && map.lines[i].line == line.line &&
-            map.files[static_cast<std::size_t>(map.lines[i].file)] == file)
-            index = i;
-    if (index >= map.lines.size()) return line.column;
-    const std::string_view text = lineOfText(stage.source, index);
-    int column = line.collapsed ? expandColumn(text, line.column) : line.column;
-    column = nearestWord(text, quotedWord(line.text), column);
+    for (std::size_t i = 0; i < map.lines.size(); ++i) {
+        if (map.lines[i].file < 0 || map.lines[i].line != line.line ||
+            map.files[static_cast<std::size_t>(map.lines[i].file)] != file)
+            continue;
+        if (line.column <= 0) return EmittedPlace{i, 0};
+        const std::string_view text = lineOfText(stage.source, i);
+        const int column = line.collapsed ? expandColumn(text, line.column) : line.column;
+        return EmittedPlace{i, nearestWord(text, quotedWord(line.text), column)};
+    }
+    return std::nullopt;
+}
+
+int userColumn(const TranslatedStage& stage, const EmittedPlace& place) {
+    if (place.column <= 0) return 1;
+    const LineMap& map = stage.lineMap;
     ColumnShift shift;
     int next = std::numeric_limits<int>::max();
-    if (index < map.columns.size())
-        for (const ColumnShift& each : map.columns[index]) {
-            if (each.emitted > column) {
+    if (place.line < map.columns.size())
+        for (const ColumnShift& each : map.columns[place.line]) {
+            if (each.emitted > place.column) {
                 next = each.user;
                 break;
             }
             shift = each;
         }
     // Inside a longer spelling of the translator, the column is that of the user's word.
-    return std::max(1, std::min(shift.user + column - shift.emitted, std::max(shift.user, next - 1)));
+    return std::max(1, std::min(shift.user + place.column - shift.emitted, std::max(shift.user, next - 1)));
+}
+
+int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file) {
+    if (line.column <= 0) return 1;
+    const std::optional<EmittedPlace> place = emittedPlace(stage, line, file);
+    return place ? userColumn(stage, *place) : line.column;
 }
 
 }  // namespace glibra::glsl

@@ -33,7 +33,21 @@ const TranslatedStage* stageOfHeading(const TranslatedProgram& program, std::str
 /// Removes "error: " or "warning: " from the front; true for a warning.
 bool stripSeverity(std::string_view& text);
 
+/// A place in the emitted source of a stage.
+struct EmittedPlace {
+    std::size_t line = 0;  ///< index into LineMap::lines
+    int column = 0;        ///< from 1; 0: not known
+};
+
+/// The place that a message is about; nothing if no emitted line comes from that line of `file`.
+std::optional<EmittedPlace> emittedPlace(const TranslatedStage& stage, const LogLine& line,
+                                         const std::string& file);
+/// The user's column for a column of an emitted line; 1 if that is 0.
+int userColumn(const TranslatedStage& stage, const EmittedPlace& place);
 /// The user's column for a message; 1 if it is not known.
 int userColumn(const TranslatedStage& stage, const LogLine& line, const std::string& file);
+
+/// The first quoted word of a message: `foo', 'foo' or "foo"; empty if there is none.
+std::string_view quotedWord(std::string_view text);
 
 }  // namespace glibra::glsl

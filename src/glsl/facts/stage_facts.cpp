@@ -63,6 +63,7 @@ StageFacts factsOf(const Unit& unit) {
     StageFacts facts;
     facts.callsFunctions = callsFunctions(unit);
     facts.writesMemory = writesMemory(unit);
+    facts.fetchesTexels = words.contains("texelFetch") || words.contains("texelFetchOffset");
     // What is written to a block can depend on the number of vertices.
     facts.showsPrimitives = hasFlatVariable(unit) || hasWritableStorage(unit) ||
                             words.contains("gl_PrimitiveID") || words.contains("gl_VertexID") ||

@@ -38,6 +38,12 @@ struct ReturnValue {
     Type wanted;
 };
 
+/// An operator between two types that it cannot join.
+struct OperandMismatch {
+    std::uint32_t op = 0;
+    Type left, right;
+};
+
 /// A swizzle of a scalar, object.member, which only versions from 4.20 on accept.
 struct ScalarSwizzle {
     Range object;
@@ -61,6 +67,7 @@ struct Bodies {
     std::vector<Call> calls;
     std::vector<ReturnValue> returns;
     std::vector<ScalarSwizzle> scalarSwizzles;
+    std::vector<OperandMismatch> mismatches;
     /// Names of local variables, parameters and local structs, with the view index of the first of each name.
     std::map<std::string, std::uint32_t, std::less<>> localNames;
     /// Names of members of structs and blocks, likewise.

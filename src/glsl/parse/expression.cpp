@@ -118,9 +118,14 @@ Type Expressions::binary(int lowest) {
         const auto* const found = std::find_if(std::begin(kOperators), std::end(kOperators),
                                                [&](const Operator& each) { return each.text == peek(); });
         if (found == std::end(kOperators) || found->level <= lowest) break;
-        ++at_;
+        const std::uint32_t op = at_++;
         const Type right = binary(found->level);
-        left = binaryType(found->text, left, right);
+        const Type joined = binaryType(found->text, left, right);
+        const bool compares = found->text == "==" || found->text == "!=";
+        if (left.numeric() && right.numeric() &&
+            (compares ? left.columns != right.columns || left.rows != right.rows : !joined.known()))
+            bodies_.mismatches.push_back({op, left, right});
+        left = joined;
     }
     --depth_;
     return left;

@@ -235,6 +235,21 @@ Type callType(std::string_view function, std::span<const Type> arguments) {
     return widest;
 }
 
+std::vector<std::string_view> coreFunctions() {
+    constexpr std::string_view kOthers =
+        " cross any all inverse transpose outerProduct matrixCompMult texture textureLod textureGrad "
+        "textureProj "
+        "textureOffset textureSize textureGather texelFetch length distance dot determinant ";
+    std::vector<std::string_view> names;
+    for (std::string_view list : {kGeneric, kRelational, kOthers})
+        while (!list.empty()) {
+            const std::size_t end = std::min(list.find(' '), list.size());
+            if (end > 0) names.push_back(list.substr(0, end));
+            list.remove_prefix(std::min(end + 1, list.size()));
+        }
+    return names;
+}
+
 std::string zeroOf(std::string_view typeWord) {
     const Type type = typeOfWord(typeWord);
     if (!type.numeric()) return {};

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glibra::glsl {
 
@@ -67,6 +68,9 @@ Type binaryType(std::string_view op, const Type& left, const Type& right);
 
 /// The type that a built-in function of any version returns.
 Type callType(std::string_view function, std::span<const Type> arguments);
+
+/// The names of GLSL's functions of the core profile, for suggestions.
+std::vector<std::string_view> coreFunctions();
 
 /// The zero of a numeric type: "0", "0.", "vec3(0.)", "false", "mat4(0.)"; empty for other types.
 std::string zeroOf(std::string_view typeWord);

@@ -6,15 +6,23 @@
 
 namespace glibra::glsl {
 
+/// True if the stage declares `vST` with this storage, or as `varying`, which is neither an input nor an
+/// output before the rules have run.
+static bool declaresPlace(const Unit& unit, Storage storage) {
+    return std::any_of(unit.variables.begin(), unit.variables.end(), [&](const Variable& each) {
+        return each.name == "vST" &&
+               (each.storage == storage || unit.syntax.declarations[each.declaration].qualifiers.varyingWord);
+    });
+}
+
+bool lacksPlace(const Unit& vertex, const Unit& fragment) {
+    return declaresPlace(fragment, Storage::input) && !declaresPlace(vertex, Storage::output);
+}
+
 std::string fullScreenVertex(const Unit& fragment) {
-    // The fragment stage may declare `varying vec2 vST;`, which is not an input before the rules have run.
-    const bool givesPlace =
-        std::any_of(fragment.variables.begin(), fragment.variables.end(), [&](const Variable& each) {
-            return each.name == "vST" &&
-                   (each.storage == Storage::input ||
-                    fragment.syntax.declarations[each.declaration].qualifiers.varyingWord);
-        });
-    // The corners (-1, -1), (3, -1) and (-1, 3) of the view volume's front side, so that the depth is 0.
+    const bool givesPlace = declaresPlace(fragment, Storage::input);
+    // The corners (-1, -1), (3, -1) and (-1, 3), and (3, 3) for shapes of four vertices. The depth is that of
+    // `FullScreen`, the middle.
     std::string text = "#version 330 core\n";
     if (givesPlace) text += "out vec2 vST;\n";
     text +=
@@ -23,7 +31,7 @@ std::string fullScreenVertex(const Unit& fragment) {
     if (givesPlace) text += "    vST = corner;\n";
     if (fragment.isUsed("gl_TexCoord")) text += "    gl_TexCoord[0] = vec4(corner, 0., 1.);\n";
     return text +
-           "    gl_Position = vec4(2. * corner - 1., -1., 1.);\n"
+           "    gl_Position = vec4(2. * corner - 1., 0., 1.);\n"
            "}\n";
 }
 

@@ -32,6 +32,8 @@ void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>&
 /// Performs ProgramRequest::tiled. Call it before connectBuiltinVaryings, whose EmitVertex calls the one from
 /// here.
 void placeInTile(ProgramUnits& program);
+/// Performs ProgramRequest::inPieces.
+void runInPieces(ProgramUnits& program);
 /// Replaces gl_FragColor and gl_FragData, and assigns the locations of outputs (language, 7.6).
 void placeFragmentOutputs(ProgramUnits& program);
 /// Replaces the names of EXT_geometry_shader4 (language, 7.7).
@@ -63,6 +65,8 @@ void widenScalars(Unit& unit, Report& report);
 void limitSharedSubscripts(Unit& unit, const TokenWalk& walk, TranslatedProgram& result, Report& report);
 /// The text of a vertex stage for ProgramRequest::suppliesFullScreenVertex, and for this fragment stage.
 std::string fullScreenVertex(const Unit& fragment);
+/// True if the fragment stage reads `vST`, which the vertex stage does not declare.
+bool lacksPlace(const Unit& vertex, const Unit& fragment);
 /// Rewrites what targets below 4.20, 4.30 and 4.40 do not accept (language, 7.10).
 void adaptToTarget(Unit& unit);
 /// Writes `renames` into the edits. Call it last.

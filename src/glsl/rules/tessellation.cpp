@@ -80,7 +80,19 @@ void checkTessellation(ProgramUnits& program) {
         program.report.report("glsl-E06", "TessControl without TessEvaluation", program.request->place);
     if (control) readControl(*control, *program.result);
     if (evaluation) readEvaluation(*evaluation, *program.result);
-    if (const Unit* vertex = program.find(Stage::vertex); vertex && !vertex->isWritten("gl_Position")) {
+    // The next stage may make its positions of other outputs, and so may a later one.
+    const Unit* next = control ? control : evaluation ? evaluation : program.find(Stage::geometry);
+    const auto readsPositions = [](const Unit& unit) {
+        return unit.isUsed("gl_in") || unit.isUsed("gl_PositionIn");
+    };
+    const auto makesPositions = [&](Stage stage) {
+        const Unit* unit = program.find(stage);
+        return unit != nullptr && unit->isWritten("gl_Position") && !readsPositions(*unit);
+    };
+    const bool isRead = (!next || readsPositions(*next)) && !makesPositions(Stage::geometry) &&
+                        !makesPositions(Stage::tessEvaluation);
+    const Unit* vertex = program.find(Stage::vertex);
+    if (vertex && isRead && !vertex->isWritten("gl_Position")) {
         const std::size_t slash = vertex->path.find_last_of("/\\");
         const std::string name = slash == std::string::npos ? vertex->path : vertex->path.substr(slash + 1);
         program.report.report("glsl-W14", name + " never writes gl_Position", vertex->start());

@@ -171,6 +171,7 @@ constexpr std::array kWellKnownUniforms = std::to_array<WellKnownUniform>({
     {"u_View", "mat4", view},
     {"vp_matrix", "mat4", viewProjection},
     {"vpMatrix", "mat4", viewProjection},
+    {"vp", "mat4", viewProjection},
     {"VP", "mat4", viewProjection},
     {"viewProj", "mat4", viewProjection},
     {"viewProjection", "mat4", viewProjection},

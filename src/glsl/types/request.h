@@ -53,8 +53,9 @@ struct ProgramRequest {
     /// Storage blocks and atomic counters are accepted: the scene can have buffers. A compute program always
     /// accepts them.
     bool acceptsStorage = false;
-    /// A fragment stage without a vertex stage gets one, which draws one triangle that covers the whole
-    /// target, from gl_VertexID alone (3 vertices, no vertex inputs). It gives the fragment stage `vST` and
+    /// A fragment stage gets a vertex stage that covers the whole target with one triangle, from gl_VertexID
+    /// alone (3 vertices, or the 4 of `FullScreen`; no vertex inputs), if it has none or one that lacks the
+    /// `vST` that it reads. The supplied stage gives the fragment stage `vST` and
     /// gl_TexCoord[0], if that reads them: 0..1 over the target, (0, 0) in the lower left corner.
     bool suppliesFullScreenVertex = false;
     bool flatColors = false;  ///< the command Flat: gl_FrontColor and its kin are interpolated flat
@@ -63,6 +64,10 @@ struct ProgramRequest {
     /// to xy * glibra_Tile.xy + glibra_Tile.zw * w, and glibra_TileOrigin (pixels) is added to
     /// gl_FragCoord.xy.
     bool tiled = false;
+    /// A compute program whose groups run in several dispatches. Each group sees its own number and the
+    /// number of all groups: glibra_FirstGroup (groups before the dispatch along each axis),
+    /// glibra_FirstInvocation (the same in invocations) and glibra_GroupCount (all groups) are uniforms.
+    bool inPieces = false;
     std::string geometryInput;    ///< from GeometryInput, a lower-case GLSL word, or empty
     std::string geometryOutput;   ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;  ///< 0: not given

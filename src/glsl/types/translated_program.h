@@ -48,6 +48,14 @@ struct StageFacts {
     /// May write memory besides its outputs: names an image or storage block that is not readonly, or an
     /// atomic counter.
     bool writesMemory = false;
+    /// Names texelFetch or texelFetchOffset, which may read any level, whatever the sampler says.
+    bool fetchesTexels = false;
+};
+
+/// Two types that do not fit, at an operator or a return: the driver's message does not name both.
+struct TypeMismatch {
+    Place place;
+    std::string text;  ///< "vec4 + vec3", "the value is a vec3, the function returns a float"
 };
 
 struct TranslatedStage {
@@ -57,6 +65,7 @@ struct TranslatedStage {
     std::string path;                ///< the stage's own file
     std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
     StageFacts facts{};
+    std::vector<TypeMismatch> mismatches{};
 };
 
 /// A uniform as declared in a source, whether or not the compiler keeps it.
@@ -84,7 +93,9 @@ struct TranslatedProgram {
     MemoryFacts memory;  ///< images, blocks and structures of all stages
     /// layout(local_size_x = ...) of a compute stage; 0: the text does not show the number.
     std::array<int, 3> localSize{};
+    bool inPieces = false;                      ///< a compute program that may run in several dispatches
     std::map<std::string, Place> vertexInputs;  ///< the inputs that the user's vertex stage declares
+    bool suppliesVertexStage = false;           ///< it is that of ProgramRequest::suppliesFullScreenVertex
     bool mayReadTangents = false;               ///< the vertex stage names the tangent input
     bool writesPointSize = false;               ///< in the last stage before rasterisation
     int clipDistances = 0;                      ///< number of gl_ClipDistance elements that this stage writes

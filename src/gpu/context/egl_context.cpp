@@ -65,19 +65,18 @@ EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display) {
     return config;
 }
 
-/// The best context that an initialised display offers.
-EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug) {
+/// The best context that an initialised display offers. `robust`: shaders that index outside of a buffer read
+/// zero or something else of that buffer, and write nothing outside (OpenGL 4.6 Core, 6.4).
+EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug,
+                         bool robust) {
     for (const int minor : kMinorVersions) {
         // Not forward-compatible: such a context has no wide lines.
-        const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                               4,
-                                               EGL_CONTEXT_MINOR_VERSION,
-                                               minor,
-                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                               debug ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
-                                               EGL_TRUE,
-                                               EGL_NONE};
+        std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                       EGL_CONTEXT_MINOR_VERSION,       minor,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+        if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+        if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+        attributes.push_back(EGL_NONE);
         const EGLContext context = egl.createContext(display, config, EGL_NO_CONTEXT, attributes.data());
         if (context != EGL_NO_CONTEXT) return context;
     }
@@ -103,7 +102,13 @@ std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary&
         config = anyConfig(egl, display);
         if (!config) return "it has no config for OpenGL";
     }
-    const EGLContext context = createContext(egl, display, config, debug);
+    // With Mesa, robust access costs nothing that can be measured: a software rasteriser checks every access
+    // anyway. It has not been measured with other drivers.
+    const bool isEgl15 = major > 1 || minor >= 5;
+    const bool robust = isEgl15 && candidate.platform == EGL_PLATFORM_SURFACELESS_MESA &&
+                        listHas(extensions, "EGL_EXT_create_context_robustness");
+    EGLContext context = createContext(egl, display, config, debug, robust);
+    if (context == EGL_NO_CONTEXT && robust) context = createContext(egl, display, config, debug, false);
     if (context == EGL_NO_CONTEXT) return "no OpenGL 4.1 core context (" + egl.lastError() + ")";
     if (!egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         std::string why = "eglMakeCurrent failed (" + egl.lastError() + ")";

@@ -1,5 +1,6 @@
 #include "gpu/object/program.h"
 
+#include <algorithm>
 #include <array>
 
 namespace glibra::gpu {
@@ -28,6 +29,20 @@ std::string programLog(GLuint program) {
 }
 
 }  // namespace
+
+bool Program::willHold(GLint location, int count, std::span<const std::byte> bytes) const {
+    if (count <= 0) return false;
+    const std::size_t size = bytes.size() / static_cast<std::size_t>(count);
+    bool isNew = false;
+    for (int i = 0; i < count; ++i) {
+        const auto element = bytes.subspan(static_cast<std::size_t>(i) * size, size);
+        std::vector<std::byte>& held = uploaded_[location + i];
+        if (std::equal(element.begin(), element.end(), held.begin(), held.end())) continue;
+        held.assign(element.begin(), element.end());
+        isNew = true;
+    }
+    return isNew;
+}
 
 ProgramBuild::ProgramBuild(const Capabilities& capabilities, const ProgramSource& source)
     : program_(glCreateProgram()), canAsk_(capabilities.parallelCompile) {

@@ -4,6 +4,8 @@
 
 #include <glad/gl.h>
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,9 +31,13 @@ class Program {
     explicit Program(GLuint linked) : name_(linked) {}
     void use() const { glUseProgram(name_.get()); }
     [[nodiscard]] GLuint id() const { return name_.get(); }
+    /// Notes the bytes that are about to be uploaded to `count` elements of a uniform, from that location on.
+    /// False if the last upload was the same, so that it need not be repeated.
+    bool willHold(GLint location, int count, std::span<const std::byte> bytes) const;
 
   private:
     Name<deleteProgram> name_;
+    mutable std::map<GLint, std::vector<std::byte>> uploaded_;  ///< by location, one element each
 };
 
 /// One stage, GL_VERTEX_SHADER ..., and its complete text.

@@ -1,260 +1,32 @@
 #include "gpu/object/texture.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
+#include <cstring>
 #include <string>
 #include <vector>
 
-#include "base/number.h"
 #include "gpu/context/errors.h"
-#include "gpu/object/framebuffer.h"
-#include "gpu/state/raster_tracker.h"
+#include "gpu/object/texture_storage.h"
 
 namespace glibra::gpu {
 namespace {
 
-// Uploads and queries use this unit and replace its binding; every draw binds its own textures.
-constexpr GLenum kWorkUnit = GL_TEXTURE0;
-
-int largestSide(const Capabilities& capabilities, TextureShape shape) {
-    switch (shape) {
-        case TextureShape::texture1D:
-            return capabilities.max1DTextureSide;
-        case TextureShape::texture2D:
-        case TextureShape::array2D:
-        case TextureShape::multisampled:
-            return capabilities.max2DTextureSide;
-        case TextureShape::texture3D:
-            return capabilities.max3DTextureSide;
-        case TextureShape::cube:
-            break;
+/// Replaces floats of a format from -1 to 1 by the nearest values that it can hold. Drivers give the least
+/// stored number as less than -1, and round the others twice.
+void toWholeSteps(std::vector<std::byte>& texels, const base::TexelFormatRow& row) {
+    const int bits = row.bytes * 8 / row.components;
+    const double largest = std::ldexp(1, bits - 1) - 1;
+    for (std::size_t at = 0; at < texels.size(); at += sizeof(float)) {
+        float value = 0;
+        std::memcpy(&value, texels.data() + at, sizeof value);
+        const double steps = std::max(std::round(static_cast<double>(value) * largest), -largest);
+        value = static_cast<float>(steps / largest);
+        std::memcpy(texels.data() + at, &value, sizeof value);
     }
-    return capabilities.maxCubeSide;
-}
-
-/// "a 256 x 128 texture (rgba8)".
-std::string describe(TextureShape shape, TexelFormat format, TextureSize size) {
-    std::string text = "a " + std::to_string(size.width);
-    if (shape != TextureShape::texture1D) text += " x " + std::to_string(size.height);
-    if (shape == TextureShape::texture3D) text += " x " + std::to_string(size.depth);
-    if (shape == TextureShape::array2D) text += ", " + std::to_string(size.depth) + " layers";
-    return text + (shape == TextureShape::cube ? " cube map (" : " texture (") + std::string(name(format)) +
-           ")";
-}
-
-std::uint64_t texelCount(TextureShape shape, TextureSize size) {
-    const auto count = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
-                       static_cast<std::uint64_t>(size.depth);
-    return shape == TextureShape::cube ? 6 * count : count;
-}
-
-/// Allocates one level by the calls of GL 4.1.
-void allocateLevel(TextureShape shape, TexelFormat format, TextureSize size, int level) {
-    const GLenum target = glTarget(shape);
-    const auto inside = static_cast<GLint>(internalFormat(format));
-    const auto [layout, type] = nativeTransfer(format);
-    switch (shape) {
-        case TextureShape::texture1D:
-            glTexImage1D(target, level, inside, size.width, 0, layout, type, nullptr);
-            break;
-        case TextureShape::texture2D:
-            glTexImage2D(target, level, inside, size.width, size.height, 0, layout, type, nullptr);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-            glTexImage3D(target, level, inside, size.width, size.height, size.depth, 0, layout, type,
-                         nullptr);
-            break;
-        case TextureShape::cube:
-            for (GLenum face = 0; face < 6; ++face)
-                glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, inside, size.width, size.height, 0,
-                             layout, type, nullptr);
-            break;
-        case TextureShape::multisampled:
-            break;
-    }
-}
-
-/// Allocates the texels of the bound texture; from GL 4.2 on as immutable storage.
-void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
-    const GLenum target = glTarget(layout.shape);
-    const GLenum inside = internalFormat(layout.format);
-    const auto& [width, height, depth] = layout.size;
-    if (layout.shape == TextureShape::multisampled) {
-        // The sample positions are those of renderbuffers, which such textures are drawn together with.
-        if (capabilities.atLeast(4, 3))
-            glTexStorage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
-        else
-            glTexImage2DMultisample(target, layout.samples, inside, width, height, GL_TRUE);
-        return;
-    }
-    if (!capabilities.atLeast(4, 2)) {
-        for (int level = 0; level < layout.levels; ++level)
-            allocateLevel(layout.shape, layout.format, sizeOfLevel(layout.shape, layout.size, level), level);
-        return;
-    }
-    switch (layout.shape) {
-        case TextureShape::texture1D:
-            glTexStorage1D(target, layout.levels, inside, width);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-            glTexStorage3D(target, layout.levels, inside, width, height, depth);
-            break;
-        default:
-            glTexStorage2D(target, layout.levels, inside, width, height);
-            break;
-    }
-}
-
-/// Fills a level of the bound texture. `faceBytes`: bytes of one face of a cube map.
-void fillLevel(TextureShape shape, TextureSize size, int level, Transfer transfer, const std::byte* data,
-               std::size_t faceBytes) {
-    const auto [format, type] = transfer;
-    switch (shape) {
-        case TextureShape::texture1D:
-            glTexSubImage1D(GL_TEXTURE_1D, level, 0, size.width, format, type, data);
-            break;
-        case TextureShape::texture2D:
-            glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, size.width, size.height, format, type, data);
-            break;
-        case TextureShape::texture3D:
-        case TextureShape::array2D:
-            glTexSubImage3D(glTarget(shape), level, 0, 0, 0, size.width, size.height, size.depth, format,
-                            type, data);
-            break;
-        case TextureShape::cube:
-            for (GLenum i = 0; i < 6; ++i)
-                glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i, level, 0, 0, size.width, size.height,
-                                format, type, data + i * faceBytes);
-            break;
-        case TextureShape::multisampled:
-            break;
-    }
-}
-
-GLint glWrap(Wrap wrap) {
-    switch (wrap) {
-        case Wrap::repeat:
-            return GL_REPEAT;
-        case Wrap::clampToEdge:
-            return GL_CLAMP_TO_EDGE;
-        case Wrap::clampToBorder:
-            return GL_CLAMP_TO_BORDER;
-        case Wrap::mirroredRepeat:
-            break;
-    }
-    return GL_MIRRORED_REPEAT;
-}
-
-GLint glFilter(base::Filter filter) {
-    switch (filter) {
-        case base::Filter::nearest:
-            return GL_NEAREST;
-        case base::Filter::linear:
-            return GL_LINEAR;
-        case base::Filter::nearestMipmapNearest:
-            return GL_NEAREST_MIPMAP_NEAREST;
-        case base::Filter::linearMipmapNearest:
-            return GL_LINEAR_MIPMAP_NEAREST;
-        case base::Filter::nearestMipmapLinear:
-            return GL_NEAREST_MIPMAP_LINEAR;
-        case base::Filter::linearMipmapLinear:
-            break;
-    }
-    return GL_LINEAR_MIPMAP_LINEAR;
-}
-
-bool isNearest(base::Filter filter) {
-    return filter == base::Filter::nearest || filter == base::Filter::nearestMipmapNearest ||
-           filter == base::Filter::nearestMipmapLinear;
-}
-
-/// Calls `with` for a framebuffer with that layer of that texture attached, for drawing or reading.
-template <class Use>
-void withAttached(GLenum framebufferTarget, const Texture& texture, int level, int layer, Use&& use) {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    const Name<deleteFramebuffer> framebuffer(name);
-    glBindFramebuffer(framebufferTarget, name);
-    attachTexture(framebufferTarget, attachmentPoint(texture.format(), 0), {&texture, level, layer});
-    use();
-}
-
-/// Puts back the framebuffers that were bound.
-class FramebufferBindings {
-  public:
-    FramebufferBindings() {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
-        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
-    }
-    FramebufferBindings(const FramebufferBindings&) = delete;
-    FramebufferBindings& operator=(const FramebufferBindings&) = delete;
-    ~FramebufferBindings() {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
-    }
-
-  private:
-    GLint drawn_ = 0, read_ = 0;
-};
-
-/// Clears colour 0, or depth and stencil, of the bound framebuffer to zero.
-void clearAttached(TexelFormat format) {
-    constexpr std::array<GLfloat, 4> kZeros{};
-    constexpr std::array<GLint, 4> kIntegers{};
-    constexpr std::array<GLuint, 4> kUnsigned{};
-    switch (rowOf(format).kind) {
-        case base::TexelClass::integer:
-            return glClearBufferiv(GL_COLOR, 0, kIntegers.data());
-        case base::TexelClass::unsignedInteger:
-            return glClearBufferuiv(GL_COLOR, 0, kUnsigned.data());
-        case base::TexelClass::depth:
-            return glClearBufferfv(GL_DEPTH, 0, kZeros.data());
-        case base::TexelClass::depthStencil:
-            return glClearBufferfi(GL_DEPTH_STENCIL, 0, 0, 0);
-        default:
-            return glClearBufferfv(GL_COLOR, 0, kZeros.data());
-    }
-}
-
-GLbitfield maskOf(TexelFormat format) {
-    if (hasStencil(format)) return GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-    return hasDepth(format) ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT;
 }
 
 }  // namespace
-
-GLenum glTarget(TextureShape shape) {
-    switch (shape) {
-        case TextureShape::texture1D:
-            return GL_TEXTURE_1D;
-        case TextureShape::texture2D:
-            return GL_TEXTURE_2D;
-        case TextureShape::texture3D:
-            return GL_TEXTURE_3D;
-        case TextureShape::array2D:
-            return GL_TEXTURE_2D_ARRAY;
-        case TextureShape::multisampled:
-            return GL_TEXTURE_2D_MULTISAMPLE;
-        case TextureShape::cube:
-            break;
-    }
-    return GL_TEXTURE_CUBE_MAP;
-}
-
-TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
-    const auto smaller = [&](int side) { return std::max(1, side >> std::min(level, 30)); };
-    return {smaller(size.width), smaller(size.height),
-            shape == TextureShape::array2D ? size.depth : smaller(size.depth)};
-}
-
-int mostLevels(TextureShape shape, TextureSize size) {
-    if (shape == TextureShape::multisampled) return 1;
-    const int depth = shape == TextureShape::texture3D ? size.depth : 1;
-    return static_cast<int>(
-        std::bit_width(static_cast<unsigned>(std::max({1, size.width, size.height, depth}))));
-}
 
 Result<Texture> Texture::make(const Capabilities& capabilities, TextureLayout layout) {
     TextureSize& size = layout.size;
@@ -331,7 +103,7 @@ Result<Texture> Texture::create(const Capabilities& capabilities, TextureShape s
 
 Result<Texture> Texture::create(const Capabilities& capabilities, const TextureLayout& layout) {
     Result<Texture> made = make(capabilities, layout);
-    if (!made) return made;
+    if (!made || !layout.isFilled) return made;
     clearErrors();
     made->clear(capabilities);
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
@@ -357,29 +129,6 @@ Diagnostics Texture::upload(int level, const Texels& texels) {
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return {allocationError(code, describe(shape_, format_, size))};
     return {};
-}
-
-void Texture::clear(const Capabilities& capabilities) {
-    const FormatUse use = useOf(capabilities, format_);
-    if (use.color || use.depth) {
-        // A framebuffer clears layer by layer in every version, and reads no memory.
-        const FramebufferBindings bindings;
-        for (int level = 0; level < levels_; ++level)
-            for (int layer = 0; layer < layers(level); ++layer)
-                withAttached(GL_DRAW_FRAMEBUFFER, *this, level, layer, [&] {
-                    glDrawBuffer(hasDepth(format_) ? GL_NONE : GL_COLOR_ATTACHMENT0);
-                    clearAttached(format_);
-                });
-        return;
-    }
-    if (shape_ == TextureShape::multisampled) return;
-    glActiveTexture(kWorkUnit);
-    glBindTexture(glTarget(shape_), id());
-    for (int level = 0; level < levels_; ++level) {
-        const TextureSize size = sizeOfLevel(shape_, size_, level);
-        const std::vector<std::byte> zeros(texelCount(shape_, size) * bytesPerTexel(format_));
-        fillLevel(shape_, size, level, nativeTransfer(format_), zeros.data(), zeros.size() / 6);
-    }
 }
 
 void Texture::generateMipmaps() {
@@ -411,6 +160,8 @@ Result<std::vector<std::byte>> Texture::read(int level, int components, TexelTyp
         glGetTexImage(glTarget(shape_), level, format, glType(type), texels.data());
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return allocationError(code, "reading " + describe(shape_, format_, size));
+    if (type == TexelType::f32 && base::rowOf(format_).kind == base::TexelClass::signedNormalized)
+        toWholeSteps(texels, base::rowOf(format_));
     return texels;
 }
 
@@ -456,6 +207,11 @@ Result<Texture> Texture::view(std::optional<int> level, std::optional<int> layer
     return part;
 }
 
+void Texture::copyLayer(const Texture& from, int level, int layer) {
+    glCopyImageSubData(from.id(), glTarget(from.shape()), level, 0, 0, layer, id(), glTarget(shape_), 0, 0, 0,
+                       0, size_.width, size_.height, 1);
+}
+
 void Texture::showLevels(int first, int count) const {
     if (shape_ == TextureShape::multisampled) return;
     glActiveTexture(kWorkUnit);
@@ -469,68 +225,11 @@ void Texture::bind(int unit) const {
     glBindTexture(glTarget(shape_), id());
 }
 
-void Texture::bindImage(int unit, int level, std::optional<int> layer, GLenum access) const {
+void Texture::bindImage(int unit, int level, std::optional<int> layer, GLenum access,
+                        std::optional<TexelFormat> as) const {
+    const bool fits = as && base::bytesPerTexel(*as) == base::bytesPerTexel(format_);
     glBindImageTexture(static_cast<GLuint>(unit), id(), level, layer ? GL_FALSE : GL_TRUE, layer.value_or(0),
-                       access, internalFormat(format_));
-}
-
-Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to) {
-    if (from.shape() != to.shape() || from.format() != to.format() || from.size() != to.size() ||
-        from.levels() != to.levels() || from.samples() != to.samples())
-        return {diagnose("gpu-E03", describe(from.shape(), from.format(), from.size()) +
-                                        " cannot be copied to " +
-                                        describe(to.shape(), to.format(), to.size()))};
-    clearErrors();
-    const FramebufferBindings bindings;
-    for (int level = 0; level < from.levels(); ++level) {
-        const TextureSize size = sizeOfLevel(from.shape(), from.size(), level);
-        if (capabilities.atLeast(4, 3)) {
-            const GLenum target = glTarget(from.shape());
-            glCopyImageSubData(from.id(), target, level, 0, 0, 0, to.id(), target, level, 0, 0, 0, size.width,
-                               size.height, from.layers(level));
-            continue;
-        }
-        for (int layer = 0; layer < from.layers(level); ++layer)
-            withAttached(GL_READ_FRAMEBUFFER, from, level, layer, [&] {
-                withAttached(GL_DRAW_FRAMEBUFFER, to, level, layer, [&] {
-                    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
-                                      maskOf(from.format()), GL_NEAREST);
-                });
-            });
-    }
-    if (const GLenum code = takeError(); code != GL_NO_ERROR)
-        return {allocationError(code, "copying " + describe(from.shape(), from.format(), from.size()))};
-    return {};
-}
-
-void resolveSamples(const Texture& from, const Texture& to) {
-    const FramebufferBindings bindings;
-    const auto [width, height, depth] = from.size();
-    withAttached(GL_READ_FRAMEBUFFER, from, 0, 0, [&] {
-        withAttached(GL_DRAW_FRAMEBUFFER, to, 0, 0, [&, w = width, h = height] {
-            glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        });
-    });
-}
-
-Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> compare) {
-    GLuint name = 0;
-    glGenSamplers(1, &name);
-    name_ = Name<deleteSampler>(name);
-    constexpr std::array<GLenum, 3> kAxes{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
-    for (std::size_t i = 0; i < kAxes.size(); ++i) glSamplerParameteri(name, kAxes[i], glWrap(state.wrap[i]));
-    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, glFilter(state.filter));
-    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, isNearest(state.filter) ? GL_NEAREST : GL_LINEAR);
-    if (state.anisotropy > 1)
-        glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(state.anisotropy));
-    if (state.border != std::array<double, 4>{}) {
-        std::array<float, 4> border{};
-        std::transform(state.border.begin(), state.border.end(), border.begin(), base::toFloat);
-        glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, border.data());
-    }
-    if (!compare) return;
-    glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, static_cast<GLint>(glFunction(*compare)));
+                       access, internalFormat(fits ? *as : format_));
 }
 
 }  // namespace glibra::gpu

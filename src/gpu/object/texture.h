@@ -1,5 +1,5 @@
 #pragma once
-// Textures, and samplers, which say how a texture is read.
+// Textures: their texels, levels and layers, and what they share.
 
 #include <glad/gl.h>
 #include <glibra/result.h>
@@ -11,38 +11,16 @@
 #include <span>
 #include <vector>
 
-#include "base/raster_state.h"
-#include "base/sampler_state.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
 #include "gpu/object/name.h"
+#include "gpu/object/texture_shape.h"
 
 namespace glibra::gpu {
 
 inline void deleteTexture(GLuint name) {
     glDeleteTextures(1, &name);
 }
-inline void deleteSampler(GLuint name) {
-    glDeleteSamplers(1, &name);
-}
-
-/// `array2D`: layers of 2D textures. `multisampled`: 2D without levels, drawn into and read by texelFetch.
-enum class TextureShape { texture1D, texture2D, texture3D, cube, array2D, multisampled };
-
-/// GL_TEXTURE_1D and so on.
-GLenum glTarget(TextureShape shape);
-
-/// Size in texels; an unused dimension is 1. A cube map has width = height. The depth of an array is its
-/// number of layers.
-struct TextureSize {
-    int width = 1, height = 1, depth = 1;
-    friend bool operator==(const TextureSize&, const TextureSize&) = default;
-};
-
-/// The size of a mipmap level, 0 being the largest. Layers of an array do not become fewer.
-TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level);
-/// Levels down to one texel.
-int mostLevels(TextureShape shape, TextureSize size);
 
 /// Texels in memory, tightly packed: the components of a texel, then s, t, p; t = 0 first. A cube map has six
 /// faces in the order +x -x +y -y +z -z, each with GL's first row first. Textures of integers take integers
@@ -51,15 +29,6 @@ struct Texels {
     std::span<const std::byte> data;
     int components = 4;  ///< 1..4; missing ones read as 0 (green, blue) and 1 (alpha)
     TexelType type = TexelType::u8;
-};
-
-/// The storage of a texture.
-struct TextureLayout {
-    TextureShape shape = TextureShape::texture2D;
-    TexelFormat format = TexelFormat::rgba8;
-    TextureSize size{};
-    int levels = 1;   ///< 1..mostLevels
-    int samples = 1;  ///< of `multisampled`; the driver may give more
 };
 
 class Texture {
@@ -71,7 +40,8 @@ class Texture {
     /// Makes a texture whose texels are all (0, 0, 0, 0).
     static Result<Texture> create(const Capabilities& capabilities, TextureShape shape, TexelFormat format,
                                   TextureSize size);
-    /// The same with levels or samples. Samples start as zero where the driver can draw into the format.
+    /// The same with levels or samples, or without a value. Samples start as zero where the driver can draw
+    /// into the format.
     static Result<Texture> create(const Capabilities& capabilities, const TextureLayout& layout);
 
     /// Replaces a whole level. Reports gpu-E03 for the wrong number of bytes. Not for multisampled textures.
@@ -86,6 +56,8 @@ class Texture {
     /// A texture that shows one level of this one, or all, and one layer or face, or all; a layer or face is
     /// 2D. Both share their texels. Needs GL 4.3. Not for a layer of a 3D texture.
     [[nodiscard]] Result<Texture> view(std::optional<int> level, std::optional<int> layer) const;
+    /// Copies a layer of a level of `from`, which has the size and format of this 2D texture. Needs GL 4.3.
+    void copyLayer(const Texture& from, int level, int layer);
     /// Samplers read these levels only; the first counts from 0.
     void showLevels(int first, int count) const;
 
@@ -96,8 +68,10 @@ class Texture {
     /// and setSwizzle() use unit 0 and leave their texture bound there.
     void bind(int unit) const;
     /// Binds a level to an image unit (GL 4.2), with all layers or faces or only one of them. `access` is
-    /// GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE.
-    void bindImage(int unit, int level, std::optional<int> layer, GLenum access) const;
+    /// GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE. `as`: the format that the shader sees, whose texels have
+    /// the size of this one's; another one is ignored.
+    void bindImage(int unit, int level, std::optional<int> layer, GLenum access,
+                   std::optional<TexelFormat> as = {}) const;
 
     [[nodiscard]] GLuint id() const { return name_.get(); }
     [[nodiscard]] TextureShape shape() const { return shape_; }
@@ -123,22 +97,5 @@ Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, T
 /// Averages the samples of a multisampled texture into a 2D texture of the same format and size. Not for
 /// integers and depth. The scissor test must be off.
 void resolveSamples(const Texture& from, const Texture& to);
-
-using base::SamplerState;
-using base::Wrap;
-
-class Sampler {
-  public:
-    /// `compare`: for sampler2DShadow and its like, which read 1 where (reference compared with texel) holds,
-    /// else 0. Anisotropy above 1 needs a driver that supports it.
-    explicit Sampler(const SamplerState& state = {}, std::optional<base::Comparison> compare = {});
-    /// Linear, with the same wrapping in every direction.
-    explicit Sampler(Wrap wrap) : Sampler(SamplerState{.wrap = {wrap, wrap, wrap}, .border = {}}) {}
-    void bind(int unit) const { glBindSampler(static_cast<GLuint>(unit), name_.get()); }
-    [[nodiscard]] GLuint id() const { return name_.get(); }
-
-  private:
-    Name<deleteSampler> name_;
-};
 
 }  // namespace glibra::gpu

@@ -97,20 +97,16 @@ Call vectorCall(Call one, Call two, Call three, Call four, int rows) {
 
 void setFloats(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
                const GLfloat* values) {
-    if (const auto matrix = floatMatrixCall(type.columns, type.rows)) {
-        matrix(program, location, count, GL_FALSE, values);
-        return;
-    }
+    if (const auto matrix = floatMatrixCall(type.columns, type.rows))
+        return matrix(program, location, count, GL_FALSE, values);
     vectorCall(glProgramUniform1fv, glProgramUniform2fv, glProgramUniform3fv, glProgramUniform4fv, type.rows)(
         program, location, count, values);
 }
 
 void setDoubles(GLuint program, const base::ValueType& type, GLint location, GLsizei count,
                 const GLdouble* values) {
-    if (const auto matrix = doubleMatrixCall(type.columns, type.rows)) {
-        matrix(program, location, count, GL_FALSE, values);
-        return;
-    }
+    if (const auto matrix = doubleMatrixCall(type.columns, type.rows))
+        return matrix(program, location, count, GL_FALSE, values);
     vectorCall(glProgramUniform1dv, glProgramUniform2dv, glProgramUniform3dv, glProgramUniform4dv, type.rows)(
         program, location, count, values);
 }
@@ -177,22 +173,23 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
     const std::span<const double> used =
         values.first(static_cast<std::size_t>(count) * static_cast<std::size_t>(uniform.type.components()));
     const GLint location = uniform.location + firstElement;
+    // Calls the function with the values, unless the uniform has them.
+    const auto upload = [&](const auto* numbers, auto set) {
+        const auto bytes = std::as_bytes(std::span(numbers, used.size()));
+        if (program.willHold(location, count, bytes))
+            set(program.id(), uniform.type, location, count, numbers);
+        return count;
+    };
     switch (uniform.type.base) {
         case base::BaseType::floating:
-            setFloats(program.id(), uniform.type, location, count,
-                      Converted<GLfloat>(used, base::toFloat).data());
-            return count;
+            return upload(Converted<GLfloat>(used, base::toFloat).data(), setFloats);
         case base::BaseType::doublePrecision:
-            setDoubles(program.id(), uniform.type, location, count, used.data());
-            return count;
+            return upload(used.data(), setDoubles);
         case base::BaseType::unsignedInteger:
-            setUnsigneds(program.id(), uniform.type, location, count,
-                         Converted<GLuint>(used, base::toUnsigned).data());
-            return count;
+            return upload(Converted<GLuint>(used, base::toUnsigned).data(), setUnsigneds);
         case base::BaseType::boolean: {
             const auto truth = [](double value) { return value != 0 ? 1 : 0; };
-            setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, truth).data());
-            return count;
+            return upload(Converted<GLint>(used, truth).data(), setInts);
         }
         case base::BaseType::other:
             return 0;
@@ -201,8 +198,7 @@ int setUniform(const Program& program, const base::ActiveUniform& uniform, std::
         case base::BaseType::image:
             break;
     }
-    setInts(program.id(), uniform.type, location, count, Converted<GLint>(used, base::toInt).data());
-    return count;
+    return upload(Converted<GLint>(used, base::toInt).data(), setInts);
 }
 
 int writeBlockMember(std::span<std::byte> block, const base::ActiveUniform& uniform,

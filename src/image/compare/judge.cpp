@@ -60,9 +60,8 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, const 
                         tolerance.line, largestDifference(result.comparison));
     } else if (result.bias > tolerance.bias) {
         result.decidedBy = Rung::bias;
-        result.reason =
-            fmt::format("the mean difference of the block at {}, {} is {:.3g} of 255, the limit is {:g}",
-                        result.biasX, result.biasY, result.bias, tolerance.bias);
+        result.reason = fmt::format("the mean difference of the block at {}, {} is {}, the limit is {:g}",
+                                    result.biasX, result.biasY, biasText(result, tolerance), tolerance.bias);
     } else {
         result.same = true;
         result.reason = result.beyond == 0
@@ -112,6 +111,25 @@ Tolerance exactTolerance() {
     nothing.largest = nothing.fraction = nothing.bias = nothing.relative = nothing.absolute = 0;
     nothing.cluster = nothing.line = 0;
     return nothing;
+}
+
+Limited limitedBias(const Judgement& judged, const Tolerance& tolerance) {
+    if (judged.bias <= 0 || judged.beyond == 0) return Limited::no;
+    return judged.bias >= tolerance.largest * 0.9995 ? Limited::wholly : Limited::partly;
+}
+
+std::string biasText(const Judgement& judged, const Tolerance& tolerance) {
+    const std::string figure = fmt::format("{:.3g} of 255", judged.bias);
+    switch (limitedBias(judged, tolerance)) {
+        case Limited::no:
+            return figure;
+        case Limited::partly:
+            return figure + fmt::format(" (differences above {:g} count as {:g})", tolerance.largest,
+                                        tolerance.largest);
+        case Limited::wholly:
+            break;
+    }
+    return "at least " + figure;
 }
 
 const char* name(Rung rung) {

@@ -61,6 +61,13 @@ struct Judgement {
     std::optional<double> flip, structure;  ///< if needed or requested
 };
 
+/// Whether Tolerance::largest, up to which differences count, has taken part in the bias of a block: not at
+/// all, with some pixels, or with nearly all, so that the bias is at that limit and says "at least".
+enum class Limited { no, partly, wholly };
+Limited limitedBias(const Judgement& judged, const Tolerance& tolerance);
+/// The bias in words: "0.8 of 255", "0.8 of 255 (differences above 3 count as 3)", "at least 3 of 255".
+std::string biasText(const Judgement& judged, const Tolerance& tolerance);
+
 /// Compares a picture with the expected one. Equal bytes are the same even if they are NaN; the reason then
 /// mentions it. Alpha counts like any component. `bias` limits differences to +-`largest`, so that single
 /// pixels beyond, which `fraction` allows, do not decide it. `everything` computes all figures even if an

@@ -13,7 +13,7 @@ namespace glibra::render {
 
 /// What the checks of a moment ask for.
 struct CheckQuestions {
-    /// The content of an object; of the window for nothing. Reports why it cannot be read.
+    /// The content of an object, or of the window if none is given. Reports why it cannot be read.
     std::function<Result<Content>(const std::optional<scene::ObjectView>& object)> contentOf;
     std::function<std::uint64_t()> primitives, samples;  ///< of the whole frame
     /// The value of a condition.

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace glibra::render {
 namespace {
 
 /// The values of a level as doubles, its layers after one another.
 template <class T>
-std::vector<double> doublesOf(const std::vector<std::byte>& bytes) {
+std::vector<double> doublesOf(std::span<const std::byte> bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));
     std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return {values.begin(), values.end()};
@@ -50,30 +51,10 @@ Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
     if (texture->samples() > 1) return refuse("has several samples per texel and cannot be read");
     const int level = view.level.value_or(0);
     if (level >= texture->levels()) return refuse(fmt::format("has no level {}", level));
-    const gpu::TextureSize size = gpu::sizeOfLevel(texture->shape(), texture->size(), level);
-    Content content;
-    content.name = declared.name;
-    content.width = size.width;
-    content.height = size.height;
-    content.depth = texture->layers(level);
-    const base::TexelFormatRow& row = base::rowOf(texture->format());
-    content.components = base::hasDepth(texture->format()) ? 1 : row.components;
-    content.step = stepOf(texture->format());
-    const gpu::TexelType type = row.kind == base::TexelClass::integer           ? gpu::TexelType::i32
-                                : row.kind == base::TexelClass::unsignedInteger ? gpu::TexelType::u32
-                                                                                : gpu::TexelType::f32;
-    const auto bytes = texture->read(level, content.components, type);
-    if (!bytes) return bytes.diagnostics;
-    content.values = type == gpu::TexelType::i32   ? doublesOf<std::int32_t>(*bytes)
-                     : type == gpu::TexelType::u32 ? doublesOf<std::uint32_t>(*bytes)
-                                                   : doublesOf<float>(*bytes);
-    if (!view.layer) return content;
-    if (*view.layer >= content.depth) return refuse(fmt::format("has no layer {}", *view.layer));
-    content.depth = 1;
-    const std::size_t count = content.size() * static_cast<std::size_t>(content.components);
-    const auto first =
-        content.values.begin() + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(*view.layer));
-    content.values = std::vector<double>(first, first + static_cast<std::ptrdiff_t>(count));
+    if (view.layer && *view.layer >= texture->layers(level))
+        return refuse(fmt::format("has no layer {}", *view.layer));
+    Result<Content> content = render::contentOf(*texture, level, view.layer);
+    if (content) content->name = declared.name;
     return content;
 }
 
@@ -94,6 +75,32 @@ Result<Content> contentOf(const scene::Scene& scene, const DeviceBuffers& buffer
 }
 
 }  // namespace
+
+Result<Content> contentOf(const gpu::Texture& texture, int level, std::optional<int> layer) {
+    const gpu::TextureSize size = gpu::sizeOfLevel(texture.shape(), texture.size(), level);
+    Content content;
+    content.width = size.width;
+    content.height = size.height;
+    content.depth = texture.layers(level);
+    const base::TexelFormatRow& row = base::rowOf(texture.format());
+    content.components = base::hasDepth(texture.format()) ? 1 : row.components;
+    content.step = stepOf(texture.format());
+    const gpu::TexelType type = row.kind == base::TexelClass::integer           ? gpu::TexelType::i32
+                                : row.kind == base::TexelClass::unsignedInteger ? gpu::TexelType::u32
+                                                                                : gpu::TexelType::f32;
+    const auto bytes = texture.read(level, content.components, type);
+    if (!bytes) return bytes.diagnostics;
+    std::span<const std::byte> wanted = *bytes;
+    if (layer) {
+        const std::size_t layerBytes = wanted.size() / static_cast<std::size_t>(content.depth);
+        wanted = wanted.subspan(layerBytes * static_cast<std::size_t>(*layer), layerBytes);
+        content.depth = 1;
+    }
+    content.values = type == gpu::TexelType::i32   ? doublesOf<std::int32_t>(wanted)
+                     : type == gpu::TexelType::u32 ? doublesOf<std::uint32_t>(wanted)
+                                                   : doublesOf<float>(wanted);
+    return content;
+}
 
 Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
                           const scene::ObjectView& object) {

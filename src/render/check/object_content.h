@@ -3,6 +3,8 @@
 
 #include <glibra/result.h>
 
+#include <optional>
+
 #include "render/check/content.h"
 #include "render/load/device_scene.h"
 #include "scene/scene.h"
@@ -13,5 +15,8 @@ namespace glibra::render {
 /// textures one component. Reports check-E02 with the reason for what cannot be read.
 Result<Content> contentOf(const scene::Scene& scene, const DeviceScene& device,
                           const scene::ObjectView& object);
+
+/// The content of one level of a texture without samples, in all layers or one; level and layer must exist.
+Result<Content> contentOf(const gpu::Texture& texture, int level, std::optional<int> layer);
 
 }  // namespace glibra::render

@@ -65,6 +65,7 @@ Diagnostics SceneRenderer::answerAt(double moment, double time, Stats& stats) {
     // What Once and Step draw is not counted, so they run before.
     if (std::any_of(state.scene.checks.begin(), state.scene.checks.end(), isCounted))
         if (Result<image::Image> before = draw(moment, stats); !before) return std::move(before.diagnostics);
+    state.forgetDrawn();  // all nodes count
     const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
     primitives.begin();
     samples.begin();

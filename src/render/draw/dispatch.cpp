@@ -6,6 +6,7 @@
 
 #include "glib/number.h"
 #include "gpu/object/compute.h"
+#include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
 
 namespace glibra::render {
@@ -24,6 +25,20 @@ GroupCounts sizeOf(const DeviceScene& device, const scene::ObjectView& object) {
     const int layers = view.layer ? 1 : std::max(texture->layers(level), size.depth);
     return {static_cast<std::uint64_t>(size.width), static_cast<std::uint64_t>(size.height),
             static_cast<std::uint64_t>(layers)};
+}
+
+/// Sets what a piece of a dispatch knows of the whole.
+void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCounts& all,
+              const std::array<int, 3>& localSize) {
+    const auto set = [&](const char* name, auto&& valueOf) {
+        for (const base::ActiveUniform& uniform : built.interface.uniforms)
+            if (uniform.emittedName == name)
+                gpu::setUniform(*built.program, uniform, std::array{valueOf(0), valueOf(1), valueOf(2)});
+    };
+    set("glibra_FirstGroup", [&](std::size_t axis) { return static_cast<double>(first.at(axis)); });
+    set("glibra_FirstInvocation",
+        [&](std::size_t axis) { return static_cast<double>(first.at(axis)) * localSize.at(axis); });
+    set("glibra_GroupCount", [&](std::size_t axis) { return static_cast<double>(all.at(axis)); });
 }
 
 }  // namespace
@@ -57,7 +72,6 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     if (!built || !built->program) return {};
     context_.debugLog().setPlace(dispatch.place);
     completeReads(planned.textures);
-    built->program->use();
     setLiterals(planned.program, *built);
     DrawFacts facts;
     facts.timer = timerAt(frame_->time, dispatch.timerPeriod);
@@ -68,23 +82,57 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
         if (const gpu::Buffer* counts = device_.buffers().buffer(from->buffer))
             gpu::dispatchFrom(*built->program, *counts);
     } else {
-        GroupCounts groups{};
-        if (const auto* counts = std::get_if<std::array<std::uint64_t, 3>>(&dispatch.groups))
-            groups = *counts;
-        if (const auto* over = std::get_if<scene::Over>(&dispatch.groups)) {
-            const auto* object = std::get_if<scene::ObjectView>(&over->what);
-            groups = gpu::groupsOver(
-                object ? sizeOf(device_, *object) : std::get<std::array<std::uint64_t, 3>>(over->what),
-                gpu::localSizeOf(*built->program));
-        }
-        const Result<std::array<unsigned, 3>> checked =
-            checkedGroups(groups, context_.capabilities(), dispatch.place);
-        if (!checked) return checked.diagnostics;
-        gpu::dispatch(*built->program, *checked);
+        const GroupCounts& groups = groupsOf(planned, *built);
+        if (Diagnostics refused = dispatchPieces(*built, groups, dispatch); !refused.empty()) return refused;
     }
     finishWrites(planned.program, planned.textures);
     stats_.add("dispatches", 1);
     return {};
+}
+
+Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
+                                        const scene::Dispatch& dispatch) {
+    if (!built.interface.facts.inPieces) {
+        const Result<std::array<unsigned, 3>> checked =
+            checkedGroups(groups, context_.capabilities(), dispatch.place);
+        if (checked) gpu::dispatch(*built.program, *checked);
+        return checked.diagnostics;
+    }
+    std::size_t axis = 2;
+    while (axis > 0 && groups.at(axis) <= 1) --axis;
+    const std::uint64_t pieces =
+        std::clamp<std::uint64_t>(groups.at(axis), 1, static_cast<std::uint64_t>(dispatch.tiles));
+    const std::array<int, 3> localSize = gpu::localSizeOf(*built.program);
+    GroupCounts first{};
+    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
+        GroupCounts part = groups;
+        // The counts are below 2^32 and the pieces at most 65,536, so the products fit.
+        first.at(axis) = groups.at(axis) * piece / pieces;
+        part.at(axis) = groups.at(axis) * (piece + 1) / pieces - first.at(axis);
+        const Result<std::array<unsigned, 3>> checked =
+            checkedGroups(part, context_.capabilities(), dispatch.place);
+        if (!checked) return checked.diagnostics;
+        setPiece(built, first, groups, localSize);
+        gpu::dispatch(*built.program, *checked);
+        if (pieces > 1) glFlush();
+    }
+    if (pieces > 1) stats_.add("pieces of dispatches", pieces);
+    return {};
+}
+
+const GroupCounts& FrameDrawer::groupsOf(const plan::PlannedDispatch& planned, const BuiltProgram& built) {
+    const auto [known, isNew] = groups_.try_emplace(&planned);
+    if (!isNew) return known->second;
+    const scene::Dispatch& dispatch = plan_.dispatchOf(planned);
+    GroupCounts& groups = known->second;
+    if (const auto* counts = std::get_if<std::array<std::uint64_t, 3>>(&dispatch.groups)) groups = *counts;
+    if (const auto* over = std::get_if<scene::Over>(&dispatch.groups)) {
+        const auto* object = std::get_if<scene::ObjectView>(&over->what);
+        groups = gpu::groupsOver(
+            object ? sizeOf(device_, *object) : std::get<std::array<std::uint64_t, 3>>(over->what),
+            gpu::localSizeOf(*built.program));
+    }
+    return groups;
 }
 
 void FrameDrawer::clearObject(const scene::ClearObject& clear) {

@@ -27,6 +27,14 @@ std::array<double, 4> asArray(const glm::dvec4& color) {
     return {color.r, color.g, color.b, color.a};
 }
 
+/// The draw with the matrices of the camera instead of the clip space.
+scene::Draw seenBy(const scene::ClipSpace& space, scene::Draw draw) {
+    draw.modelView = space.view;
+    draw.model = glm::dmat4(1);
+    std::visit([&](const auto& projection) { draw.projection = projection; }, space.projection);
+    return draw;
+}
+
 constexpr std::array<float, 6> kOneLevel{1, 1, 1, 1, 1, 1};
 
 }  // namespace
@@ -75,8 +83,17 @@ bool FrameDrawer::texturesComeFirst() const {
 
 Diagnostics FrameDrawer::draw(const gpu::Target& window, const Frame& frame) {
     Diagnostics diagnostics;
-    if (frame.texturePasses)
-        for (const scene::ObjectView& each : plan_.resets) append(diagnostics, device_.reset(each));
+    const auto begin = [&](const std::vector<scene::ObjectView>& objects) {
+        for (const scene::ObjectView& each : objects) {
+            const plan::Object object = plan::objectOf(each);
+            const bool isKept = frame.still != nullptr && frame.still->contents.contains(object);
+            if (!isKept && device_.isChanged(object)) append(diagnostics, device_.reset(each));
+        }
+    };
+    if (frame.texturePasses) {
+        begin(plan_.resets);
+        begin(plan_.reads);
+    }
     append(diagnostics, execute(&window, frame));
     return diagnostics;
 }
@@ -88,6 +105,7 @@ Diagnostics FrameDrawer::run(const Frame& frame) {
 Diagnostics FrameDrawer::execute(const gpu::Target* window, const Frame& frame) {
     frame_ = &frame;
     forgetState();
+    if (plan_.passes.empty()) return drawNodes(window, frame);  // dispatches do not set raster state
     Diagnostics diagnostics = drawNodes(window, frame);
     encodeSrgb(false);
     // Others that draw with this context expect the state in which a pass begins.
@@ -107,6 +125,29 @@ void FrameDrawer::forgetState() {
     raster_.forget();
     clipDistances_.reset();
     patchVertices_.reset();
+}
+
+bool FrameDrawer::drawsPlainly() const {
+    return !hook_ && !limit_ && !wireframe_ && drawLimit_ == std::numeric_limits<std::size_t>::max() &&
+           shift_ == glm::dvec2(0.0) && textureShifts_.empty();
+}
+
+bool FrameDrawer::isStill(std::size_t node) {
+    if (frame_->still == nullptr || frame_->still->nodes.empty() || !frame_->still->nodes[node]) return false;
+    const bool isPass = plan_.order[node].kind == scene::NodeIndex::Kind::pass;
+    stats_.add(isPass ? kStillPasses : kStillDispatches, 1);
+    return true;
+}
+
+void FrameDrawer::noteWrites(std::size_t node) {
+    if (!device_.isModern()) return;
+    if (writes_.empty()) {
+        writes_.resize(plan_.order.size());
+        for (std::size_t i = 0; i < plan_.order.size(); ++i)
+            for (const plan::ObjectUse& each : plan::usesOf(plan_, i))
+                if (each.writes) writes_[i].insert(plan::objectOf(each.object));
+    }
+    for (const plan::Object& each : writes_[node]) device_.noteWritten(each);
 }
 
 Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
@@ -131,12 +172,15 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
     for (std::size_t index = 0; index < plan_.order.size() && !hasError(diagnostics); ++index) {
         const scene::NodeIndex& node = plan_.order[index];
         if (node.kind != scene::NodeIndex::Kind::pass) {
-            if (!frame.texturePasses) continue;
+            if (!frame.texturePasses || isStill(index)) continue;
+            if (nodeHook_) nodeHook_(index, true);
             append(diagnostics, exchangeCopies(index));
+            noteWrites(index);
             if (node.kind == scene::NodeIndex::Kind::dispatch)
                 append(diagnostics, dispatch(plan_.dispatches[node.index]));
             else
                 clearObject(plan_.clearOf(plan_.clears[node.index]));
+            if (nodeHook_) nodeHook_(index, false);
             continue;
         }
         const plan::PlannedPass& pass = plan_.passes[node.index];
@@ -146,18 +190,28 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
                           [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
         const bool isWindow = plan_.passOf(pass).isWindow;
         if (isWindow ? window == nullptr : !frame.texturePasses) continue;
+        if (isStill(index)) {
+            ++texturePass;
+            continue;
+        }
+        if (nodeHook_) nodeHook_(index, true);
         append(diagnostics, exchangeCopies(index));
+        noteWrites(index);
         const gpu::Target* target = window;
         if (!isWindow) {
             Result<const gpu::Target*> made = device_.target(plan_.passOf(pass));
             append(diagnostics, std::move(made.diagnostics));
-            if (!made) return diagnostics;
+            if (!made) {
+                if (nodeHook_) nodeHook_(index, false);
+                return diagnostics;
+            }
             target = *made;
             texture_ = {0, 0, target->width(), target->height()};
             textureShift_ = texturePass < textureShifts_.size() ? textureShifts_[texturePass] : glm::dvec2(0);
             ++texturePass;
         }
         append(diagnostics, drawPass(pass, *target, begin));
+        if (nodeHook_) nodeHook_(index, false);
     }
     return diagnostics;
 }
@@ -205,8 +259,13 @@ void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
 void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) {
     const scene::Pass& begun = plan_.passOf(pass);
     context_.debugLog().setPlace(begun.place);
-    isMoved_ = isMoved(*plan_.nodes, begun);
-    if (!isMoved_) unmovedView_ = frame_->view.unmoved();
+    isAsWindow_ = isMoved(*plan_.nodes, begun);
+    if (!isAsWindow_) {
+        passView_ = frame_->view.unmoved();
+    } else if (begun.shift != glm::dmat4(1)) {
+        isAsWindow_ = false;
+        passView_ = frame_->view.shifted(begun.shift);
+    }
     target.bind();
     encodeSrgb(target.hasSrgb());
     raster_.targetBound(target.width(), target.height());
@@ -285,7 +344,7 @@ void FrameDrawer::setLiterals(plan::PlannedProgramIndex program, const BuiltProg
 
 DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect) const {
     DrawFacts facts;
-    const ViewMatrices& view = isMoved_ ? frame_->view : unmovedView_;
+    const ViewMatrices& view = isAsWindow_ ? frame_->view : passView_;
     facts.projection = view.projection(draw.projection, aspect);
     facts.modelView = view.modelView(draw);
     facts.texture = frame_->view.texture();
@@ -479,7 +538,7 @@ bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgr
     const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
                         shift_ != glm::dvec2(0.0)};
     const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
-    DrawView drawView = drawViewOf(draw, planned.submission.topology, isMoved_ ? frame_->view : unmovedView_,
+    DrawView drawView = drawViewOf(draw, planned.submission.topology, isAsWindow_ ? frame_->view : passView_,
                                    isWindow ? window : texture, context_.capabilities());
     if (wireframe_ && drawView.filled) {
         drawView.filled = false;
@@ -501,7 +560,7 @@ const BuiltProgram* FrameDrawer::programOf(const plan::PlannedDraw& planned) con
 void FrameDrawer::submit(const plan::PlannedDraw& planned) const {
     const DeviceMesh& mesh = *device_.deviceMesh(plan_, planned.mesh);
     const scene::Draw& draw = plan_.drawOf(planned);
-    const GLenum mode = glMode(planned.submission.topology);
+    const GLenum mode = glMode(planned.submission);
     if (draw.instancesFrom.buffer || draw.verticesFrom.buffer) return submitIndirect(planned, mesh, mode);
     if (draw.instances <= 0) return;
     const auto drawPart = [&](int first, int count) {
@@ -574,13 +633,19 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     built.program->use();
     const double aspect = isWindow ? static_cast<double>(frame_->width) / frame_->height
                                    : static_cast<double>(target.width()) / target.height();
-    DrawFacts facts = factsOf(draw, aspect);
+    // A supplied vertex stage uses no matrices, so those are free for the fragment stage.
+    const auto* covering =
+        built.interface.facts.suppliesVertexStage ? std::get_if<scene::ClipSpace>(&draw.projection) : nullptr;
+    const std::optional<scene::Draw> seen =
+        covering != nullptr ? std::optional(seenBy(*covering, draw)) : std::nullopt;
+    const scene::Draw& placed = seen ? *seen : draw;
+    DrawFacts facts = factsOf(placed, aspect);
     if (isUsable) {
         setLiterals(planned.program, built);
         if (!plan_.programs[planned.program].foundByName.empty()) {
-            const ViewMatrices& view = isMoved_ ? frame_->view : unmovedView_;
-            facts.model = view.model(draw);
-            facts.view = view.view(draw);
+            const ViewMatrices& view = isAsWindow_ ? frame_->view : passView_;
+            facts.model = view.model(placed);
+            facts.view = view.view(placed);
         }
         setSupplied(planned.program, built, facts);
         setTile(built, draw.raster.viewport, isWindow);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -13,6 +14,8 @@
 #include "gpu/object/target.h"
 #include "gpu/state/raster_tracker.h"
 #include "plan/frame_plan.h"
+#include "plan/still.h"
+#include "render/draw/dispatch.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
@@ -33,6 +36,7 @@ struct Frame {
     Tile tile;                  ///< the part of it that the window's target shows
     double time = 0;            ///< seconds since loading
     bool texturePasses = true;  ///< false: only the window's passes are drawn
+    const plan::StillNodes* still = nullptr;  ///< what need not be drawn; null: all is drawn
 };
 
 /// Draws the frames of one plan. A drawer is complete when it is constructed; the setters below are options
@@ -60,6 +64,10 @@ class FrameDrawer {
     /// hook may change the state; the next draw sets all of it.
     using DrawHook = std::function<void(const plan::PlannedDraw& draw, bool isWindow, bool begins)>;
     void setDrawHook(DrawHook hook) { hook_ = std::move(hook); }
+    /// Called before (`begins`) and after every node of the plan that is executed; `node` is an index into
+    /// FramePlan::order.
+    using NodeHook = std::function<void(std::size_t node, bool begins)>;
+    void setNodeHook(NodeHook hook) { nodeHook_ = std::move(hook); }
     /// Draws with programs that did not link use this one, in magenta. Without it they are left out.
     void setFallback(const BuiltProgram* builtin) { fallback_ = builtin; }
     /// Moves the window's pictures right and up by parts of a pixel, and passes into textures, in their
@@ -80,6 +88,9 @@ class FrameDrawer {
     void setDrawLimit(std::size_t draws) { drawLimit_ = draws; }
     /// Call it after the plan's literals of this program (index into FramePlan::programs) have changed.
     void forgetLiterals(plan::PlannedProgramIndex program);
+
+    /// True if a frame is drawn whole, as the scene says: no option above leaves out or moves anything.
+    [[nodiscard]] bool drawsPlainly() const;
 
     /// For hooks: issues the GL calls of that draw alone, with whatever program and vertex array are bound.
     void submit(const plan::PlannedDraw& planned) const;
@@ -103,9 +114,15 @@ class FrameDrawer {
     Diagnostics drawNodes(const gpu::Target* window, const Frame& frame);
     /// Exchanges the copies of objects with history that the node (index into FramePlan::order) writes.
     Diagnostics exchangeCopies(std::size_t node);
+    /// Tells the device what the node of that number writes.
+    void noteWrites(std::size_t node);
+    /// True if the node of that number is still; counts it.
+    bool isStill(std::size_t node);
     /// `begin`: the number of draws of the plan before those of the pass.
     Diagnostics drawPass(const plan::PlannedPass& pass, const gpu::Target& target, std::size_t begin);
     Diagnostics dispatch(const plan::PlannedDispatch& planned);
+    /// The group counts of a dispatch without a buffer of counts; computed once.
+    const GroupCounts& groupsOf(const plan::PlannedDispatch& planned, const BuiltProgram& built);
     void clearObject(const scene::ClearObject& clear);
     /// Nothing is known about the context's state.
     void forgetState();
@@ -140,6 +157,10 @@ class FrameDrawer {
     /// Makes what the pass reads from textures that were drawn into: mipmaps, resolved samples.
     void completeReads(const plan::PlannedPass& pass);
     void completeReads(const std::vector<plan::TextureUse>& textures);
+    /// Runs the groups in as many pieces as the scene wants, along the last axis with several groups. After
+    /// each piece the driver gets the commands, so that none of them takes long.
+    Diagnostics dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
+                               const scene::Dispatch& dispatch);
     /// After a draw or dispatch that may write by its shaders.
     void finishWrites(plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& textures);
 
@@ -149,20 +170,23 @@ class FrameDrawer {
     DeviceScene& device_;
     Stats& stats_;
     scene::List<ProgramState, plan::PlannedProgram> states_;
-    const Frame* frame_ = nullptr;  ///< while draw() runs
+    std::map<const plan::PlannedDispatch*, GroupCounts> groups_;  ///< of groupsOf
+    std::vector<std::set<plan::Object>> writes_;  ///< by node of FramePlan::order; made when it first runs
+    const Frame* frame_ = nullptr;                ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;
     bool blendsOpaque_ = true;
     int windowSamples_ = 0;  ///< 0: all draws are drawn
     DrawHook hook_;
+    NodeHook nodeHook_;
     const BuiltProgram* fallback_ = nullptr;
     glm::dvec2 shift_{0.0};
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
     Tile texture_;                           ///< the whole target of the current pass into a texture
     glm::dvec2 textureShift_{0.0};           ///< of that pass
     bool encodesSrgb_ = false;               ///< as set
-    bool isMoved_ = true;                    ///< the window's transforms move the current pass
-    ViewMatrices unmovedView_;               ///< for passes that they do not move
+    bool isAsWindow_ = true;                 ///< the current pass is seen as the window is
+    ViewMatrices passView_;                  ///< for the other passes
     gpu::RasterTracker raster_;
     std::optional<gpu::PixelRectangle> limit_;
     std::optional<int> clipDistances_;  ///< those below this index are enabled; nothing: not known

@@ -22,14 +22,6 @@ bool isEarlier(std::span<const double> rates, const StepNumber& a, const StepNum
     return dueA != dueB ? dueA < dueB : a.block < b.block;
 }
 
-/// Objects are the same whatever part or copy of them is used.
-bool areSame(const scene::ObjectView& a, const scene::ObjectView& b) {
-    if (a.index() != b.index()) return false;
-    if (const auto* buffer = std::get_if<scene::BufferView>(&a))
-        return buffer->buffer == std::get<scene::BufferView>(b).buffer;
-    return std::get<scene::TextureView>(a).texture == std::get<scene::TextureView>(b).texture;
-}
-
 bool contains(const std::vector<scene::ObjectView>& list, const scene::ObjectView& object) {
     return std::any_of(list.begin(), list.end(), [&](const auto& each) { return each == object; });
 }
@@ -190,12 +182,11 @@ void Simulation::noteWrites(const Block& block) {
     for (std::size_t node = 0; node < block.plan.order.size(); ++node)
         for (const plan::ObjectUse& each : usesOf(block.plan, node)) {
             const bool isKnown = std::any_of(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
-                return areSame(known.object, each.object);
+                return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
             if (!each.writes || isKnown) continue;
             lasting_.push_back({each.object, block.place, block.isOnce ? "Once" : "Step"});
-            if (const auto* buffer = std::get_if<scene::BufferView>(&each.object))
-                parts_.device.buffers().setLasting(buffer->buffer);
+            parts_.device.setLasting(plan::objectOf(each.object));
         }
 }
 
@@ -205,7 +196,7 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
         for (const plan::ObjectUse& each : usesOf(frame, node)) {
             if (!each.writes) continue;
             const auto lasts = std::find_if(lasting_.begin(), lasting_.end(), [&](const Lasting& known) {
-                return areSame(known.object, each.object);
+                return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
             if (lasts == lasting_.end()) continue;
             diagnostics.push_back(
@@ -241,6 +232,11 @@ std::vector<std::int64_t> Simulation::stepsAt(double time) const {
     return steps;
 }
 
+bool Simulation::lasts(const plan::Object& object) const {
+    return std::any_of(lasting_.begin(), lasting_.end(),
+                       [&](const Lasting& each) { return plan::objectOf(each.object) == object; });
+}
+
 std::vector<const plan::FramePlan*> Simulation::plans() const {
     std::vector<const plan::FramePlan*> plans;
     for (const auto* list : {&once_, &steps_})
@@ -248,16 +244,64 @@ std::vector<const plan::FramePlan*> Simulation::plans() const {
     return plans;
 }
 
-Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
-    const StageTimer timer(parts_.stats, "simulate");
+std::vector<std::vector<double>> Simulation::onceReads() const {
     std::vector<std::vector<double>> reads;
     for (const scene::OnceBlock& each : parts_.scene.once) reads.push_back(each.reads);
+    for (const auto& block : once_) {
+        std::vector<double>& literals = reads.emplace_back();
+        for (const plan::PlannedProgram& program : block->plan.programs)
+            for (const plan::UniformBinding& each : program.values)
+                if (const auto* literal = std::get_if<plan::Literal>(&each.value))
+                    literals.insert(literals.end(), literal->values.begin(), literal->values.end());
+    }
+    return reads;
+}
+
+Diagnostics Simulation::variablesChanged() {
+    Diagnostics diagnostics;
+    for (const auto& block : steps_) {
+        if (block->index >= parts_.scene.steps.size()) continue;
+        const scene::StepBlock& now = parts_.scene.steps[block->index];
+        hasRun_ = hasRun_ && block->rate == now.rate;
+        block->rate = now.rate;
+        block->dependsOnTick = now.dependsOnTick && parts_.source != nullptr;
+        if (!block->dependsOnTick) append(diagnostics, planAgain(*block, now.nodes));
+    }
+    return diagnostics;
+}
+
+void Simulation::changeValues(
+    const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change) {
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& block : *list)
+            for (const plan::PlannedProgramIndex each : change(block->plan))
+                if (block->drawer) block->drawer->forgetLiterals(each);
+}
+
+void Simulation::takeOver(Simulation& previous) {
+    if (!previous.hasRun_ || previous.done_.size() != done_.size()) return;
+    for (const Lasting& each : lasting_) parts_.device.takeOver(previous.parts_.device, each.object);
+    done_ = previous.done_;
+    onceReads_ = previous.onceReads_;
+    hasRun_ = true;
+}
+
+std::vector<Simulation::Progress> Simulation::progress() const {
+    std::vector<Progress> progress;
+    for (const auto& each : steps_)
+        progress.push_back({each->place, each->rate, hasRun_ ? done_[progress.size()] : 0});
+    return progress;
+}
+
+Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
+    const StageTimer timer(parts_.stats, "simulate");
+    const std::vector<std::vector<double>> reads = onceReads();
     const std::vector<std::int64_t> to = stepsAt(inputs.time);
     const std::vector<double> rates = this->rates();
     Diagnostics diagnostics;
     if (!hasRun_ || reads != onceReads_ || !canGoOn(rates, done_, to)) {
         append(diagnostics, restart(!onceReads_.empty() && reads != onceReads_));
-        onceReads_ = std::move(reads);
+        onceReads_ = onceReads();  // blocks that were planned again may have other literals
         if (hasError(diagnostics)) return diagnostics;
     }
     std::int64_t steps = 0;
@@ -296,6 +340,7 @@ Diagnostics Simulation::advance(const scene::FrameInputs& inputs) {
 /// What lasts becomes as declared, and the Once blocks run.
 Diagnostics Simulation::restart(bool plansAgain) {
     Diagnostics diagnostics;
+    ++changes_;
     hasRun_ = true;
     done_.assign(steps_.size(), 0);
     for (const Lasting& each : lasting_) append(diagnostics, parts_.device.reset(each.object));
@@ -325,13 +370,18 @@ Diagnostics Simulation::run(Block& block, double time) {
     if (!block.drawer)
         block.drawer.emplace(parts_.context, block.plan, parts_.programs, parts_.device, parts_.stats);
     const ViewMatrices view(ViewState(), block.view, 0);
-    return block.drawer->run({view, 1, 1, {0, 0, 1, 1}, time, true});
+    const Run run{block.isOnce, block.rate, block.place, block.plan, *block.drawer};
+    if (hook_) hook_(run, true);
+    Diagnostics diagnostics = block.drawer->run({view, 1, 1, {0, 0, 1, 1}, time, true});
+    if (hook_) hook_(run, false);
+    return diagnostics;
 }
 
 Diagnostics Simulation::runStep(const StepNumber& step, scene::FrameInputs inputs) {
     Block& block = *steps_[step.block];
     const double time = static_cast<double>(step.tick) / block.rate;
     parts_.stats.add("steps", 1);
+    ++changes_;
     if (!block.dependsOnTick) return run(block, time);
     inputs.time = time;
     inputs.ticks.assign(steps_.size(), 0);

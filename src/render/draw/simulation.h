@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
 #include "render/load/device_scene.h"
@@ -71,8 +72,46 @@ class Simulation {
     /// Error memory-E08 if more steps are to run than allowed.
     Diagnostics advance(const scene::FrameInputs& inputs);
 
+    /// The next advance() begins anew.
+    void forget() { hasRun_ = false; }
+    /// Call it after the scene has been interpreted for other values of variables: plans the Step blocks
+    /// again. They go on where they are, unless a rate is another one.
+    Diagnostics variablesChanged();
+    /// Changes literals in the plans of all blocks. `change` returns the programs whose literals it has
+    /// changed. Other values in a Once block mean that the next advance() begins anew.
+    void changeValues(const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change);
+    /// Takes over what lasts, with its content, from the simulation of the same blocks before the scene was
+    /// read again. `previous` is to be destroyed.
+    void takeOver(Simulation& previous);
+
+    /// A block that runs.
+    struct Run {
+        bool isOnce = false;
+        double rate = 0;  ///< of a Step
+        Place place;
+        const plan::FramePlan& plan;
+        FrameDrawer& drawer;
+    };
+    /// Called before (`begins`) and after each run of a block.
+    using RunHook = std::function<void(const Run& run, bool begins)>;
+    void setRunHook(RunHook hook) { hook_ = std::move(hook); }
+
+    /// How far a Step block has run.
+    struct Progress {
+        Place place;
+        double rate = 1;
+        std::int64_t steps = 0;  ///< that have run
+    };
+    /// Of all Step blocks, in the order of the text.
+    [[nodiscard]] std::vector<Progress> progress() const;
+
     /// The steps of each block at that time; 0 for blocks of which nothing is needed.
     [[nodiscard]] std::vector<std::int64_t> stepsAt(double time) const;
+    /// How often what lasts has been brought to another state; equal numbers mean the same state.
+    [[nodiscard]] std::int64_t changes() const { return changes_; }
+    /// True if a block writes the object.
+    [[nodiscard]] bool lasts(const plan::Object& object) const;
+
     /// The plans of the blocks, Once before Step.
     [[nodiscard]] std::vector<const plan::FramePlan*> plans() const;
 
@@ -91,6 +130,8 @@ class Simulation {
     Diagnostics runStep(const StepNumber& step, scene::FrameInputs inputs);
     void noteWrites(const Block& block);
     [[nodiscard]] std::vector<double> rates() const;
+    /// What the content of the Once blocks depends on.
+    [[nodiscard]] std::vector<std::vector<double>> onceReads() const;
 
     SimulationParts parts_;
     std::int64_t mostSteps_;
@@ -100,6 +141,8 @@ class Simulation {
     std::vector<Lasting> lasting_;
     std::vector<scene::ObjectView> roots_;  ///< what is read of what lasts
     bool hasRun_ = false;
+    RunHook hook_;
+    std::int64_t changes_ = 0;
 };
 
 }  // namespace glibra::render

@@ -68,12 +68,16 @@ glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double 
 }
 
 bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass) {
-    const auto cameraOf = [](const scene::Pass& each) {
-        return each.camera.empty() ? std::string_view("eye") : std::string_view(each.camera);
-    };
     return std::any_of(nodes.passes.begin(), nodes.passes.end(), [&](const scene::Pass& each) {
-        return each.isWindow && cameraOf(each) == cameraOf(pass);
+        return each.isWindow && each.rootCamera == pass.rootCamera;
     });
+}
+
+ViewMatrices ViewMatrices::shifted(const glm::dmat4& shift) const {
+    if (shift == glm::dmat4(1) || state_.eye == kIdentity) return *this;
+    ViewMatrices moved = *this;
+    moved.state_.eye = asNumbers(shift * asMatrix(state_.eye) * scene::inverseOrZero(shift));
+    return moved;
 }
 
 ViewMatrices ViewMatrices::unmoved() const {

@@ -13,7 +13,7 @@ glm::dmat4 asMatrix(const Matrix& numbers);
 Matrix asNumbers(const glm::dmat4& matrix);
 
 /// True if the window's transforms move what the pass draws: it is seen by the camera of a pass into the
-/// window. In classic scenes all passes are.
+/// window, or both cameras are derived from one. In classic scenes all passes are.
 bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass);
 
 class ViewMatrices {
@@ -32,6 +32,8 @@ class ViewMatrices {
     [[nodiscard]] glm::dmat4 view(const scene::Draw& draw) const;
     /// The same view without the transforms of the window, for passes that it does not move.
     [[nodiscard]] ViewMatrices unmoved() const;
+    /// The same for a camera whose view is `shift` times that of the camera that the window moves.
+    [[nodiscard]] ViewMatrices shifted(const glm::dmat4& shift) const;
     /// The same without a draw: for the axes, which are in world space.
     [[nodiscard]] glm::dmat4 worldView() const;
     [[nodiscard]] glm::dmat4 texture() const { return asMatrix(state_.texture); }

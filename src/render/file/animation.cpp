@@ -51,7 +51,7 @@ class TimerSearch {
             if (end == std::string_view::npos) continue;
             const scene::FileReference found =
                 scene::findInclude(rest.substr(begin + 1, end - begin - 1), file.string(), scene_.path,
-                                   {options_.libraryRoots}, listings_);
+                                   {options_.libraryRoots, options_.within}, listings_);
             if (isIn(found.path)) return true;
         }
         return false;

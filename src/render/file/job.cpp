@@ -22,8 +22,7 @@
 namespace glibra::render {
 namespace {
 
-Diagnostics writeToStandardOutput(const image::Image& picture) {
-    const std::vector<std::byte> png = image::encodePng(picture);
+Diagnostics writeToStandardOutput(const std::vector<std::byte>& png) {
     if (std::fwrite(png.data(), 1, png.size(), stdout) == png.size() && std::fflush(stdout) == 0) return {};
     return {diagnose("file-E10", "cannot write to standard output")};
 }
@@ -123,9 +122,10 @@ class JobRun {
         if (search_) append(remarks, search_->at(time));
         if (picture) append(remarks, remarksOn(*picture, job_.scene, scene.plan(), options_.checkNan));
         applyStrict(remarks, options_.strict);
-        if (picture && !hasError(remarks)) append(remarks, save(scene, index));
+        if (picture && (!hasError(remarks) || options_.incomplete)) append(remarks, save(scene, index));
         keepFirst(std::move(remarks), index);
-        return hasErrors() ? std::nullopt : std::move(picture.value);
+        // What a missing file did not feed is shown all the same; the job has failed.
+        return hasErrors() && !options_.incomplete ? std::nullopt : std::move(picture.value);
     }
 
     /// Writes the textures of Job::saves.
@@ -167,7 +167,7 @@ class JobRun {
         const std::optional<image::Image> picture = draw(scene, 0);
         if (!picture) return;
         const StageTimer timer(stats_, "write");
-        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(*picture)
+        append(result_.diagnostics, job_.output == "-" ? writeToStandardOutput(image::encodePng(*picture))
                                                        : image::writeImage(*picture, job_.output));
     }
 
@@ -200,7 +200,27 @@ class JobRun {
 
     [[nodiscard]] double timeOf(int frame) const { return options_.time + frame / job_.framesPerSecond; }
 
+    /// The pictures follow each other, as ffmpeg -f image2pipe reads them.
+    void drawFramesToStandardOutput(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
+        const std::vector<int> first = firstAlike(scene);
+        std::vector<std::byte> png;
+        int shown = -1;  // the frame that `png` is
+        for (int i = 0; i < job_.frames; ++i) {
+            if (first[static_cast<std::size_t>(i)] != shown) {
+                const std::optional<image::Image> picture = draw(scene, i);
+                if (!picture) return;
+                png = image::encodePng(*picture);
+                shown = first[static_cast<std::size_t>(i)];
+            }
+            const StageTimer timer(stats_, "write");
+            if (const Diagnostics problems = writeToStandardOutput(png); !problems.empty())
+                return append(result_.diagnostics, problems);
+            frameWritten(i + 1);
+        }
+    }
+
     void drawFrames(SceneRenderer& scene, const std::function<void(int)>& frameWritten) {
+        if (job_.output == "-") return drawFramesToStandardOutput(scene, frameWritten);
         const std::vector<int> first = firstAlike(scene);
         const std::vector<bool> isOwn = ownFrames(scene, first);
         PictureWriter writer(frameWritten);

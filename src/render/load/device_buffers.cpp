@@ -120,11 +120,20 @@ std::vector<double> DeviceBuffers::read(const scene::BufferView& view, std::uint
     const std::uint64_t all = layout.pattern.numbers(layout.elements);
     count = std::min(count, all - std::min(first, all));
     if (count == 0) return {};
-    std::vector<std::byte> bytes(from->size());
-    from->read(0, bytes);
+    std::uint64_t begin = from->size(), end = 0;
+    for (std::uint64_t i = first; i < first + count; ++i) {
+        const plan::MemoryNumber number = layout.pattern.at(i);
+        begin = std::min(begin, number.offset);
+        end = std::max(end, number.offset + sizeOf(number.kind));
+    }
+    std::vector<std::byte> bytes(end - begin);
+    from->read(begin, bytes);
     std::vector<double> numbers(count);
-    for (std::uint64_t i = 0; i < count; ++i)
-        numbers[i] = plan::readNumber(layout.pattern.at(first + i), bytes);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        plan::MemoryNumber number = layout.pattern.at(first + i);
+        number.offset -= begin;
+        numbers[i] = plan::readNumber(number, bytes);
+    }
     return numbers;
 }
 
@@ -150,6 +159,14 @@ Diagnostics DeviceBuffers::reset(scene::BufferIndex index) {
     made.current.copyFrom(*made.declared);
     if (made.previous) made.previous->copyFrom(*made.declared);
     return diagnostics;
+}
+
+void DeviceBuffers::takeOver(DeviceBuffers& previous, scene::BufferIndex buffer) {
+    const auto found = previous.made_.find(buffer);
+    const auto own = made_.find(buffer);
+    if (found == previous.made_.end() || own == made_.end()) return;
+    own->second = std::move(found->second);
+    previous.made_.erase(found);
 }
 
 void DeviceBuffers::clear(scene::BufferIndex buffer) {

@@ -38,6 +38,8 @@ class DeviceBuffers {
 
     /// Makes the content as declared, in both copies of a buffer with history.
     Diagnostics reset(scene::BufferIndex buffer);
+    /// DeviceScene::takeOver.
+    void takeOver(DeviceBuffers& previous, scene::BufferIndex buffer);
     /// Sets all bytes to zero. The other copy of a buffer with history stays as it is.
     void clear(scene::BufferIndex buffer);
     /// Exchanges the two copies of a buffer with history, before something writes to it. `keepsContent`: the

@@ -152,7 +152,18 @@ void DeviceScene::noteWrites(const plan::FramePlan& plan) {
     }
 }
 
+void DeviceScene::noteWritten(const plan::Object& object) {
+    if (!lasting_.contains(object)) changed_.insert(object);
+}
+
+void DeviceScene::setLasting(const plan::Object& object) {
+    lasting_.insert(object);
+    changed_.erase(object);
+    if (const auto* buffer = std::get_if<scene::BufferIndex>(&object)) buffers_.setLasting(*buffer);
+}
+
 Diagnostics DeviceScene::reset(const scene::ObjectView& object) {
+    changed_.erase(plan::objectOf(object));
     if (const auto* buffer = std::get_if<scene::BufferView>(&object)) return buffers_.reset(buffer->buffer);
     const scene::TextureIndex texture = std::get<scene::TextureView>(object).texture;
     if (!std::holds_alternative<scene::EmptySource>(scene_.textures[texture].source)) return {};
@@ -171,7 +182,7 @@ Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibra
     noteWrites(plan);
     for (const plan::PlannedMeshIndex each : plan.meshes.indices())
         append(diagnostics, upload(plan, each, programs));
-    for (const scene::TextureIndex texture : plan.textures) append(diagnostics, makeTexture(texture));
+    append(diagnostics, makeTextures(plan));
     append(diagnostics, buffers_.prepare(plan));
     append(diagnostics, checkParts(plan));
     previous_ = nullptr;

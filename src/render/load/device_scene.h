@@ -13,12 +13,14 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 #include "gpu/object/vertex_array.h"
 #include "image/image.h"
 #include "image/limits.h"
 #include "noise/texel_bytes.h"
+#include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "render/load/device_buffers.h"
 #include "render/load/programs.h"
@@ -96,6 +98,9 @@ class DeviceScene {
     /// Frees the CPU meshes.
     void releaseMeshes() { meshes_.clear(); }
 
+    /// What samplers read of the texture: with its samples resolved and its mipmaps made; the whole of it,
+    /// whatever the view's level and layer. Null if it has not been made. The scissor test must be off.
+    const gpu::Texture* completed(const scene::TextureView& view);
     /// Null if the mesh has nothing to draw.
     [[nodiscard]] const DeviceMesh* deviceMesh(const plan::FramePlan& plan,
                                                plan::PlannedMeshIndex planned) const;
@@ -111,6 +116,15 @@ class DeviceScene {
     void clear(scene::TextureIndex texture);
     /// Makes a buffer or an empty texture as declared, in both copies of one with history.
     Diagnostics reset(const scene::ObjectView& object);
+    /// Takes an object that nodes write to, with its content, from the device scene before the scene was
+    /// read again. Both scenes declare it equally.
+    void takeOver(DeviceScene& previous, const scene::ObjectView& object);
+    /// Notes that a node of a frame writes the object, unless it lasts.
+    void noteWritten(const plan::Object& object);
+    /// True if the object is not as declared because a frame has written it.
+    [[nodiscard]] bool isChanged(const plan::Object& object) const { return changed_.contains(object); }
+    /// What Once and Step write is not reset by frames.
+    void setLasting(const plan::Object& object);
     /// Something has been drawn or stored into the current copy.
     void wasWritten(scene::TextureIndex texture);
     /// True if mipmaps or resolved samples that the sampler reads are older than the texture.
@@ -168,8 +182,11 @@ class DeviceScene {
                        const ProgramLibrary& programs);
     void addBufferSources(const scene::BufferView& view, bool isPerInstance, const base::ActiveInput& input,
                           std::vector<gpu::AttributeSource>& sources) const;
-    Diagnostics makeTexture(scene::TextureIndex index);
-    Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key);
+    /// `isFilled`: gpu::TextureLayout::isFilled, of empty textures.
+    Diagnostics makeTexture(scene::TextureIndex index, bool isFilled = true);
+    /// Makes the textures of the plan, each in memory of its own or in that of another one.
+    Diagnostics makeTextures(const plan::FramePlan& plan);
+    Result<gpu::Texture> createTexture(const scene::Texture& texture, const std::string& key, bool isFilled);
     Result<gpu::Texture> createNamed(const scene::Texture& texture, image::TexelBlock block);
     /// Makes the second copy of a texture with history, and what its samples are resolved into.
     Diagnostics makeCopies(scene::TextureIndex index, std::shared_ptr<gpu::Texture> first);
@@ -180,6 +197,7 @@ class DeviceScene {
     const gpu::Sampler& sampler(const base::SamplerState& state, bool compares);
     /// The texture or the part of it that the use reads.
     const gpu::Texture* readable(const plan::TextureUse& use);
+    const gpu::Texture* layerCopy(const gpu::Texture& whole, const scene::TextureView& view);
     Result<gpu::Target> makeTarget(const scene::Pass& pass);
     NoiseTexels noiseTexels(const scene::NoiseSource& source, const Place& place);
     PictureTexels pictureTexels(const scene::Texture& texture, const scene::PictureSource& picture);
@@ -205,12 +223,15 @@ class DeviceScene {
         struct Copy {
             std::shared_ptr<gpu::Texture> texture;
             std::shared_ptr<gpu::Texture> resolved;  ///< of a multisampled texture
-            bool isComplete = true;                  ///< mipmaps and `resolved` are up to date
+            bool isResolved = true;                  ///< `resolved` is up to date
+            bool hasMipmaps = true;                  ///< mipmaps are up to date
         };
         std::array<Copy, 2> copies;  ///< the second one only with history
         std::size_t current = 0;
     };
     std::map<scene::TextureIndex, Copies> copies_;
+    std::map<scene::TextureIndex, scene::TextureIndex> sharing_;  ///< FramePlan::sharing, as made
+    std::set<plan::Object> changed_, lasting_;
     /// Parts of textures as samplers read them: texture, level, layer.
     std::map<std::tuple<const gpu::Texture*, int, int>, gpu::Texture> views_;
     /// What decides the texels of a picture -> the texture that holds it.

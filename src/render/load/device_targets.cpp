@@ -76,10 +76,7 @@ Result<image::Image> DeviceScene::imageOf(const scene::TextureView& view) {
         return diagnose("draw-E10", fmt::format("{} cannot be saved: {}", name, why),
                         scene_.textures[view.texture].place);
     };
-    plan::TextureUse use;
-    use.view = {.texture = view.texture, .isPrevious = view.isPrevious};
-    complete(use);
-    const gpu::Texture* made = readable(use);
+    const gpu::Texture* made = completed(view);
     if (made == nullptr) return bad("it has not been made");
     if (made->samples() > 1) return bad("its samples cannot be resolved");
     const int level = view.level.value_or(0);
@@ -149,6 +146,24 @@ const gpu::Texture* DeviceScene::texture(const scene::TextureView& view) const {
     return both.copies[view.isPrevious ? 1 - both.current : both.current].texture.get();
 }
 
+const gpu::Texture* DeviceScene::completed(const scene::TextureView& view) {
+    plan::TextureUse use;
+    use.view = {.texture = view.texture, .isPrevious = view.isPrevious};
+    complete(use);
+    return readable(use);
+}
+
+void DeviceScene::takeOver(DeviceScene& previous, const scene::ObjectView& object) {
+    if (const auto* buffer = std::get_if<scene::BufferView>(&object))
+        return buffers_.takeOver(previous.buffers_, buffer->buffer);
+    const scene::TextureIndex texture = std::get<scene::TextureView>(object).texture;
+    const auto found = previous.copies_.find(texture);
+    if (found == previous.copies_.end() || !copies_.contains(texture)) return;
+    copies_.insert_or_assign(texture, std::move(found->second));
+    previous.copies_.erase(found);
+    textures_.insert_or_assign(texture, copies_.at(texture).copies[copies_.at(texture).current].texture);
+}
+
 void DeviceScene::exchange(scene::TextureIndex texture) {
     const auto found = copies_.find(texture);
     if (found == copies_.end() || !found->second.copies[1].texture) return;
@@ -161,7 +176,8 @@ Diagnostics DeviceScene::copyFromPrevious(scene::TextureIndex texture) {
     const auto found = copies_.find(texture);
     if (found == copies_.end() || !found->second.copies[1].texture) return {};
     Copies& both = found->second;
-    both.copies[both.current].isComplete = both.copies[1 - both.current].isComplete;
+    both.copies[both.current].isResolved = both.copies[1 - both.current].isResolved;
+    both.copies[both.current].hasMipmaps = both.copies[1 - both.current].hasMipmaps;
     return gpu::copyTexture(context_.capabilities(), *both.copies[1 - both.current].texture,
                             *both.copies[both.current].texture);
 }
@@ -171,31 +187,36 @@ void DeviceScene::clear(scene::TextureIndex texture) {
     if (found == copies_.end()) return;
     Copies::Copy& copy = found->second.copies[found->second.current];
     copy.texture->clear(context_.capabilities());
-    copy.isComplete = !copy.resolved;
+    copy.isResolved = !copy.resolved;
+    copy.hasMipmaps = !copy.resolved || !scene_.textures[texture].hasMipmaps;
 }
 
 void DeviceScene::wasWritten(scene::TextureIndex texture) {
     const auto found = copies_.find(texture);
     if (found == copies_.end()) return;
     Copies::Copy& copy = found->second.copies[found->second.current];
-    if (copy.resolved || scene_.textures[texture].hasMipmaps) copy.isComplete = false;
+    if (copy.resolved) copy.isResolved = false;
+    if (scene_.textures[texture].hasMipmaps) copy.hasMipmaps = false;
 }
 
 bool DeviceScene::isIncomplete(const plan::TextureUse& use) const {
     const auto found = copies_.find(use.view.texture);
     if (found == copies_.end() || use.readsSamples) return false;
     const Copies& both = found->second;
-    return !both.copies[use.view.isPrevious ? 1 - both.current : both.current].isComplete;
+    const Copies::Copy& copy = both.copies[use.view.isPrevious ? 1 - both.current : both.current];
+    return !copy.isResolved || (use.readsMipmaps && !copy.hasMipmaps);
 }
 
 void DeviceScene::complete(const plan::TextureUse& use) {
     if (!isIncomplete(use)) return;
     Copies& both = copies_.at(use.view.texture);
     Copies::Copy& copy = both.copies[use.view.isPrevious ? 1 - both.current : both.current];
-    copy.isComplete = true;
-    if (copy.resolved) gpu::resolveSamples(*copy.texture, *copy.resolved);
-    if (scene_.textures[use.view.texture].hasMipmaps)
-        (copy.resolved ? *copy.resolved : *copy.texture).generateMipmaps();
+    if (!copy.isResolved) gpu::resolveSamples(*copy.texture, *copy.resolved);
+    copy.isResolved = true;
+    if (!use.readsMipmaps || copy.hasMipmaps) return;
+    copy.hasMipmaps = true;
+    (copy.resolved ? *copy.resolved : *copy.texture).generateMipmaps();
+    stats_.add("mipmaps made", 1);
 }
 
 const gpu::Sampler& DeviceScene::sampler(const base::SamplerState& state, bool compares) {
@@ -220,6 +241,7 @@ const gpu::Texture* DeviceScene::readable(const plan::TextureUse& use) {
         if (use.view.level) whole->showLevels(*use.view.level, 1);
         return whole;
     }
+    if (use.view.layer && whole->shape() == gpu::TextureShape::texture3D) return layerCopy(*whole, use.view);
     const std::tuple key{whole, use.view.level.value_or(-1), use.view.layer.value_or(-1)};
     if (const auto known = views_.find(key); known != views_.end()) return &known->second;
     Result<gpu::Texture> part = whole->view(use.view.level, use.view.layer);
@@ -227,11 +249,29 @@ const gpu::Texture* DeviceScene::readable(const plan::TextureUse& use) {
     return &views_.emplace(key, std::move(*part)).first->second;
 }
 
+/// GL shows no layer of a 3D texture as a 2D texture, so each reader gets a copy of its texels.
+const gpu::Texture* DeviceScene::layerCopy(const gpu::Texture& whole, const scene::TextureView& view) {
+    const int level = view.level.value_or(0);
+    const std::tuple key{&whole, level, *view.layer};
+    auto known = views_.find(key);
+    if (known == views_.end()) {
+        const gpu::TextureSize size = gpu::sizeOfLevel(whole.shape(), whole.size(), level);
+        Result<gpu::Texture> made = gpu::Texture::create(
+            context_.capabilities(),
+            {gpu::TextureShape::texture2D, whole.format(), {size.width, size.height, 1}});
+        if (!made) return &emptyTexture(scene::TextureTarget::texture2D);
+        known = views_.emplace(key, std::move(*made)).first;
+    }
+    known->second.copyLayer(whole, level, *view.layer);
+    return &known->second;
+}
+
 void DeviceScene::bind(const plan::TextureUse& use) {
     const gpu::Texture* bound = use.view.texture ? readable(use) : nullptr;
     if (!bound) bound = &emptyTexture(use.target);
     if (use.isImage) {
-        bound->bindImage(use.driverUnit, use.view.level.value_or(0), use.view.layer, GL_READ_WRITE);
+        bound->bindImage(use.driverUnit, use.view.level.value_or(0), use.view.layer, GL_READ_WRITE,
+                         use.imageFormat);
         return;
     }
     const bool showsOneLevel = use.view.level.has_value();

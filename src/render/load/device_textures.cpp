@@ -15,6 +15,7 @@
 #include "render/load/device_scene.h"
 #include "render/load/reuse.h"
 #include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::render {
 namespace {
@@ -131,6 +132,10 @@ DeviceScene::PictureTexels DeviceScene::pictureTexels(const scene::Texture& text
         if (texture.target == scene::TextureTarget::cube)
             return paths.size() == 1 ? image::readCubePicture(paths.front(), texture.place, options)
                                      : image::readCubeMap(paths, texture.place, options);
+        const bool hasLayers =
+            paths.size() > 1 || (texture.target == scene::TextureTarget::texture2DArray &&
+                                 scene::targetOfFile(paths.front()) == scene::TextureTarget::texture2D);
+        if (hasLayers) return image::readLayers(paths, texture.place, options);
         return image::readTexture(paths.front(), dimensionsOf(texture.target), texture.place, options);
     };
     PictureTexels texels = read();
@@ -164,7 +169,44 @@ void DeviceScene::readAhead(scene::TextureIndex index) {
         picturesAhead_.emplace(key, pictureTexels(texture, picture));
 }
 
-Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
+Diagnostics DeviceScene::makeTextures(const plan::FramePlan& plan) {
+    Diagnostics diagnostics;
+    const auto isShared = [&](scene::TextureIndex texture) {
+        const auto planned = plan.sharing.find(texture);
+        const auto made = sharing_.find(texture);
+        if (planned == plan.sharing.end()) return false;
+        return made == sharing_.end() ? !copies_.contains(texture) : made->second == planned->second;
+    };
+    for (const scene::TextureIndex each : plan.textures) {
+        if (isShared(each)) continue;
+        if (sharing_.erase(each) > 0) {  // it needs memory of its own from now on
+            copies_.erase(each);
+            textures_.erase(each);
+            changed_.erase(each);
+        }
+        const bool isCleared =
+            std::find(plan.cleared.begin(), plan.cleared.end(), each) != plan.cleared.end();
+        const bool isFilled = !isCleared || lasting_.contains(each);
+        if (!isFilled && !copies_.contains(each)) changed_.insert(each);
+        append(diagnostics, makeTexture(each, isFilled));
+    }
+    for (const scene::TextureIndex each : plan.textures) {
+        if (!isShared(each) || sharing_.contains(each)) continue;
+        const auto from = copies_.find(plan.sharing.at(each));
+        if (from == copies_.end()) continue;  // its diagnostics say why
+        sharing_.emplace(each, from->first);
+        textures_.insert_or_assign(each, from->second.copies[0].texture);
+        copies_.insert_or_assign(each, from->second);
+        stats_.add("textures that share memory", 1);
+        stats_.skip("texture",
+                    fmt::format("{}: uses the memory of {}, which is not needed at the same time",
+                                textOf(scene_.textures[each]), textOf(scene_.textures[from->first])),
+                    scene_.textures[each].place);
+    }
+    return diagnostics;
+}
+
+Diagnostics DeviceScene::makeTexture(scene::TextureIndex index, bool isFilled) {
     const scene::Texture& texture = scene_.textures[index];
     const bool isNamed = !texture.name.empty();
     // An animation plans each moment anew; its textures stay.
@@ -195,7 +237,7 @@ Diagnostics DeviceScene::makeTexture(scene::TextureIndex index) {
             textures_.emplace(index, std::move(earlier));
             return {};
         }
-    Result<gpu::Texture> made = createTexture(texture, key);
+    Result<gpu::Texture> made = createTexture(texture, key, isFilled);
     if (!made) return std::move(made.diagnostics);
     const std::uint64_t texels = texelsOf(made->size(), texture.target);
     stats_.add("textures", 1);
@@ -227,7 +269,8 @@ std::shared_ptr<const gpu::Texture> DeviceScene::earlierTexture(const std::strin
     return found;
 }
 
-Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, const std::string& key) {
+Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, const std::string& key,
+                                                bool isFilled) {
     const gpu::Capabilities& capabilities = context_.capabilities();
     const gpu::TextureShape shape = shapeOf(texture.target);
     if (const auto* empty = std::get_if<scene::EmptySource>(&texture.source)) {
@@ -235,6 +278,7 @@ Result<gpu::Texture> DeviceScene::createTexture(const scene::Texture& texture, c
         if (texture.name.empty()) return gpu::Texture::create(capabilities, layout);
         layout.levels = scene::levelsOf(texture).value_or(1);
         layout.samples = texture.samples;
+        layout.isFilled = isFilled;
         if (texture.samples > 1) layout.shape = gpu::TextureShape::multisampled;
         Result<gpu::Texture> made = gpu::Texture::create(capabilities, layout);
         for (Diagnostic& each : made.diagnostics) each.place = texture.place;

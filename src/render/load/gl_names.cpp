@@ -20,8 +20,27 @@ GLenum glStage(glsl::Stage stage) {
     return GL_FRAGMENT_SHADER;
 }
 
-GLenum glMode(geometry::Topology topology) {
-    switch (topology) {
+GLenum glMode(const plan::Submission& submission) {
+    using geometry::ListTopology;
+    if (submission.strip) switch (*submission.strip) {
+            case ListTopology::lineStrip:
+                return GL_LINE_STRIP;
+            case ListTopology::lineLoop:
+                return GL_LINE_LOOP;
+            case ListTopology::triangleStrip:
+            case ListTopology::quadStrip:  // covers the same area
+                return GL_TRIANGLE_STRIP;
+            case ListTopology::triangleFan:
+            case ListTopology::polygon:
+                return GL_TRIANGLE_FAN;
+            case ListTopology::lineStripAdjacency:
+                return GL_LINE_STRIP_ADJACENCY;
+            case ListTopology::triangleStripAdjacency:
+                return GL_TRIANGLE_STRIP_ADJACENCY;
+            default:
+                break;
+        }
+    switch (submission.topology) {
         case geometry::Topology::points:
             return GL_POINTS;
         case geometry::Topology::lines:

@@ -71,8 +71,9 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
 
 void SceneRenderer::State::makeAhead() {
     if (options.maxError > 0) return;  // shapes are chosen after the programs are compiled
-    const Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
+    Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;
+    std::erase_if(*overrides, [](const plan::Override& each) { return !each.word.empty(); });
     const auto texturesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
         const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
         const glsl::TranslatedProgram* translated = programs.translated(variant);

@@ -16,10 +16,11 @@ namespace {
 /// Everything that decides a translation, except what the translator asks for: included files and kinds of
 /// textures.
 std::string keyOf(const glsl::ProgramRequest& asked) {
-    std::string key = fmt::format("{}\n{}:{}:{} {}{}{}{} {} {} {} {}\n", asked.name, asked.place.file,
-                                  asked.place.line, asked.place.column, asked.shim, asked.flatColors,
-                                  asked.tiled, asked.suppliesFullScreenVertex, asked.colorTargets,
-                                  asked.geometryInput, asked.geometryOutput, asked.geometryVerticesOut);
+    std::string key =
+        fmt::format("{}\n{}:{}:{} {}{}{}{}{} {} {} {} {}\n", asked.name, asked.place.file, asked.place.line,
+                    asked.place.column, asked.shim, asked.flatColors, asked.tiled, asked.inPieces,
+                    asked.suppliesFullScreenVertex, asked.colorTargets, asked.geometryInput,
+                    asked.geometryOutput, asked.geometryVerticesOut);
     for (const glsl::StageSource& each : asked.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.text + '\0';
     return key;
@@ -157,7 +158,8 @@ BuiltProgram* ProgramLibrary::lastGoodOf(const plan::ProgramVariant& variant) {
     if (!previous_) return nullptr;
     for (const auto& [known, built] : previous_->programs_)
         if (built->program && !known.program == !variant.program && known.flatColors == variant.flatColors &&
-            known.colorTargets == variant.colorTargets && previous_->identityOf(known) == identityOf(variant))
+            known.colorTargets == variant.colorTargets && known.inPieces == variant.inPieces &&
+            previous_->identityOf(known) == identityOf(variant))
             return built.get();
     return nullptr;
 }

@@ -12,6 +12,7 @@
 #include "image/file.h"
 #include "plan/accesses.h"
 #include "render/load/gl_names.h"
+#include "render/load/hidden_text.h"
 #include "scene/file_lookup.h"
 
 namespace glibra::render {
@@ -30,7 +31,12 @@ glsl::Target targetOf(const gpu::Capabilities& capabilities) {
     target.lineDirectiveTakesFileName = capabilities.hasExtension("GL_ARB_shading_language_include");
     target.maxGeometryOutputVertices = capabilities.maxGeometryOutputVertices;
     target.maxGeometryTotalOutputComponents = capabilities.maxGeometryTotalOutputComponents;
-    target.hasExtension = [&capabilities](std::string_view name) { return capabilities.hasExtension(name); };
+    target.hasExtension = [&capabilities](std::string_view name) {
+        // Without OpenGL 4.3 there is nothing to bind storage with, whatever shaders may say.
+        const bool isStorage =
+            name == "GL_ARB_shader_storage_buffer_object" || name == "GL_ARB_shader_atomic_counters";
+        return capabilities.hasExtension(name) && (capabilities.compute || !isStorage);
+    };
     return target;
 }
 
@@ -91,7 +97,7 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
       tiled_(tiled),
       stats_(stats),
       shared_(shared),
-      shown_(scene::shownRoots(scene::searchFolders(scene.path, {options.libraryRoots}))) {}
+      shown_(scene::shownRoots(scene::searchFolders(scene.path, {.libraryRoots = options.libraryRoots}))) {}
 
 void ProgramLibrary::noteIfHidden(scene::ProgramIndex program, const std::string& file) {
     if (!shown_.contains(file)) hidden_.emplace(program, file);
@@ -109,9 +115,9 @@ void ProgramLibrary::hideTexts(scene::ProgramIndex program, Diagnostics& diagnos
         // Messages about finding and opening a file name the file and nothing else.
         if (each.id.starts_with("file-")) continue;
         each.text = fmt::format(
-            "the text of this message is not shown, because it may quote '{}', which lies "
-            "outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
-            hidden);
+            "{}, because it may quote '{}', which lies outside of the scene's folder and the "
+            "library; add its folder to GLIBRA_PATH",
+            kHiddenText, hidden);
     }
 }
 
@@ -151,6 +157,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.flatColors = variant.flatColors;
     request.colorTargets = variant.colorTargets;
     request.tiled = tiled_;
+    request.inPieces = variant.inPieces;
     if (!variant.program) {
         request.name = "built-in";
         request.stages = {{glsl::Stage::vertex, "flat.vert", std::string(builtin_shaders::flat_vert())},
@@ -162,7 +169,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.place = program.place;
     request.shim = options_.shim;
     request.suppliesFullScreenVertex = variant.isFullScreen;
-    request.acceptsStorage = scene_.isModern && context_.capabilities().compute;
+    request.acceptsStorage = scene_.isModern;
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;
     request.geometryVerticesOut = program.geometryVerticesOut;
@@ -175,7 +182,7 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     request.include = [this, program = variant.program](
                           std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
         const scene::FileReference found =
-            scene::findInclude(name, from, scene_.path, {options_.libraryRoots}, listings_);
+            scene::findInclude(name, from, scene_.path, {options_.libraryRoots, options_.within}, listings_);
         if (found.path.empty()) return std::nullopt;
         stats_.add("files read", 1);
         noteIfHidden(program, found.path.string());

@@ -177,6 +177,7 @@ Result<NanSearch> NanSearch::load(gpu::Context& context, const std::filesystem::
                                   const RenderOptions& options) {
     RenderOptions floats = options;
     floats.floatPixels = true;
+    floats.checkNan = true;
     auto stats = std::make_unique<Stats>();
     Result<SceneRenderer> loaded = SceneRenderer::load(context, scene, floats, *stats);
     if (!loaded) return std::move(loaded.diagnostics);

@@ -27,8 +27,8 @@ class PatchProbe {
     ~PatchProbe();
 
     /// The patches of the draw at Scene::passes[pass].steps[step], with these values in place of the scene's.
-    /// Of more than 64 patches only every second, third ... is captured. Nothing if drawing or capturing
-    /// fails.
+    /// If there are more than 64 patches, only every second, third ... is captured. Nothing if drawing or
+    /// capturing fails.
     std::optional<std::vector<budget::Patch>> patches(std::size_t pass, std::size_t step,
                                                       std::span<const budget::LevelValue> values);
 

@@ -1,4 +1,4 @@
-// Statements whose effects last: Once and Step (language, 12.9).
+// Statements whose effects last: Once and Step (language, 12.8).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Buffers and compute programs (language, 12.8).
+// Buffers and compute programs (language, 12.7).
 
 #include <fmt/format.h>
 
@@ -133,8 +133,8 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
         }
         if (type && buffer.values.size() % components != 0) {
             refuse(in, "glib-E26", command, content.position,
-                   fmt::format("{} numbers are no whole number of {} elements, which have {} each",
-                               buffer.values.size(), buffer.type, components));
+                   fmt::format("{} numbers do not fill {} elements, which have {} each", buffer.values.size(),
+                               buffer.type, components));
             return false;
         }
         return true;
@@ -170,7 +170,7 @@ void doBuffer(Interpreter& in, const Command& command) {
     if (parts.size != nullptr) {
         const auto size = numberOf(in, *parts.size);
         if (!size) return;
-        const double whole = std::trunc(*size);
+        const double whole = std::trunc(*size) + 0.0;  // never -0
         if (!(whole >= 1 && whole <= kMostElements)) {
             refuse(in, whole > kMostElements ? "glib-E15" : "glib-E26", command, parts.size->position,
                    fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
@@ -214,16 +214,15 @@ void doCompute(Interpreter& in, const Command& command) {
 
 /// Three counts from 1 to 2^31 - 1; missing ones are 1.
 std::optional<std::array<std::uint64_t, 3>> countsOf(Interpreter& in, const Command& command,
-                                                     std::span<const Value> values, std::size_t least) {
+                                                     std::span<const Value> values) {
     const auto numbers = numbersOf(in, values);
     if (!numbers) return std::nullopt;
-    if (numbers->size() < least || numbers->size() > 3)
+    if (numbers->empty() || numbers->size() > 3)
         return refuse(in, "glib-E26", command, values.front().position,
-                      fmt::format("needs {} numbers; the values here have {}", least == 3 ? "3" : "1 to 3",
-                                  numbers->size()));
+                      fmt::format("needs 1 to 3 numbers; the values here have {}", numbers->size()));
     std::array<std::uint64_t, 3> counts{1, 1, 1};
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const double whole = std::trunc((*numbers)[i]);
+        const double whole = std::trunc((*numbers)[i]) + 0.0;  // never -0
         if (!(whole >= 1 && whole <= kMostGroups))
             return refuse(in, "glib-E26", command, values.front().position,
                           fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
@@ -241,16 +240,16 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
     }
     const KeyedValues* over = command.key("over");
     if (over == nullptr) {
-        const auto counts = countsOf(in, command, std::span(command.values).subspan(1), 3);
+        const auto counts = countsOf(in, command, std::span(command.values).subspan(1));
         if (!counts) return std::nullopt;
         return *counts;
     }
     const Value& first = over->values.front();
     if (isWindow(first))
         return refuse(in, "glib-E27", command, first.position,
-                      "'window' is no texture; write 'over (window)' for one invocation per pixel");
+                      "'window' is not a texture; write 'over (window)' for one invocation per pixel");
     if (first.kind != Value::Kind::word) {
-        const auto counts = countsOf(in, command, over->values, 1);
+        const auto counts = countsOf(in, command, over->values);
         if (!counts) return std::nullopt;
         return Over{*counts};
     }
@@ -277,6 +276,12 @@ void doDispatch(Interpreter& in, const Command& command) {
     if (const KeyedValues* tiles = command.key("tiles")) {
         const auto count = integerIn(in, tiles->values.front(), command.word + ": tiles", 1, kMostTiles);
         if (!count) return;
+        if (std::holds_alternative<GroupsFrom>(*groups)) {
+            refuse(in, "glib-E26", command, tiles->position,
+                   "'tiles' needs a number of groups that is known before; write the counts, or 'over', in "
+                   "place of 'from'");
+            return;
+        }
         made.tiles = *count;
     }
     made.place = in.place(command);
@@ -284,7 +289,7 @@ void doDispatch(Interpreter& in, const Command& command) {
     made.program = *program;
     made.slots = currentSlots(in);
     made.sampling = in.state.sampling;
-    made.uniforms = uniformsOf(in, *program);
+    made.uniforms = uniformsOf(in, *program, command.tags);
     made.groups = *groups;
     made.timerPeriod = in.state.timerPeriod;
     in.implicitPass.reset();

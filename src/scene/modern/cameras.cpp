@@ -70,7 +70,9 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
     if (!n) return false;
     const bool isFlat = (*n)[0] == (*n)[1] || (*n)[2] == (*n)[3] || (*n)[4] == (*n)[5];
     if (isFlat || (ortho == nullptr && !((*n)[4] > 0 && (*n)[5] > 0))) {
-        refuse(in, command, "the volume of Ortho or Frustum is empty, or Frustum begins behind the eye");
+        refuse(in, command,
+               "the volume of Ortho or Frustum is empty, or the near plane of Frustum is not in front of the "
+               "eye");
         return false;
     }
     const auto make = ortho != nullptr ? base::boxProjection : base::frustumProjection;
@@ -134,7 +136,9 @@ std::optional<SceneCamera> shifted(Interpreter& in, const KeyedValues& key) {
     auto camera = cameraNamed(in, key.values.front());
     const Numbers n = numbersOf(in, afterName(key), 3, "Camera: Shift");
     if (!camera || !n) return std::nullopt;
-    camera->view = translation(-vectorAt(*n, 0)) * camera->view;
+    const glm::dmat4 shift = translation(-vectorAt(*n, 0));
+    camera->view = shift * camera->view;
+    camera->shift = shift * camera->shift;
     return camera;
 }
 
@@ -221,6 +225,7 @@ void declareCamera(Interpreter& in, const Command& command) {
         names.endScope();
         if (!camera) return;
         camera->name = {name, static_cast<std::size_t>(i)};
+        if (camera->root.first.empty()) camera->root = camera->name;
         publish(in, *camera);
         in.scene.usesLookAt = true;
         if (name == "eye" && !isArray) in.scene.view = camera->view;
@@ -257,7 +262,7 @@ SceneCamera classicCamera(const Interpreter& in) {
     SceneCamera camera;
     camera.view = in.scene.view;
     camera.projection = in.state.projection;
-    camera.name = {"eye", 0};
+    camera.name = camera.root = {"eye", 0};
     return camera;
 }
 
@@ -266,12 +271,15 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const glib::Value& value
         in.report(diagnose("glib-E27", std::move(text), in.script->place(value.position)));
         return std::nullopt;
     };
-    const glib::NamePart first = value.path.empty() ? glib::NamePart{value.text, {}} : value.path.front();
-    const auto declared = in.modern.names.find(first.name);
+    glib::NamePart first = value.path.empty() ? glib::NamePart{value.text, {}} : value.path.front();
+    auto declared = in.modern.names.find(first.name);
+    if (declared == in.modern.names.end() || declared->second.kind != DeclaredName::Kind::camera)
+        declared = in.modern.names.find(first.name = wordBehind(in, first.name));
     const bool isEye = first.name == "eye" && declared == in.modern.names.end();
     if (value.path.size() > 1)
-        return refuse(fmt::format("'{}' is part of a camera; a camera is wanted", value.text));
+        return refuse(fmt::format("expected a camera, found '{}', which is a part of one", value.text));
     if (isEye && first.index.empty()) return classicCamera(in);
+    if (isLost(in, first.name)) return std::nullopt;
     if (declared == in.modern.names.end() || declared->second.kind != DeclaredName::Kind::camera) {
         std::vector<std::string_view> names{"eye"};
         for (const auto& [each, camera] : in.modern.cameras) names.push_back(each.first);
@@ -337,6 +345,21 @@ glm::dmat4 projectionOf(const SceneCamera& camera, double aspect) {
 
 void noteAspect(Interpreter& in, const SceneCamera& camera, double aspect) {
     if (followsTarget(camera)) in.shared->foundAspects[camera.name].insert(aspect);
+}
+
+ClipSpace coveringSpace(const Interpreter& in, double aspect) {
+    const SceneCamera camera = currentCamera(in);
+    ClipSpace space;
+    space.view = camera.view;
+    if (camera.clip || camera.aspect)
+        space.projection = projectionOf(camera, aspect);
+    else if (const auto* perspective = std::get_if<Perspective>(&camera.projection))
+        space.projection = *perspective;
+    else if (const auto* box = std::get_if<Orthographic>(&camera.projection))
+        space.projection = *box;
+    else if (const auto* matrix = std::get_if<glm::dmat4>(&camera.projection))
+        space.projection = *matrix;
+    return space;
 }
 
 void lookAt(Interpreter& in, Draw& draw) {

@@ -36,7 +36,7 @@ constexpr KindRow kKinds[] = {
     {"different", Kind::different},
 };
 
-/// The object that a value names; the window is no object.
+/// The object that a value names; nothing for the window.
 bool readObject(Interpreter& in, const Value& value, std::optional<ObjectView>& object) {
     if (isWindow(value)) return true;
     object = objectNamed(in, value);
@@ -75,7 +75,12 @@ class CheckReader {
         check_.condition = &command_.values.front();
         static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
                                                       expression::Type::number()};
-        return isReadable(in_, command_.values.front(), {.types = kTypes});
+        const Value& condition = command_.values.front();
+        for (const std::string& each : buffersRead(in_, condition, {.types = kTypes}))
+            if (const auto known = in_.modern.names.find(each); known != in_.modern.names.end())
+                if (const auto* buffer = std::get_if<BufferIndex>(&known->second.object))
+                    check_.reads.push_back(*buffer);
+        return isReadable(in_, condition, {.types = kTypes});
     }
 
     bool refuse(const Value& value, const std::string& text) {
@@ -83,7 +88,7 @@ class CheckReader {
         return false;
     }
 
-    /// The components of a colour or an element fit the object.
+    /// True if the object has pixels: it is the window or a texture.
     bool isTexture(const Value& value, const std::optional<ObjectView>& object) {
         if (!object || std::holds_alternative<TextureView>(*object)) return true;
         return refuse(
@@ -128,7 +133,7 @@ class CheckReader {
 
     bool isCount(const Value& value, double number) {
         if (number >= 0 && number == std::trunc(number)) return true;
-        return refuse(value, fmt::format("{} is no count", glib::numberText(number)));
+        return refuse(value, fmt::format("{} is not a count", glib::numberText(number)));
     }
 
     bool readBuffer(const KeyedValues& key) {
@@ -150,7 +155,8 @@ class CheckReader {
         return true;
     }
 
-    /// The `at` before the values of a buffer, if it is not the one of the seconds.
+    /// The key `at` that states the first element of a buffer; null if there is only the one with the
+    /// seconds.
     const KeyedValues* firstAt() {
         for (const KeyedValues& each : command_.keys)
             if (each.key == "at" && each.values.size() > 1) return &each;

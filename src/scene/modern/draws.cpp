@@ -50,33 +50,24 @@ void doVertices(Interpreter& in, const Command& command) {
     if (!topology) return;
     Shape shape;
     shape.command = CommandId::vertices;
+    shape.bare = geometry::meshTopology(*topology);
     switch (*topology) {
         case geometry::ListTopology::points:
-            shape.bare = geometry::Topology::points;
-            break;
         case geometry::ListTopology::lines:
-            shape.bare = geometry::Topology::lines;
-            break;
         case geometry::ListTopology::triangles:
-            shape.bare = geometry::Topology::triangles;
-            break;
         case geometry::ListTopology::linesAdjacency:
-            shape.bare = geometry::Topology::linesAdjacency;
-            break;
         case geometry::ListTopology::trianglesAdjacency:
-            shape.bare = geometry::Topology::trianglesAdjacency;
-            break;
         case geometry::ListTopology::patches:
-            shape.bare = geometry::Topology::patches;
             break;
-        default:
-            in.report(
-                diagnose("glib-E26",
-                         fmt::format("Vertices: '{}' needs indices; write points, lines, triangles, patches, "
-                                     "lines_adjacency or triangles_adjacency",
-                                     command.values.front().text),
-                         in.script->place(command.values.front().position)));
+        case geometry::ListTopology::quads:
+            in.report(diagnose("glib-E26",
+                               fmt::format("Vertices: there are no {0} without data; write triangles, or "
+                                           "'Instances n' and triangle_strip 4",
+                                           command.values.front().text),
+                               in.script->place(command.values.front().position)));
             return;
+        default:
+            shape.strip = *topology;
     }
     const KeyedValues* from = command.key("from");
     std::optional<BufferView> buffer;

@@ -183,6 +183,10 @@ Environment::Slot Environment::declareScoped(const void* owner, std::string_view
 std::optional<Symbol> Environment::find(std::string_view path) const {
     for (auto each = scoped_.rbegin(); each != scoped_.rend(); ++each)
         if (each->first == path) return variables_[each->second].symbol;
+    return findOutermost(path);
+}
+
+std::optional<Symbol> Environment::findOutermost(std::string_view path) const {
     const auto known = slots_.find(path);
     return known != slots_.end() ? std::optional(variables_[known->second].symbol) : std::nullopt;
 }

@@ -46,7 +46,7 @@ class Environment final : public expression::Names, public expression::Values {
 
     /// Forgets all values, before a frame is interpreted.
     void forgetValues();
-    /// Forgets one value. Expressions that read the name are told `why`.
+    /// Forgets one value. The error of an expression that reads the name says `why`.
     void forget(std::string_view path, std::string why);
 
     /// Makes a name mean something else until endScope(): parameters of groups and counters of repetitions.
@@ -56,6 +56,8 @@ class Environment final : public expression::Names, public expression::Values {
     Slot declareScoped(const void* owner, std::string_view name, const expression::Symbol& symbol);
 
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
+    /// The same for a name that no scope hides.
+    [[nodiscard]] std::optional<expression::Symbol> findOutermost(std::string_view path) const;
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override;
     [[nodiscard]] const double* find(std::uint32_t slot, std::size_t element) const override;
     [[nodiscard]] std::string whyMissing(std::uint32_t slot, std::size_t element) const override;

@@ -75,12 +75,30 @@ ExpressionCache::Entry& entryOf(Interpreter& in, const glib::Value& value, const
     return known->second;
 }
 
+/// True if the expression reads what a faulty statement would have declared.
+bool readsLostName(const Interpreter& in, std::string_view text) {
+    if (in.modern.lostNames.empty()) return false;
+    const auto isPartOfName = [](char c) { return glib::isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && isPartOfName(text[end])) ++end;
+        if (end > at && isLost(in, text.substr(at, end - at))) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& value,
                                           const expression::Wanted& wanted) {
+    const auto fail = [&] {
+        ++in.problems;
+        return std::nullopt;
+    };
+    if (readsLostName(in, value.text)) return fail();
     ExpressionCache::Entry& entry = entryOf(in, value, wanted);
-    if (!entry.expression) return std::nullopt;
+    if (!entry.expression) return fail();
     supply(in, entry.expression->depends());
     expression::Depends depends = dependsOf(in, *entry.expression);
     if (entry.readsShape) depends = depends | expression::Depends::window;
@@ -88,7 +106,7 @@ std::optional<expression::Value> evaluate(Interpreter& in, const glib::Value& va
     auto result = entry.expression->evaluate(in.shared->environment);
     if (result) return std::move(*result);
     if (!std::exchange(entry.isProblemReported, true)) in.report(result.problem.message);
-    return std::nullopt;
+    return fail();
 }
 
 void noteRead(Interpreter& in, Environment::Slot slot) {
@@ -115,7 +133,20 @@ DependsOnly::DependsOnly(Interpreter& in)
     : all_(currentDepends(in)), before_(std::exchange(all_, expression::Depends::nothing)) {}
 
 bool isReadable(Interpreter& in, const glib::Value& value, const expression::Wanted& wanted) {
-    return entryOf(in, value, wanted).expression.has_value();
+    return !readsLostName(in, value.text) && entryOf(in, value, wanted).expression.has_value();
+}
+
+std::vector<std::string> buffersRead(Interpreter& in, const glib::Value& value,
+                                     const expression::Wanted& wanted) {
+    std::vector<std::string> names;
+    const ExpressionCache::Entry& entry = entryOf(in, value, wanted);
+    if (!entry.expression) return names;
+    for (const expression::Use& each : entry.expression->uses()) {
+        if (!any(each.symbol.depends & expression::Depends::buffer)) continue;
+        std::string name = each.path.substr(0, each.path.find('.'));
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    }
+    return names;
 }
 
 std::optional<double> numberOf(Interpreter& in, const glib::Value& value) {
@@ -160,7 +191,7 @@ std::optional<int> integerIn(Interpreter& in, const glib::Value& value, std::str
                              int most) {
     const auto number = numberOf(in, value);
     if (!number) return std::nullopt;
-    const double whole = std::trunc(*number);
+    const double whole = std::trunc(*number) + 0.0;  // never -0
     if (whole >= least && whole <= most) return static_cast<int>(whole);
     in.report(diagnose("glib-E26",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(whole),
@@ -192,9 +223,10 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const gl
     auto numbers = numbersOf(in, values);
     if (!numbers || numbers->size() == count) return numbers;
     const glib::Position position = values.empty() ? glib::Position{} : values.front().position;
-    in.report(diagnose(
-        "glib-E26", fmt::format("{} needs {} numbers; the values here have {}", what, count, numbers->size()),
-        in.script->place(position)));
+    in.report(diagnose("glib-E26",
+                       fmt::format("{} needs {} number{}; the values here have {}", what, count,
+                                   count == 1 ? "" : "s", numbers->size()),
+                       in.script->place(position)));
     return std::nullopt;
 }
 

@@ -55,6 +55,10 @@ class DependsOnly {
 /// True if the text of an expression is right; otherwise the reason is reported. Its value is not asked for.
 bool isReadable(Interpreter&, const glib::Value& value, const expression::Wanted& wanted);
 
+/// The names of buffers that an expression reads, each once; empty if it is wrong.
+std::vector<std::string> buffersRead(Interpreter&, const glib::Value& value,
+                                     const expression::Wanted& wanted);
+
 /// One number; an expression must be a number.
 std::optional<double> numberOf(Interpreter&, const glib::Value& value);
 /// A condition: `true`, a number other than 0, or an expression that is a boolean or a number.
@@ -71,12 +75,10 @@ std::optional<int> integerIn(Interpreter&, const glib::Value& value, std::string
                              int most);
 
 /// The numbers of several values in order. A vector or matrix gives as many as it has components. Nothing if
-/// an expression has no value; a word or a text among the values is skipped by the parser and never arrives
-/// here.
+/// an expression has no value. The values must not be words or texts.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const glib::Value> values);
 
-/// Like numbersOf, for `count` numbers. Reports glib-E04 for fewer, glib-W07 never: more are an error
-/// (glib-E24).
+/// The same for exactly `count` numbers. Reports glib-E26 for fewer or more.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const glib::Value> values,
                                              std::size_t count, std::string_view what);
 

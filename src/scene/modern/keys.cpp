@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 #include "base/suggest.h"
 #include "glib/number.h"
@@ -21,6 +24,7 @@ using glib::Value;
 const Variable* variableNamed(Interpreter& in, const Value& value) {
     for (const Variable& each : in.scene.variables)
         if (each.name == value.text) return &each;
+    if (isLost(in, value.text)) return nullptr;
     std::vector<std::string_view> names;
     for (const Variable& each : in.scene.variables) names.push_back(each.name);
     in.report(diagnose("glib-E27",
@@ -63,11 +67,29 @@ std::optional<std::vector<double>> valueOf(Interpreter& in, const Value& value, 
     return std::nullopt;
 }
 
+constexpr std::string_view kKeyNames[] = {"space", "enter", "left", "right", "up", "down"};
+
+/// A letter, a digit, or one of the names.
+bool isKey(std::string_view key) {
+    const auto isSame = [&](std::string_view name) { return glib::sameWord(name, key); };
+    if (std::any_of(std::begin(kKeyNames), std::end(kKeyNames), isSame)) return true;
+    const char lower = key.size() == 1 ? static_cast<char>(key[0] | 0x20) : ' ';
+    return key.size() == 1 && ((lower >= 'a' && lower <= 'z') || (key[0] >= '0' && key[0] <= '9'));
+}
+
 void doKey(Interpreter& in, const Command& command) {
     KeyBinding binding;
     const Value& key = command.values.front();
     binding.key = key.kind == Value::Kind::number ? fmt::format("{}", key.number) : key.text;
     binding.place = in.place(command);
+    if (!isKey(binding.key)) {
+        in.report(diagnose("glib-E26",
+                           fmt::format("Key: '{}' is no key; write a letter, a digit, space, enter, left, "
+                                       "right, up or down",
+                                       binding.key),
+                           in.script->place(key.position)));
+        return;
+    }
     if (command.key("restart") != nullptr) {
         binding.restarts = true;
         in.scene.keys.push_back(std::move(binding));

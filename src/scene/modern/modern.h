@@ -69,6 +69,8 @@ struct SceneCamera {
     double near = 0, far = 0;        ///< of a projection matrix
     bool isMirrored = false;         ///< it turns the winding of triangles
     CameraName name;
+    CameraName root;        ///< that it is derived from by Reflect and Shift; its own name if it is not
+    glm::dmat4 shift{1.0};  ///< view = shift * view of the root * reflections
 };
 
 /// A name of the namespace that variables, cameras, textures, samplers and buffers share.
@@ -77,9 +79,13 @@ struct DeclaredName {
     Kind kind = Kind::variable;
     Place place;
     const glib::Command* command = nullptr;
-    /// Of a texture, sampler or buffer; none of them if its declaration has an error.
+    /// The texture, sampler or buffer; empty if its declaration has an error.
     std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex> object;
+    std::optional<ObjectView> view{};  ///< of a parameter: what it stands for, with its part
 };
+
+/// The values that Include gives to variables of the file.
+using GivenVariables = std::map<std::string, expression::Value, std::less<>>;
 
 /// The Pass that the current statement stands in.
 struct OpenPass {
@@ -112,6 +118,7 @@ struct GroupDefinition {
 struct ScopedTag {
     const glib::KeyedValues* tag = nullptr;
     const glib::Script* script = nullptr;
+    std::optional<ObjectView> object{};  ///< what its value names where the Set stands
 };
 
 /// A Program statement with tags that are evaluated at its draws.
@@ -133,9 +140,12 @@ struct ModernState {
     bool isFull = false;     ///< the limit of statements has been reported
     std::set<const glib::Script*> including;
     std::map<std::string, DeclaredName, std::less<>> names;
+    /// What faulty statements would have declared. Whoever misses one of these reports nothing.
+    std::set<std::string, std::less<>> lostNames;
     std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
     std::optional<OpenPass> pass;
     OpenBlock* block = nullptr;
+    GivenVariables given;                                 ///< of the file that is included now
     std::vector<Environment::Slot>* readSlots = nullptr;  ///< collects the variables that expressions read
 };
 
@@ -155,7 +165,7 @@ int fileNumber(const Interpreter&);
 /// reported.
 std::optional<expression::Value> constantOf(Interpreter&, std::span<const glib::Value> values);
 /// The uniform variables and objects that tags with expressions, Set and Material give to a draw or dispatch
-/// of the program that is made now. `own` are the tags of its own statement, which count most.
+/// of the program that is made now. `own` are the tags of its own statement, which come before all others.
 UniformSetIndex uniformsOf(Interpreter&, ProgramIndex program, std::span<const glib::KeyedValues> own = {});
 /// The numbers of a list, where `[6 of (...)]` counts `i`. Nothing with the reason reported.
 std::optional<std::vector<double>> listOf(Interpreter&, const glib::Value& list);
@@ -183,11 +193,13 @@ double currentAspect(const Interpreter&);
 SceneCamera classicCamera(const Interpreter&);
 /// What expressions may ask of the camera.
 CameraValues valuesOf(const SceneCamera& camera, double aspect);
-/// Gives expressions the values of a camera of the frame before.
+/// Gives expressions the values that a camera had in the frame before.
 void setPrevious(Interpreter&, std::string_view name, const CameraName& camera);
 glm::dmat4 projectionOf(const SceneCamera& camera, double aspect);
 /// Remembers the shape of a target that the camera sees.
 void noteAspect(Interpreter&, const SceneCamera& camera, double aspect);
+/// The space of a draw that covers a target of this shape (width / height), seen by the current camera.
+ClipSpace coveringSpace(const Interpreter&, double aspect);
 /// Sets what the current camera decides for a draw: its matrices, and the winding if it is mirrored.
 void lookAt(Interpreter&, Draw& draw);
 
@@ -209,12 +221,17 @@ bool declareName(Interpreter&, const glib::Command&, const std::string& name, De
 /// Sets the object of a declared name.
 void setObject(Interpreter&, const std::string& name,
                const std::variant<std::monostate, TextureIndex, SamplerIndex, BufferIndex>& object);
+/// True for a name that a faulty statement would have declared.
+bool isLost(const Interpreter&, std::string_view name);
 /// True if the value names a texture or buffer, or a part of one.
 bool namesObject(const Interpreter&, const glib::Value& value);
 /// The texture or buffer that a value names, with its part. Nothing with the reason reported.
 std::optional<ObjectView> objectNamed(Interpreter&, const glib::Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const glib::Value& value);
 std::optional<BufferView> bufferNamed(Interpreter&, const glib::Value& value);
+/// The word that a name stands for, if it is the counter of a Repeat over words or a choice; otherwise the
+/// name itself.
+std::string wordBehind(Interpreter&, const std::string& name);
 /// True for the word `window`.
 bool isWindow(const glib::Value& value);
 

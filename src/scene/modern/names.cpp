@@ -58,7 +58,9 @@ class PartReader {
     PartReader(Interpreter& in, const Value& value) : in_(in), value_(value), name_(nameOf(value)) {}
 
     std::optional<ObjectView> read() {
-        const auto known = in_.modern.names.find(name_.name);
+        auto known = in_.modern.names.find(name_.name);
+        if (known == in_.modern.names.end() || known->second.kind == Kind::variable)
+            known = in_.modern.names.find(name_.name = wordBehind(in_, name_.name));
         if (known == in_.modern.names.end()) return unknown();
         const DeclaredName& declared = known->second;
         if (declared.kind != Kind::texture && declared.kind != Kind::buffer)
@@ -68,8 +70,10 @@ class PartReader {
         if (!name_.index.empty())
             return refuse("glib-E27",
                           fmt::format("'{}' is {}, not an array", name_.name, wordOf(declared.kind)));
-        if (const auto* buffer = std::get_if<BufferIndex>(&declared.object)) return readBuffer(*buffer);
-        return readTexture(std::get<TextureIndex>(declared.object));
+        if (declared.view) return readParts(*declared.view);
+        if (const auto* buffer = std::get_if<BufferIndex>(&declared.object))
+            return readParts(BufferView{*buffer});
+        return readParts(TextureView{.texture = std::get<TextureIndex>(declared.object)});
     }
 
   private:
@@ -83,6 +87,7 @@ class PartReader {
     }
 
     std::nullopt_t unknown() {
+        if (isLost(in_, name_.name)) return std::nullopt;
         std::vector<std::string_view> names;
         for (const auto& [name, declared] : in_.modern.names)
             if (declared.kind == Kind::texture || declared.kind == Kind::buffer) names.push_back(name);
@@ -90,8 +95,13 @@ class PartReader {
                                               name_.name, base::suggestion(name_.name, names)));
     }
 
-    std::optional<ObjectView> readBuffer(BufferIndex index) {
-        BufferView view{index};
+    std::optional<ObjectView> readParts(const ObjectView& of) {
+        if (const auto* buffer = std::get_if<BufferView>(&of)) return readBuffer(*buffer);
+        return readTexture(std::get<TextureView>(of));
+    }
+
+    std::optional<ObjectView> readBuffer(BufferView view) {
+        const BufferIndex index = view.buffer;
         for (std::size_t i = 1; i < value_.path.size(); ++i) {
             const NamePart& part = value_.path[i];
             if (part.name != "prev" || !in_.scene.buffers[index].hasHistory)
@@ -102,9 +112,8 @@ class PartReader {
         return view;
     }
 
-    std::optional<ObjectView> readTexture(TextureIndex index) {
-        const Texture& texture = in_.scene.textures[index];
-        TextureView view{.texture = index};
+    std::optional<ObjectView> readTexture(TextureView view) {
+        const Texture& texture = in_.scene.textures[view.texture];
         for (std::size_t i = 1; i < value_.path.size(); ++i)
             if (!readPart(texture, value_.path[i], view)) return std::nullopt;
         // The number of layers depends on the level, which may stand after the layer.
@@ -141,10 +150,10 @@ class PartReader {
     }
 
     bool isLayerInRange(const Texture& texture, const TextureView& view) {
-        const auto size = sizeOfLevel(texture, view.level.value_or(0));
-        if (!size || *view.layer < (*size)[2]) return true;
+        const auto layers = layersOf(texture, view.level.value_or(0));
+        if (!layers || *view.layer < *layers) return true;
         refuse("glib-E26",
-               fmt::format("{}.layer: {} is not between 0 and {}", name_.name, *view.layer, (*size)[2] - 1));
+               fmt::format("{}.layer: {} is not between 0 and {}", name_.name, *view.layer, *layers - 1));
         return false;
     }
 
@@ -164,6 +173,7 @@ class PartReader {
     }
 
     std::nullopt_t noPart(const NamePart& part, std::vector<std::string_view> parts, bool hasHistory) {
+        if (isLost(in_, part.name) || isLost(in_, name_.name)) return std::nullopt;
         if (part.name == "prev")
             return refuse(
                 "glib-E27",
@@ -225,6 +235,10 @@ void setObject(Interpreter& in, const std::string& name,
     in.modern.names[name].object = object;
 }
 
+bool isLost(const Interpreter& in, std::string_view name) {
+    return in.modern.lostNames.contains(name);
+}
+
 bool namesObject(const Interpreter& in, const Value& value) {
     if (value.kind != Value::Kind::word) return false;
     const auto known = in.modern.names.find(value.path.empty() ? value.text : value.path.front().name);
@@ -242,6 +256,18 @@ std::optional<TextureView> textureNamed(Interpreter& in, const Value& value) {
 
 std::optional<BufferView> bufferNamed(Interpreter& in, const Value& value) {
     return viewOf<BufferView>(in, value, "a buffer");
+}
+
+std::string wordBehind(Interpreter& in, const std::string& name) {
+    const Environment& names = in.shared->environment;
+    const auto symbol = names.find(name);
+    if (!symbol || symbol->words.empty()) return name;
+    const double* number = names.find(symbol->slot, 0);
+    if (number == nullptr || !(*number >= 0 && *number < static_cast<double>(symbol->words.size())))
+        return name;
+    noteRead(in, symbol->slot);
+    addDepends(in, names.dependsOf(symbol->slot));
+    return symbol->words[static_cast<std::size_t>(*number)];
 }
 
 bool isWindow(const Value& value) {

@@ -34,6 +34,10 @@ struct Targets {
     int samples = 1, layers = 1;
 };
 
+std::string counted(int count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 class TargetReader {
   public:
     TargetReader(Interpreter& in, const Command& command) : in_(in), command_(command) {}
@@ -116,12 +120,13 @@ class TargetReader {
                                       targets.width, targets.height, value.text, size[0], size[1])),
                    false;
         if (layers != targets.layers)
-            return refuse(value, fmt::format("'{}' has {} layers, '{}' has {}; all must have as many", first_,
-                                             targets.layers, value.text, layers)),
+            return refuse(value, fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
+                                             counted(targets.layers, "layer"), value.text, layers)),
                    false;
         if (texture.samples != targets.samples)
-            return refuse(value, fmt::format("'{}' has {} samples, '{}' has {}; all must have as many",
-                                             first_, targets.samples, value.text, texture.samples)),
+            return refuse(value,
+                          fmt::format("'{}' has {}, '{}' has {}; all must have as many", first_,
+                                      counted(targets.samples, "sample"), value.text, texture.samples)),
                    false;
         return true;
     }
@@ -135,7 +140,7 @@ TargetPart partOf(const TextureView& view) {
     return {view.level, view.layer};
 }
 
-/// The implicit depth buffer belongs to the list of targets: this numbers the list.
+/// Equal for equal lists of targets, which share an implicit depth buffer.
 std::vector<int> keyOf(const Targets& targets) {
     std::vector<int> key;
     for (const TextureView& each : targets.colors)
@@ -146,42 +151,58 @@ std::vector<int> keyOf(const Targets& targets) {
 
 // ---- Clearing.
 
-/// What Pass says about the earlier content of its targets.
+/// What Pass states about the earlier content of its targets.
 struct Clearing {
     enum class Kind { first, clear, keep };  ///< `first`: cleared by the first pass
     Kind kind = Kind::first;
-    std::optional<glm::dvec4> color;
+    std::vector<glm::dvec4> colors;  ///< none, one for all targets, or one per target
     double depth = 1;
     int stencil = 0;
-    bool keepsColor = true, keepsDepth = true, keepsStencil = true;
+    bool keepsColor = false, keepsDepth = false, keepsStencil = false;  ///< unless `kind` is `first`
 
+    /// What the statement says about a target.
+    [[nodiscard]] std::optional<glm::dvec4> color(std::size_t target) const {
+        if (colors.empty()) return std::nullopt;
+        return colors[std::min(target, colors.size() - 1)];
+    }
     /// True if a part of this kind is cleared. `isFirst`: nothing has cleared it yet.
     [[nodiscard]] bool clears(bool keeps, bool isFirst) const {
-        return kind == Kind::clear || (kind == Kind::first ? isFirst : !keeps);
+        return kind == Kind::first ? isFirst : !keeps;
     }
 };
 
-std::optional<glm::dvec4> colorOf(Interpreter& in, const Command& command, const KeyedValues& key) {
-    const auto numbers = numbersOf(in, key.values);
+std::optional<glm::dvec4> colorOf(Interpreter& in, const Command& command, const Value& value) {
+    const auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
     if (numbers->size() != 3 && numbers->size() != 4) {
         in.report(
             diagnose("glib-E26",
                      fmt::format("{}: a colour has 3 or 4 components, not {}", command.word, numbers->size()),
-                     in.script->place(key.values.front().position)));
+                     in.script->place(value.position)));
         return std::nullopt;
     }
     return glm::dvec4((*numbers)[0], (*numbers)[1], (*numbers)[2], numbers->size() == 4 ? (*numbers)[3] : 1);
 }
 
-std::optional<Clearing> readClearing(Interpreter& in, const Command& command) {
+std::optional<Clearing> readClearing(Interpreter& in, const Command& command, const Targets& targets) {
     Clearing clearing;
+    const std::size_t most = targets.isWindow ? 1 : targets.colors.size();
     for (const KeyedValues& key : command.keys) {
         if (key.key == "clear") {
             clearing.kind = Clearing::Kind::clear;
-            if (key.values.empty()) continue;
-            clearing.color = colorOf(in, command, key);
-            if (!clearing.color) return std::nullopt;
+            for (const Value& each : key.values) {
+                const auto color = colorOf(in, command, each);
+                if (!color) return std::nullopt;
+                clearing.colors.push_back(*color);
+            }
+            if (clearing.colors.size() > 1 && clearing.colors.size() != most) {
+                in.report(diagnose("glib-E26",
+                                   fmt::format("{}: {} colours for {} targets; write one for all, or one "
+                                               "per target with colours",
+                                               command.word, clearing.colors.size(), most),
+                                   in.script->place(key.values.front().position)));
+                return std::nullopt;
+            }
         } else if (key.key == "depth") {
             const auto depth = numberIn(in, key.values.front(), command.word + ": depth", 0, 1);
             if (!depth) return std::nullopt;
@@ -191,9 +212,8 @@ std::optional<Clearing> readClearing(Interpreter& in, const Command& command) {
             if (!stencil) return std::nullopt;
             clearing.stencil = *stencil;
         } else if (key.key == "keep") {
-            clearing.kind = Clearing::Kind::keep;
-            if (key.values.empty()) continue;
-            clearing.keepsColor = clearing.keepsDepth = clearing.keepsStencil = false;
+            if (clearing.kind == Clearing::Kind::first) clearing.kind = Clearing::Kind::keep;
+            if (key.values.empty()) clearing.keepsColor = clearing.keepsDepth = clearing.keepsStencil = true;
             constexpr std::array<std::string_view, 3> kParts{"color", "depth", "stencil"};
             for (const Value& each : key.values) {
                 const auto part = wordOf(in, each, kParts);
@@ -215,13 +235,15 @@ TexelFormat formatOf(const Interpreter& in, const TextureView& view) {
     return std::get<EmptySource>(in.scene.textures[view.texture].source).format;
 }
 
-/// The colour that a target is cleared to. Integers are cleared to zero unless the pass says what.
-glm::dvec4 clearColorOf(const Interpreter& in, const TextureView& view, const Clearing& clearing) {
-    if (clearing.color) return *clearing.color;
+/// The colour that a target is cleared to. Integers are cleared to zero unless the pass states a colour.
+glm::dvec4 clearColorOf(const Interpreter& in, const TextureView& view,
+                        const std::optional<glm::dvec4>& stated) {
+    if (stated) return *stated;
     return base::isInteger(formatOf(in, view)) ? glm::dvec4(0) : in.state.background;
 }
 
-/// Fills in the targets of a pass and what it clears. Without `usesDepth` nothing is said about the depth.
+/// Fills in the targets of a pass and what it clears. Without `usesDepth` the pass neither clears nor keeps
+/// the depth.
 Pass makePass(Interpreter& in, const Command& command, const Targets& targets, const Clearing& clearing,
               bool usesDepth) {
     Pass pass;
@@ -237,7 +259,7 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
         if (isFirst && clearing.kind == Clearing::Kind::keep)
             pass.clearColors.emplace_back(in.state.background);
         else
-            clearColor(isFirst, clearing.color.value_or(in.state.background));
+            clearColor(isFirst, clearing.color(0).value_or(in.state.background));
     }
     bool hasPart = false;
     for (const TextureView& each : targets.colors) {
@@ -245,7 +267,7 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
         pass.parts.push_back(partOf(each));
         hasPart = hasPart || each.level || each.layer;
         clearColor(isFirstUse(in, each.texture, partOf(each), layersOf(in, each)),
-                   clearColorOf(in, each, clearing));
+                   clearColorOf(in, each, clearing.color(pass.targets.size() - 1)));
     }
     if (!hasPart) pass.parts.clear();
     pass.depth = targets.depth;
@@ -265,7 +287,7 @@ Pass makePass(Interpreter& in, const Command& command, const Targets& targets, c
     return pass;
 }
 
-/// True if a pass may begin here: a group that is drawn inside a pass may contain another one.
+/// False, with glib-E23 reported, inside a pass: a group that is drawn there may contain another one.
 bool mayBegin(Interpreter& in, const Command& command) {
     if (!in.modern.pass) return true;
     in.reportAt(command, "glib-E23",
@@ -278,13 +300,22 @@ void doPass(Interpreter& in, const Command& command) {
     if (!mayBegin(in, command)) return;
     const auto targets = TargetReader(in, command).read(command.values);
     if (!targets) return;
-    const auto clearing = readClearing(in, command);
+    const auto clearing = readClearing(in, command, *targets);
     if (!clearing) return;
     const KeyedValues* from = command.key("from");
     std::optional<SceneCamera> camera;
     if (from != nullptr) {
         camera = cameraNamed(in, from->values.front());
         if (!camera) return;
+    }
+    const KeyedValues* stencil = command.key("stencil");
+    if (stencil != nullptr && targets->depth && !base::hasStencil(formatOf(in, *targets->depth))) {
+        in.report(diagnose("glib-E11",
+                           fmt::format("{}: '{}' has no stencil; its format must be depth24_stencil8 or "
+                                       "depth32f_stencil8",
+                                       command.word, in.scene.textures[targets->depth->texture].name),
+                           in.script->place(stencil->position)));
+        return;
     }
     const std::size_t index = indexOf(in, command);
     Pass pass = makePass(in, command, *targets, *clearing, true);
@@ -303,6 +334,10 @@ void doPass(Interpreter& in, const Command& command) {
     resetRaster(in);
     in.modern.pass = std::move(open);
     const SceneCamera seen = currentCamera(in);
+    Pass& made = in.nodes->passes.back();
+    if (seen.root != CameraName{"eye", 0})
+        made.rootCamera = fmt::format("{}[{}]", seen.root.first, seen.root.second);
+    made.shift = seen.shift;
     noteAspect(in, seen, in.modern.pass->aspect);
     noteCamera(in, seen);
     runBody(in, index + 1, command.partner);
@@ -336,7 +371,12 @@ void doFill(Interpreter& in, const Command& command) {
     }
     made.shape = shareShape(in, std::move(shape));
     made.program = *program;
-    made.projection = ClipSpace{};
+    // What lasts does not begin anew because the camera moves.
+    made.projection =
+        in.modern.block != nullptr
+            ? ClipSpace{}
+            : coveringSpace(in, targets->isWindow ? windowAspect(in)
+                                                  : static_cast<double>(targets->width) / targets->height);
     made.color = in.state.color;
     made.raster.depthTest = false;
     made.raster.depthWrite = false;

@@ -72,7 +72,7 @@ class StateReader {
             }
             if (key.key == "alpha") continue;  // read with its blend
             if (key.key == "blend") {
-                // Outside of Pass the target has decided so far how draws are blended.
+                // Outside of Pass the target decides how draws are blended until a statement does.
                 if (!in_.modern.pass && !statesBlend && in_.state.target.textures.empty())
                     state.blendAll(base::kBlendOver);
                 statesBlend = true;

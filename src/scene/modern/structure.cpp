@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/suggest.h"
 #include "glib/limits.h"
@@ -54,52 +58,141 @@ void doGroup(Interpreter& in, const Command& command) {
     runBody(in, index + 1, command.partner);
 }
 
-/// The parameters of a group: its defaults, and what Draw gives in their place. A default may name the
-/// parameters before it.
-bool bindParameters(Interpreter& in, const Command& group, const Command& call,
-                    const glib::Script& callScript) {
-    for (const glib::KeyedValues& given : call.tags) {
-        std::vector<std::string_view> names;
-        for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
+/// Makes names stand for textures or buffers, and gives them back their meanings at its end.
+class HiddenNames {
+  public:
+    explicit HiddenNames(Interpreter& in) : in_(in) {}
+    HiddenNames(const HiddenNames&) = delete;
+    HiddenNames& operator=(const HiddenNames&) = delete;
+    ~HiddenNames() {
+        for (auto each = before_.rbegin(); each != before_.rend(); ++each) {
+            in_.modern.names.erase(each->first);
+            if (each->second) in_.modern.names.emplace(each->first, std::move(*each->second));
+        }
+    }
+    void hide(const std::string& name, DeclaredName meaning) {
+        const auto known = in_.modern.names.find(name);
+        before_.emplace_back(name,
+                             known == in_.modern.names.end() ? std::nullopt : std::optional(known->second));
+        in_.modern.names.insert_or_assign(name, std::move(meaning));
+    }
+
+  private:
+    Interpreter& in_;
+    std::vector<std::pair<std::string, std::optional<DeclaredName>>> before_;
+};
+
+/// What a parameter is given: a value, or a texture or buffer.
+using Argument = std::variant<expression::Value, ObjectView>;
+
+std::optional<Argument> argumentOf(Interpreter& in, std::span<const glib::Value> values) {
+    const bool isWord = values.size() == 1 && values.front().kind == glib::Value::Kind::word;
+    if (isWord && namesObject(in, values.front())) {
+        const auto object = objectNamed(in, values.front());
+        return object ? std::optional<Argument>(*object) : std::nullopt;
+    }
+    const auto value = isWord ? evaluate(in, values.front()) : constantOf(in, values);
+    return value ? std::optional<Argument>(*value) : std::nullopt;
+}
+
+/// True if all arguments have the name of a parameter; otherwise glib-E27 is reported, which calls the
+/// parameters' owner `owner`.
+bool haveParameters(Interpreter& in, std::span<const glib::KeyedValues> arguments,
+                    std::span<const std::string_view> names, const std::string& owner) {
+    for (const glib::KeyedValues& given : arguments) {
         if (std::find(names.begin(), names.end(), given.key) != names.end()) continue;
-        const std::string hint = base::suggestion(given.key, names);
-        in.report(diagnose(
-            "glib-E27",
-            fmt::format("group '{}' has no parameter '{}'{}", group.values.front().text, given.key, hint),
-            callScript.place(given.position)));
+        in.report(diagnose("glib-E27",
+                           fmt::format("{} '{}'{}", owner, given.key, base::suggestion(given.key, names)),
+                           in.script->place(given.position)));
         return false;
     }
-    struct Bound {
-        const glib::KeyedValues* parameter;
-        expression::Value value;
-    };
-    std::vector<Bound> bound;
+    return true;
+}
+
+/// Gives a parameter its value for the statements of the group.
+void bindValue(Interpreter& in, const glib::KeyedValues& parameter, const expression::Value& value,
+               HiddenNames& hidden) {
+    expression::Symbol symbol;
+    symbol.type = value.type;
+    symbol.depends = expression::Depends::variable;
+    Environment& names = in.shared->environment;
+    names.set(names.declareScoped(&parameter, parameter.key, symbol), value.all());
+    const auto known = in.modern.names.find(parameter.key);
+    if (known != in.modern.names.end() && (known->second.kind == DeclaredName::Kind::texture ||
+                                           known->second.kind == DeclaredName::Kind::buffer))
+        hidden.hide(parameter.key, {DeclaredName::Kind::computed, known->second.place, nullptr, {}, {}});
+}
+
+/// Makes a parameter stand for a texture or buffer, with its size.
+void bindObject(Interpreter& in, const glib::KeyedValues& parameter, const ObjectView& object,
+                HiddenNames& hidden) {
+    Environment& names = in.shared->environment;
+    const auto* texture = std::get_if<TextureView>(&object);
+    const std::string& own = texture != nullptr ? in.scene.textures[texture->texture].name
+                                                : in.scene.buffers[std::get<BufferView>(object).buffer].name;
+    const char* const field = texture != nullptr ? ".size" : ".count";
+    expression::Symbol record;
+    record.type = expression::Type::record();
+    record.what = texture != nullptr ? "texture" : "buffer";
+    names.declareScoped(&parameter, parameter.key, record);
+    if (const auto symbol = names.findOutermost(own + field)) {
+        std::vector<double> size = names.valuesOf(symbol->slot);
+        const bool isVolume =
+            texture != nullptr && in.scene.textures[texture->texture].target == TextureTarget::texture3D;
+        for (std::size_t i = 0; texture != nullptr && texture->level && i < size.size(); ++i)
+            if (i < 2 || isVolume) size[i] = std::max(1., std::floor(std::ldexp(size[i], -*texture->level)));
+        const Environment::Slot slot = names.declareScoped(&parameter, parameter.key + field, *symbol);
+        if (!size.empty()) names.set(slot, size);
+    }
+    DeclaredName meaning{texture != nullptr ? DeclaredName::Kind::texture : DeclaredName::Kind::buffer,
+                         {},
+                         nullptr,
+                         {},
+                         object};
+    if (texture != nullptr)
+        meaning.object = texture->texture;
+    else
+        meaning.object = std::get<BufferView>(object).buffer;
+    hidden.hide(parameter.key, std::move(meaning));
+}
+
+/// The parameters of a group: its defaults, and what Draw gives in their place.
+bool bindParameters(Interpreter& in, const Command& group, const Command& call,
+                    const glib::Script& callScript, HiddenNames& hidden) {
+    std::vector<std::string_view> names;
+    for (const glib::KeyedValues& each : group.tags) names.push_back(each.key);
+    const glib::Script* const own = std::exchange(in.script, &callScript);
+    const bool areKnown = haveParameters(
+        in, call.tags, names, fmt::format("group '{}' has no parameter", group.values.front().text));
+    in.script = own;
+    if (!areKnown) return false;
+    std::vector<Argument> arguments;
     for (const glib::KeyedValues& parameter : group.tags) {
         const auto given =
             std::find_if(call.tags.begin(), call.tags.end(),
                          [&](const glib::KeyedValues& each) { return each.key == parameter.key; });
         const bool isGiven = given != call.tags.end();
-        const glib::Script* const own = std::exchange(in.script, isGiven ? &callScript : in.script);
-        const auto value = constantOf(in, isGiven ? given->values : parameter.values);
+        in.script = isGiven ? &callScript : own;
+        auto argument = argumentOf(in, isGiven ? given->values : parameter.values);
         in.script = own;
-        if (!value) return false;
-        bound.push_back({&parameter, *value});
+        if (!argument) return false;
+        arguments.push_back(*std::move(argument));
     }
-    for (const Bound& each : bound) {
-        expression::Symbol symbol;
-        symbol.type = each.value.type;
-        symbol.depends = expression::Depends::variable;
-        const Environment::Slot slot =
-            in.shared->environment.declareScoped(each.parameter, each.parameter->key, symbol);
-        in.shared->environment.set(slot, each.value.all());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (const auto* value = std::get_if<expression::Value>(&arguments[i]))
+            bindValue(in, group.tags[i], *value, hidden);
+        else
+            bindObject(in, group.tags[i], std::get<ObjectView>(arguments[i]), hidden);
     }
     return true;
 }
 
 void doDraw(Interpreter& in, const Command& command) {
-    const std::string& name = command.values.front().text;
-    const auto known = in.modern.groups.find(name);
+    std::string name = command.values.front().text;
+    auto known = in.modern.groups.find(name);
+    if (known == in.modern.groups.end()) known = in.modern.groups.find(name = wordBehind(in, name));
     if (known == in.modern.groups.end()) {
+        if (isLost(in, name)) return;
         std::vector<std::string_view> names;
         for (const auto& [each, group] : in.modern.groups) names.push_back(each);
         const std::string hint = base::suggestion(name, names);
@@ -119,7 +212,11 @@ void doDraw(Interpreter& in, const Command& command) {
     const Command& definition = in.script->commands[group.command];
     group.isRunning = true;
     ++in.modern.calls;
-    if (bindParameters(in, definition, command, *caller)) runBody(in, group.command + 1, definition.partner);
+    {
+        HiddenNames hidden(in);
+        if (bindParameters(in, definition, command, *caller, hidden))
+            runBody(in, group.command + 1, definition.partner);
+    }
     --in.modern.calls;
     in.modern.groups.find(name)->second.isRunning = false;
     in.script = caller;
@@ -219,6 +316,31 @@ bool declares(const Command& command) {
     }
 }
 
+/// What the statement gives the variables of the file. Nothing with the reason reported.
+std::optional<GivenVariables> givenVariables(Interpreter& in, const Command& command,
+                                             const glib::Script& script) {
+    std::vector<std::string_view> names;
+    for (const Command& each : script.commands) {
+        if (each.id != CommandId::let || each.values.empty()) continue;
+        const glib::Value& name = each.values.front();
+        if (name.path.empty())
+            names.push_back(name.text);
+        else if (name.path.front().index.empty())
+            names.push_back(name.path.front().name);
+    }
+    if (!haveParameters(in, command.tags, names,
+                        fmt::format("'{}' has no variable", command.values.front().text)))
+        return std::nullopt;
+    GivenVariables given;
+    for (const glib::KeyedValues& each : command.tags) {
+        const bool isWord = each.values.size() == 1 && each.values.front().kind == glib::Value::Kind::word;
+        const auto value = isWord ? evaluate(in, each.values.front()) : constantOf(in, each.values);
+        if (!value) return std::nullopt;
+        given.insert_or_assign(each.key, *value);
+    }
+    return given;
+}
+
 void doInclude(Interpreter& in, const Command& command) {
     const std::string& name = command.values.front().text;
     const glib::Script* script = includedScript(in, command, name);
@@ -235,12 +357,17 @@ void doInclude(Interpreter& in, const Command& command) {
                                 name, declaration->position.line));
         return;
     }
-    ++in.modern.calls;
-    const glib::Script* const outer = std::exchange(in.script, script);
-    run(in, 0, script->commands.size());
-    in.script = outer;
+    if (auto given = givenVariables(in, command, *script)) {
+        in.modern.lostNames.insert(script->lostNames.begin(), script->lostNames.end());
+        ++in.modern.calls;
+        const glib::Script* const outer = std::exchange(in.script, script);
+        std::swap(in.modern.given, *given);
+        run(in, 0, script->commands.size());
+        std::swap(in.modern.given, *given);
+        in.script = outer;
+        --in.modern.calls;
+    }
     in.modern.including.erase(script);
-    --in.modern.calls;
 }
 
 void doNothing(Interpreter&, const Command&) {}

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/suggest.h"
 #include "glib/number.h"
@@ -15,6 +17,7 @@
 #include "scene/modern/modern.h"
 #include "scene/state.h"
 #include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::scene {
 namespace {
@@ -205,7 +208,7 @@ std::optional<EmptySource> emptySource(Interpreter& in, const Command& command, 
     EmptySource source{.format = *format};
     const std::array targets{&source.width, &source.height, &source.depth};
     for (std::size_t i = 0; i < form.sizes; ++i) {
-        const double size = std::trunc((*numbers)[i]);
+        const double size = std::trunc((*numbers)[i]) + 0.0;  // never -0
         const bool isSmall = form.target == TextureTarget::texture3D ||
                              (form.target == TextureTarget::texture2DArray && i == 2);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
@@ -306,7 +309,14 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
     Texture texture;
     const std::span<const Value> files = std::span(command.values).subspan(1);
     const bool isCube = form.target == TextureTarget::cube;
-    if (isCube || form.target == TextureTarget::texture2DArray) {
+    const bool hasLayers = form.target == TextureTarget::texture2DArray || files.size() > 1;
+    if (isCube || hasLayers) {
+        if (files.size() > kLargestSide3) {
+            refuse(
+                in, "glib-E15", command, files[kLargestSide3].position,
+                fmt::format("{} pictures; the limit is {}", files.size(), glib::groupedText(kLargestSide3)));
+            return std::nullopt;
+        }
         PictureSource source;
         for (const Value& each : files)
             source.files.push_back(fileOf(in, each.text, in.script->place(each.position)));
@@ -315,6 +325,31 @@ std::optional<Texture> pictureOf(Interpreter& in, const Command& command, const 
         return texture;
     }
     return pictureTexture(in, files.front().text, in.script->place(files.front().position), form.sizes);
+}
+
+/// Gives expressions the size of a texture of files, if the beginning of the first one shows it.
+void setPictureSize(Interpreter& in, const std::string& name, const Texture& texture) {
+    Environment& names = in.shared->environment;
+    const auto set = [&](double width, double height, double depth) {
+        names.set(name + ".size", std::array{width, height, depth});
+    };
+    if (const auto* noise = std::get_if<NoiseSource>(&texture.source)) {
+        const double side = noise->size;
+        return set(side, side, side);
+    }
+    const std::vector<FileIndex>& files = std::get<PictureSource>(texture.source).files;
+    const auto size =
+        sizeOfFile(in.scene.files[files.front()].path, texture.target == TextureTarget::texture1D   ? 1
+                                                       : texture.target == TextureTarget::texture3D ? 3
+                                                                                                    : 2);
+    if (!size)
+        return names.forget(name + ".size",
+                            "the size of a file of this format is known only when it is read");
+    const auto [width, height, depth] = *size;
+    if (texture.target != TextureTarget::cube)
+        return set(width, height, files.size() > 1 ? static_cast<double>(files.size()) : depth);
+    const double side = files.size() > 1 ? width : std::max(1., std::floor(width / 4));
+    set(side, side, 6);
 }
 
 void doTexture(Interpreter& in, const Command& command) {
@@ -363,7 +398,7 @@ void doTexture(Interpreter& in, const Command& command) {
                                          static_cast<double>(source.depth)};
         in.shared->environment.set(name + ".size", size);
     } else {
-        in.shared->environment.forget(name + ".size", "the size of a file is known only when it is read");
+        setPictureSize(in, name, texture);
     }
     setObject(in, name, in.scene.textures.add(std::move(texture)));
 }

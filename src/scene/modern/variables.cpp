@@ -1,6 +1,7 @@
 // Variables, uniform variables of a scope, and materials (language, 12.1).
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,22 @@ const std::vector<double>* chosenValue(Interpreter& in, const std::string& name,
     return chosen->second.size() == components ? &chosen->second : nullptr;
 }
 
+/// The number of the word that the run gives a choice. Reports a word that it does not have.
+std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
+    const auto chosen = in.inputs.words.find(variable.name);
+    if (chosen == in.inputs.words.end() || variable.words.empty()) return std::nullopt;
+    in.scene.usedVariables.insert(variable.name);
+    const auto found = std::find(variable.words.begin(), variable.words.end(), chosen->second);
+    if (found != variable.words.end()) return static_cast<double>(found - variable.words.begin());
+    const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
+    in.report(
+        diagnose("glib-E26",
+                 fmt::format("'{}' is set to '{}', but it is one of {}{}", variable.name, chosen->second,
+                             fmt::join(variable.words, ", "), base::suggestion(chosen->second, words)),
+                 variable.place));
+    return std::nullopt;
+}
+
 void declare(Interpreter& in, const Command& command, const std::string& name,
              const expression::Symbol& symbol, std::span<const double> components) {
     const auto slot = in.shared->environment.declare(name, symbol);
@@ -54,6 +71,13 @@ expression::Symbol variable(expression::Type type, std::size_t count = 0) {
     symbol.count = static_cast<std::uint32_t>(count);
     symbol.depends = expression::Depends::variable;
     return symbol;
+}
+
+/// A file that is included twice declares its variables twice.
+void addVariable(Interpreter& in, Variable variable) {
+    const auto isSame = [&](const Variable& each) { return each.name == variable.name; };
+    if (std::none_of(in.scene.variables.begin(), in.scene.variables.end(), isSame))
+        in.scene.variables.push_back(std::move(variable));
 }
 
 /// A variable with a control: <min cur max>, <word word ...>, <true> or {r g b}.
@@ -90,8 +114,9 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
     made.current = isRange ? std::vector<double>{made.written[1]} : made.written;
     if (const std::vector<double>* chosen = chosenValue(in, name, made.current.size()))
         made.current = *chosen;
+    if (const auto word = chosenWord(in, made)) made.current = {*word};
     declare(in, command, name, symbol, made.current);
-    in.scene.variables.push_back(std::move(made));
+    addVariable(in, std::move(made));
 }
 
 void declareArray(Interpreter& in, const Command& command, const std::string& name, const Value& count,
@@ -150,13 +175,16 @@ void declareVariable(Interpreter& in, const Command& command) {
     const Value& value = command.values[1];
     const std::string name = target.path.empty() ? target.text : target.path.front().name;
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
-    const bool isComputed = value.kind == Value::Kind::expression;
+    const auto given = in.modern.given.find(name);
+    const bool isGiven = given != in.modern.given.end();
+    const bool isComputed = value.kind == Value::Kind::expression || isGiven;
     if (!declareName(in, command, name,
                      isComputed ? DeclaredName::Kind::computed : DeclaredName::Kind::variable))
         return;
     const auto isSame = [&](const auto& each) { return each.first == name; };
     if (std::none_of(in.modern.variables.begin(), in.modern.variables.end(), isSame))
         in.modern.variables.emplace_back(name, command.position);
+    if (isGiven) return declare(in, command, name, variable(given->second.type), given->second.all());
     if (isArray && isComputed)
         return declareArray(in, command, name, target.path.front().index.front(), value);
     switch (value.kind) {
@@ -187,7 +215,7 @@ void declareVariable(Interpreter& in, const Command& command) {
         made.form = value.kind == Value::Kind::truth ? glib::UniformForm::truth : glib::UniformForm::number;
         made.written.assign(written.all().begin(), written.all().end());
         made.current.assign(result->all().begin(), result->all().end());
-        in.scene.variables.push_back(std::move(made));
+        addVariable(in, std::move(made));
     }
     declare(in, command, name, variable(result->type), result->all());
 }
@@ -206,7 +234,12 @@ void doLet(Interpreter& in, const Command& command) {
 void addTags(Interpreter& in, std::span<const glib::KeyedValues> tags) {
     for (const glib::KeyedValues& each : tags) {
         std::erase_if(in.modern.set, [&](const ScopedTag& other) { return other.tag->key == each.key; });
-        in.modern.set.push_back({&each, in.script});
+        ScopedTag scoped{&each, in.script};
+        if (namesObject(in, each.values.front())) {
+            scoped.object = objectNamed(in, each.values.front());
+            if (!scoped.object) continue;
+        }
+        in.modern.set.push_back(std::move(scoped));
     }
 }
 
@@ -215,7 +248,13 @@ void doSet(Interpreter& in, const Command& command) {
 }
 
 void doMaterial(Interpreter& in, const Command& command) {
-    const std::string& name = command.values.front().text;
+    const Value& preset = command.values.front();
+    std::string name = wordBehind(in, preset.text);
+    if (preset.kind == Value::Kind::expression) {
+        const auto chosen = wordOf(in, preset, materialNames());
+        if (!chosen) return;
+        name = materialNames()[*chosen];
+    }
     const MaterialRow* row = findMaterial(name);
     if (row == nullptr) {
         const std::string hint = base::suggestion(name, materialNames());
@@ -263,9 +302,9 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
     if (!numbers || numbers->empty()) return std::nullopt;
     expression::Value value;
     if (numbers->size() > 4) {
-        in.report(diagnose("glib-E26",
-                           fmt::format("{} numbers are no value here; write an expression", numbers->size()),
-                           placeOf(in, values.front())));
+        in.report(diagnose(
+            "glib-E26", fmt::format("{} numbers are not a value here; write an expression", numbers->size()),
+            placeOf(in, values.front())));
         return std::nullopt;
     }
     value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
@@ -318,8 +357,10 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
         in.report(diagnose("glib-E27", std::move(text), placeOf(in, name)));
         return std::nullopt;
     };
-    const auto known = in.modern.programs.find(name.text);
+    auto known = in.modern.programs.find(name.text);
+    if (known == in.modern.programs.end()) known = in.modern.programs.find(wordBehind(in, name.text));
     if (known == in.modern.programs.end()) {
+        if (isLost(in, name.text)) return std::nullopt;
         std::vector<std::string_view> names;
         for (const auto& [each, program] : in.modern.programs)
             if (computes(program) == isCompute) names.push_back(each);
@@ -377,6 +418,8 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const glib::KeyedValues
             if (!value) return std::nullopt;
             spec.values.assign(value->all().begin(), value->all().end());
             spec.form = value->type.isBoolean() ? glib::UniformForm::truth : glib::UniformForm::list;
+        } else if (isLost(in, first.text)) {
+            return std::nullopt;
         } else {
             std::vector<std::string> names = in.shared->environment.known("");
             for (const auto& [each, declared] : in.modern.names) names.push_back(each);
@@ -429,14 +472,15 @@ std::vector<double> keyOf(const ObjectView& object) {
 
 UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<const glib::KeyedValues> own) {
     UniformSet set;
-    const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown) {
+    const auto add = [&](const glib::KeyedValues& tag, const glib::Script* script, bool mayBeUnknown,
+                         const std::optional<ObjectView>& named = {}) {
         const glib::Script* const before = std::exchange(in.script, script);
         const auto forget = [&] {
             std::erase_if(set.values, [&](const auto& each) { return each.tag == tag.key; });
             std::erase_if(set.objects, [&](const auto& each) { return each.tag == tag.key; });
         };
-        if (namesObject(in, tag.values.front())) {
-            if (auto object = objectNamed(in, tag.values.front())) {
+        if (named || namesObject(in, tag.values.front())) {
+            if (auto object = named ? named : objectNamed(in, tag.values.front())) {
                 forget();
                 set.objects.push_back(
                     {tag.key, *object, tag.position, tag.values.front().position, mayBeUnknown});
@@ -451,7 +495,7 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
     if (const auto tags = in.modern.programTags.find(program); tags != in.modern.programTags.end())
         for (const glib::KeyedValues& each : tags->second.command->tags)
             add(each, tags->second.script, false);
-    for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true);
+    for (const ScopedTag& each : in.modern.set) add(*each.tag, each.script, true, each.object);
     for (const glib::KeyedValues& each : own) add(each, in.script, false);
     if (set.values.empty() && set.objects.empty()) return {};
     std::vector<std::pair<std::string, std::vector<double>>> key;

@@ -170,6 +170,10 @@ Result<std::vector<fs::path>> filesThatFit(const fs::path& folder, std::string_v
     return files;
 }
 
+Result<std::vector<fs::path>> scenesBelow(const fs::path& folder) {
+    return filesThatFit(folder, "**/*.[gG][lL][iI][bB]");
+}
+
 std::string fixedFolder(std::string_view pattern) {
     std::size_t end = 0;
     for (std::size_t slash = pattern.find('/'); slash != std::string_view::npos;

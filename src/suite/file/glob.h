@@ -33,6 +33,9 @@ inline constexpr int kDeepestSearch = 64;
 Result<std::vector<std::filesystem::path>> filesThatFit(const std::filesystem::path& folder,
                                                         std::string_view pattern);
 
+/// Returns the scenes (.glib, in any case) in a folder and all below it, as filesThatFit.
+Result<std::vector<std::filesystem::path>> scenesBelow(const std::filesystem::path& folder);
+
 /// The leading parts of a pattern that have no wildcard, as a folder: "../glib" of "../glib/*/a*.glib", "" of
 /// "*.glib".
 std::string fixedFolder(std::string_view pattern);

@@ -37,7 +37,7 @@ class ScriptFinder {
         for (const PlacedText& each : shot_.scripts) {
             if (isFile(folder_ / each.text) && !isScene(folder_ / each.text))
                 reader_.report("suite-E10",
-                               fmt::format("script: {} is no scene; the name of a scene ends with '.glib'",
+                               fmt::format("script: {} is not a scene; the name of a scene ends with '.glib'",
                                            glib::inQuotes((folder_ / each.text).string())),
                                each.place);
             else if (isFile(folder_ / each.text))

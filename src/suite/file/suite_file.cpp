@@ -206,7 +206,7 @@ Result<Suite> readFolder(const fs::path& folder) {
     suite.goldens = folder / "golden";
 
     const Place place{folder.string(), 1, 1};
-    const Result<std::vector<fs::path>> scenes = filesThatFit(folder, "**/*.[gG][lL][iI][bB]");
+    const Result<std::vector<fs::path>> scenes = scenesBelow(folder);
     if (!scenes || scenes->size() > kMostShots)
         return diagnose("suite-E11",
                         fmt::format("the folder is too large for a suite; that has at most {} scenes",

@@ -42,6 +42,7 @@ bool isUniformName(std::string_view name) {
 }
 
 std::string labelOf(const plan::Override& value, std::size_t index) {
+    if (!value.word.empty()) return value.word;
     if (value.form == glib::UniformForm::truth) return value.values.front() != 0 ? "true" : "false";
     if (value.values.size() > kMostLabelNumbers) return fmt::format("v{}", index + 1);
     std::string label;

@@ -101,6 +101,12 @@ const Hash* HashList::find(const std::string& shot, const std::string& variant, 
     return nullptr;
 }
 
+std::set<std::string> HashList::shots() const {
+    std::set<std::string> names;
+    for (const auto& [shot, lines] : ofShot_) names.insert(shot);
+    return names;
+}
+
 void HashList::accept(std::span<const AcceptedHash> accepted) {
     for (const AcceptedHash& each : accepted) {
         std::vector<AcceptedHash>& lines = ofShot_[each.shot];

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +43,8 @@ class HashList {
     /// The pixels that were accepted with that driver for the golden of that content, or null.
     [[nodiscard]] const Hash* find(const std::string& shot, const std::string& variant, const Hash& golden,
                                    const std::string& key) const;
+    /// The names of the shots that it has lines for.
+    [[nodiscard]] std::set<std::string> shots() const;
     /// Adds lines. They replace lines of the same shot, variant and driver, and lines for other content of
     /// the same golden.
     void accept(std::span<const AcceptedHash> accepted);

@@ -60,42 +60,80 @@ constexpr OptionRow kRows[] = {
     {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
      "size of the picture in pixels instead of the scene's WindowSize"},
     {"time", "time", TimeValue{kTo<&Options::time>, -1e9, 1e9}, "seconds since the start of the scene"},
-    {"steps", "steps", WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
-     "steps of Step blocks that one picture may need"},
+    {.name = "steps",
+     .key = "steps",
+     .value = WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
+     .help = "steps of Step blocks that one picture may need",
+     .isRare = true},
     {"set", "set", UniformsValue{kTo<&Options::set>},
      "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
      "repeated"},
-    {"view", "view", oneOf<&Options::view>(kViewWords),
-     "auto moves the eye out of the objects of the scene, glman leaves it where it is"},
+    {.name = "eye",
+     .key = "eye",
+     .value = oneOf<&Options::view>(kViewWords),
+     .help = "auto moves the eye out of the objects of the scene, glman leaves it where it is",
+     .former = "view"},
     {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, 64}, "samples per pixel"},
-    {"max-error", "max-error", NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
-     "choose the slices, stacks, samples and noise sizes that the scene leaves open so that nothing is drawn "
-     "more than N pixels from its place"},
+    {.name = "max-error",
+     .key = "max-error",
+     .value = NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
+     .help =
+         "choose the slices, stacks, samples and noise sizes that the scene leaves open so that nothing is "
+         "drawn more than N pixels from its place",
+     .isRare = true},
     {.name = "override-counts",
      .key = "override-counts",
      .value = FlagValue{kTo<&Options::overrideCounts>},
      .help = "with --max-error: choose also the counts and tessellation levels that the scene states",
-     .needs = "max-error"},
+     .needs = "max-error",
+     .isRare = true},
     {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of eye space, two units long"},
     {"alpha", "alpha", FlagValue{kTo<&Options::alpha>}, "keep the window's alpha in the picture"},
     {"", "float", FlagValue{kTo<&Options::floatPixels>},
      "32-bit float pixels, not limited to 0..1, in an .exr file"},
     {"strict", "strict", FlagValue{kTo<&Options::strict>}, "treat warnings as errors"},
-    {"no-shim", "shim", FlagValue{kTo<&Options::shim>, false},
-     "compile the shaders as they are, without translating their dialect"},
-    {"scene-transform", "scene-transform", MatrixValue{kTo<&ViewState::scene>},
-     "Projection becomes Projection * M"},
-    {"eye-transform", "eye-transform", MatrixValue{kTo<&ViewState::eye>}, "ModelView becomes M * ModelView"},
-    {"texture-transform", "texture-transform", MatrixValue{kTo<&ViewState::texture>},
-     "gl_TextureMatrix[0] becomes M"},
-    {"object-transform", "object-transform", ObjectsValue{kTo<&ViewState::objects>},
-     "ModelView becomes ModelView * M for the object on that line of the scene; may be repeated"},
-    {"projection", "projection", oneOf<&ViewState::projection>(kProjectionWords),
-     "the scene's own projections, or one of these for all"},
+    {.name = "incomplete",
+     .key = "",
+     .value = FlagValue{kTo<&Options::incomplete>},
+     .help = "draw what does not need the files that are missing or wrong, with a striped border; the exit "
+             "status is 3 all the same"},
+    {.name = "no-shim",
+     .key = "shim",
+     .value = FlagValue{kTo<&Options::shim>, false},
+     .help = "compile the shaders as they are, without translating their dialect",
+     .isRare = true},
+    {.name = "scene-transform",
+     .key = "scene-transform",
+     .value = MatrixValue{kTo<&ViewState::scene>},
+     .help = "Projection becomes Projection * M",
+     .isRare = true},
+    {.name = "eye-transform",
+     .key = "eye-transform",
+     .value = MatrixValue{kTo<&ViewState::eye>},
+     .help = "ModelView becomes M * ModelView",
+     .isRare = true},
+    {.name = "texture-transform",
+     .key = "texture-transform",
+     .value = MatrixValue{kTo<&ViewState::texture>},
+     .help = "gl_TextureMatrix[0] becomes M",
+     .isRare = true},
+    {.name = "object-transform",
+     .key = "object-transform",
+     .value = ObjectsValue{kTo<&ViewState::objects>},
+     .help = "ModelView becomes ModelView * M for the object on that line of the scene; may be repeated",
+     .isRare = true},
+    {.name = "projection",
+     .key = "projection",
+     .value = oneOf<&ViewState::projection>(kProjectionWords),
+     .help = "the scene's own projections, or one of these for all",
+     .isRare = true},
     {"background", "background", ColorValue{kTo<&ViewState::background>},
      "background color instead of the scene's"},
-    {"tile", "tile", WholeValue{kTo<&Options::tileSize>, 16, 16384},
-     "side of the tiles of large pictures in pixels"},
+    {.name = "tile",
+     .key = "tile",
+     .value = WholeValue{kTo<&Options::tileSize>, 16, 16384},
+     .help = "side of the tiles of large pictures in pixels",
+     .isRare = true},
     {"library", "library", FoldersValue{kTo<&Options::libraryRoots>},
      "folder to search for the files of the scene, before those of GLIBRA_PATH; may be repeated"},
     {.name = "timeout",
@@ -108,14 +146,16 @@ constexpr OptionRow kRows[] = {
      .value = MemoryValue{kTo<&Shot::memory>},
      .help = "memory that a process that works on pictures may take, as 512M or 2G; 0 means no limit; by "
              "default half of the machine's, divided by the processes, but at least 2G",
-     .withSuite = true},
+     .withSuite = true,
+     .isRare = true},
     {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
      "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
     {.name = "no-skip",
      .key = "",
      .value = FlagValue{kTo<&Options::skip>, false},
      .help = "read, make and draw also what the picture does not need; the picture stays the same",
-     .withSuite = true},
+     .withSuite = true,
+     .isRare = true},
 };
 
 template <class... Fs>
@@ -137,13 +177,13 @@ std::span<const OptionRow> optionTable() {
 
 const OptionRow* findOption(std::string_view name) {
     for (const OptionRow& row : kRows)
-        if (!name.empty() && row.name == name) return &row;
+        if (!name.empty() && (row.name == name || row.former == name)) return &row;
     return nullptr;
 }
 
 const OptionRow* findOptionKey(std::string_view key) {
     for (const OptionRow& row : kRows)
-        if (!key.empty() && row.key == key) return &row;
+        if (!key.empty() && (row.key == key || row.former == key)) return &row;
     return nullptr;
 }
 

@@ -96,12 +96,14 @@ struct OptionRow {
     std::string_view needs{};  ///< name of an option without which this one has no effect
     /// May be given together with --suite, for all its shots. The others are stated by the suite.
     bool withSuite = false;
+    std::string_view former{};  ///< an earlier name and key, which still works
+    bool isRare = false;        ///< --help leaves it out, --help-all lists it
 };
 
 /// All rows, in the order in which commands and suites are written.
 std::span<const OptionRow> optionTable();
 
-/// The row of a name or key; null if there is none.
+/// The row of a name or key, also of a former one; null if there is none.
 const OptionRow* findOption(std::string_view name);
 const OptionRow* findOptionKey(std::string_view key);
 

@@ -10,6 +10,7 @@
 #include "embedded/report_page.h"
 #include "image/file.h"
 #include "suite/report/escape_xml.h"
+#include "suite/report/page_template.h"
 #include "suite/report/plain_page.h"
 #include "suite/report/report_files.h"
 #include "suite/results/figures.h"
@@ -78,33 +79,19 @@ std::string toJson(const RunResult& run, std::span<const ShownShot> shown, const
     return inScript(json);
 }
 
-struct Slot {
-    std::string_view name;
-    std::string text;
-};
-
-/// Returns the template with each {{name}} replaced. Replaced text is not searched again.
-std::string filled(std::string_view page, std::span<const Slot> slots) {
-    std::string text;
-    while (true) {
-        const std::size_t open = page.find("{{"), close = page.find("}}", open);
-        text += page.substr(0, open);
-        if (open == std::string_view::npos || close == std::string_view::npos) return text;
-        const std::string_view wanted = page.substr(open + 2, close - open - 2);
-        for (const Slot& slot : slots)
-            if (slot.name == wanted) text += slot.text;
-        page.remove_prefix(close + 2);
-    }
-}
-
 std::string headline(const RunResult& run) {
-    const auto failures = std::count_if(run.shots.begin(), run.shots.end(),
-                                        [](const ShotResult& shot) { return isFailure(shot.verdict); });
+    const auto count = [&](const auto& fits) {
+        return std::count_if(run.shots.begin(), run.shots.end(), fits);
+    };
+    const auto drawn = count([](const ShotResult& shot) { return shot.verdict == Verdict::missing; });
+    const auto failures = count([](const ShotResult& shot) { return isFailure(shot.verdict); }) - drawn;
+    std::string text = fmt::format("{} of {} shots failed", failures, run.shots.size());
+    if (failures == 0 && drawn == 0)
+        text = run.shots.empty() ? "No shots" : fmt::format("None of {} shots failed", run.shots.size());
+    if (drawn > 0) text += fmt::format(", {} drawn without a golden", drawn);
     if (const std::size_t missing = missingShots(run).size(); missing > 0)
-        return fmt::format("{} of {} shots failed, {} of {} planned shots have no verdict", failures,
-                           run.shots.size(), missing, plannedCount(run));
-    if (failures > 0) return fmt::format("{} of {} shots failed", failures, run.shots.size());
-    return run.shots.empty() ? "No shots" : fmt::format("None of {} shots failed", run.shots.size());
+        text += fmt::format(", {} of {} planned shots have no verdict", missing, plannedCount(run));
+    return text;
 }
 
 std::string runDetails(const RunResult& run) {

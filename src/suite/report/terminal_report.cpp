@@ -83,12 +83,19 @@ class Text {
         map(shot);
         pair("golden variant", shot.goldenVariant);
         pair("drawn by", shot.driver);
-        pair("expected", shot.expected.string());
-        pair("got", shot.got.string());
-        pair("difference", shot.difference.string());
+        pair("expected", fromHere(shot.expected));
+        pair("got", fromHere(shot.got));
+        pair("difference", fromHere(shot.difference));
         pair("reproduce", shot.reproduce);
         pair("accept", shot.accept);
         line("");
+    }
+    /// The path as it opens from the current folder. Pictures of the run are named from the results folder.
+    [[nodiscard]] std::string fromHere(const std::filesystem::path& picture) const {
+        std::error_code failure;
+        const std::filesystem::path inside = options_.resultsFolder / picture;
+        const bool isInside = !picture.empty() && std::filesystem::exists(inside, failure);
+        return (isInside ? inside : picture).string();
     }
     void pair(std::string_view title, std::string_view value) {
         if (!value.empty()) line(fmt::format("    {:<15} {}", title, base::printableText(value)));

@@ -38,7 +38,7 @@ Figure largest(const ShotResult& shot) {
         fmt::format(" ({}, at {} {})", kComponents.at(component), measured.x, measured.y);
     Figure figure{"largest difference", "", "", false};
     if (std::isinf(measured.largest)) {
-        figure.value = "no number" + place;
+        figure.value = "not a number" + place;
         figure.beyond = true;
     } else if (isFloat(shot)) {
         figure.value = fmt::format("{:.4g}", measured.largest) + place;
@@ -88,7 +88,8 @@ std::vector<Figure> figures(const ShotResult& shot) {
     if (!isFloat(shot))
         list.push_back(
             {"bias of a block",
-             of255(judgement.bias) +
+             (image::limitedBias(judgement, shot.tolerance) == image::Limited::wholly ? "at least " : "") +
+                 of255(judgement.bias) +
                  (judgement.bias > 0 ? fmt::format(" (at {} {})", judgement.biasX, judgement.biasY) : ""),
              of255(shot.tolerance.bias), judgement.bias > shot.tolerance.bias});
     if (judgement.flip) list.push_back(perceptual("FLIP", *judgement.flip, shot.tolerance.flip));
@@ -142,12 +143,24 @@ std::string reasonOf(const ShotResult& shot) {
 }
 
 std::string counts(const RunResult& run) {
+    const auto count = [&](Verdict verdict) {
+        return std::count_if(run.shots.begin(), run.shots.end(),
+                             [&](const ShotResult& shot) { return shot.verdict == verdict; });
+    };
     std::string text;
-    for (const Verdict verdict : kVerdictsByConcern) {
-        const auto count = std::count_if(run.shots.begin(), run.shots.end(),
-                                         [&](const ShotResult& shot) { return shot.verdict == verdict; });
-        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(verdict));
-    }
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    // A golden is missing for pictures that were drawn: that is no failure of a scene.
+    const auto drawn = count(Verdict::missing);
+    const bool hasGolden = std::any_of(run.shots.begin(), run.shots.end(), [](const ShotResult& shot) {
+        return !shot.expected.empty() || shot.verdict == Verdict::passed ||
+               shot.verdict == Verdict::updated || shot.verdict == Verdict::refused;
+    });
+    if (drawn > 0) add(fmt::format("{} drawn{}", drawn, hasGolden ? " without a golden" : ""));
+    for (const Verdict verdict : kVerdictsByConcern)
+        if (const auto number = count(verdict); number > 0 && verdict != Verdict::missing)
+            add(fmt::format("{} {}", number, name(verdict)));
+    if (drawn > 0 && !hasGolden)
+        add(drawn == 1 && run.shots.size() == 1 ? "it has no golden yet" : "none has a golden yet");
     return text.empty() ? "no shots" : text;
 }
 

@@ -25,8 +25,9 @@ std::string decision(const ShotResult& shot);
 /// The sentence to show for a shot: its reason, or the meaning of the verdict if it has none.
 std::string reasonOf(const ShotResult& shot);
 
-/// "3 failed, 1 missing, 120 passed": the verdicts that occur, the most urgent first; "no shots" if there are
-/// none.
+/// "30 drawn, 10 failed, none has a golden yet", "1 drawn without a golden, 3 failed, 120 passed": the
+/// verdicts that occur, the most urgent first after the pictures that have no golden yet; "no shots" if there
+/// are none.
 std::string counts(const RunResult& run);
 
 /// "0.2 s", "48 s", "2 min 5 s", "1 h 3 min".

@@ -170,7 +170,7 @@ class PictureCopier {
         if (const int problem = base::readAll(file, kLargestShownPicture, bytes); problem != 0)
             return drop(picture, cannotShow(picture, problem).text);
         const char* ending = endingOf(bytes);
-        if (ending == nullptr) return drop(picture, fmt::format("'{}' is no picture", picture.string()));
+        if (ending == nullptr) return drop(picture, fmt::format("'{}' is not a picture", picture.string()));
         const fs::path name = fs::path("pictures") / (toText(hashOf(bytes)) + ending);
         if (written_.insert(name).second)
             if (const int problem = base::writeBeneath(into_, name, bytes); problem != 0)

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
 
-#include "gpu/object/framebuffer.h"
-#include "gpu/object/name.h"
+#include "base/texel_format.h"
 
 namespace glibra::view {
 namespace {
@@ -20,8 +22,8 @@ TexelImage readBound(int width, int height) {
     return image;
 }
 
-std::uint8_t asByte(float value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255));
+std::uint8_t asByte(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
 }
 
 const char* word(scene::TextureTarget target) {
@@ -42,50 +44,57 @@ const char* word(scene::TextureTarget target) {
 
 }  // namespace
 
-int sliceCount(const gpu::Texture& texture) {
-    return texture.layers();
-}
-
-TexelImage texelsOf(const gpu::Texture& texture, int slice) {
-    slice = std::clamp(slice, 0, sliceCount(texture) - 1);
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    const gpu::Name<gpu::deleteFramebuffer> framebuffer(name);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, name);
-    gpu::attachTexture(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, {&texture, 0, slice});
-    const gpu::TextureSize size = texture.size();
-    TexelImage image = readBound(size.width, size.height);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    return image;
-}
-
 TexelImage colorTexels(const gpu::Target& picture) {
     picture.readable().bindForReading();
     return readBound(picture.width(), picture.height());
 }
 
-TexelImage depthTexels(const gpu::Target& picture) {
+render::Content contentOf(const gpu::Target& picture, bool isDepth) {
+    render::Content content;
+    content.name = "picture";
+    content.width = picture.width();
+    content.height = picture.height();
+    content.components = isDepth ? 1 : 4;
+    std::vector<float> texels(content.size() * static_cast<std::size_t>(content.components));
     picture.readable().bindForReading();
-    std::vector<float> depth(static_cast<std::size_t>(picture.width()) *
-                             static_cast<std::size_t>(picture.height()));
-    glReadPixels(0, 0, picture.width(), picture.height(), GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
-    TexelImage image{picture.width(), picture.height(), {}};
-    image.rgba.reserve(4 * depth.size());
-    for (const float each : depth) image.rgba.insert(image.rgba.end(), {each, each, each, 1});
-    return image;
+    glReadPixels(0, 0, content.width, content.height, isDepth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+                 texels.data());
+    content.values.assign(texels.begin(), texels.end());
+    return content;
 }
 
-std::vector<std::uint8_t> screenBytes(const TexelImage& image, const TexelDisplay& display) {
-    std::vector<std::uint8_t> bytes(image.rgba.size());
-    const auto width = static_cast<std::size_t>(std::max(1, image.width));
-    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
-        const float* texel = image.rgba.data() + i;
-        std::uint8_t* out = bytes.data() + i;
-        out[3] = 255;
-        const bool isNan = std::any_of(texel, texel + 4, [](float each) { return std::isnan(each); });
-        const bool isInfinite = std::any_of(texel, texel + 4, [](float each) { return std::isinf(each); });
-        if (isNan || isInfinite) {
-            const bool isBright = (i / 4 % width + i / 4 / width) % 2 == 0;
+namespace {
+
+/// The component that an output channel (0 to 2) shows; nothing: it is black.
+std::optional<std::size_t> componentOf(const render::Content& content, Channels channels,
+                                       std::size_t output) {
+    const auto count = static_cast<std::size_t>(content.components);
+    std::size_t component = channels == Channels::rgb ? output : static_cast<std::size_t>(channels) - 1;
+    if (count == 1 && channels == Channels::rgb) component = 0;
+    return component < count ? std::optional(component) : std::nullopt;
+}
+
+bool hasNan(std::span<const double> texel) {
+    return std::any_of(texel.begin(), texel.end(), [](double each) { return std::isnan(each); });
+}
+bool hasInfinity(std::span<const double> texel) {
+    return std::any_of(texel.begin(), texel.end(), [](double each) { return std::isinf(each); });
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> screenBytes(const render::Content& content, const TexelDisplay& display) {
+    const auto width = static_cast<std::size_t>(std::max(1, content.width));
+    const std::size_t texels = width * static_cast<std::size_t>(std::max(0, content.height));
+    std::vector<std::uint8_t> bytes(4 * texels, 255);
+    const double extent = display.high - display.low;
+    const double scale = extent != 0 ? 1 / extent : 0;
+    for (std::size_t i = 0; i < texels; ++i) {
+        const std::span<const double> texel = content.at(i);
+        std::uint8_t* out = bytes.data() + 4 * i;
+        const bool isNan = hasNan(texel);
+        if (isNan || hasInfinity(texel)) {
+            const bool isBright = (i % width + i / width) % 2 == 0;
             const std::uint8_t level = isBright ? 255 : 128;
             out[0] = isNan ? level : 0;
             out[1] = isNan ? 0 : level;
@@ -93,36 +102,57 @@ std::vector<std::uint8_t> screenBytes(const TexelImage& image, const TexelDispla
             continue;
         }
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            const std::size_t from =
-                display.channels == Channels::rgb ? channel : static_cast<std::size_t>(display.channels) - 1;
-            out[channel] = asByte(texel[from] * display.gain);
+            const auto from = componentOf(content, display.channels, channel);
+            out[channel] = from ? asByte((texel[*from] - display.low) * scale) : 0;
         }
     }
     return bytes;
 }
 
-NonFiniteTexels countNonFinite(const TexelImage& image) {
+std::pair<double, double> rangeOf(const render::Content& content, Channels channels) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < content.size(); ++i)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const auto from = componentOf(content, channels, channel);
+            if (!from || !std::isfinite(content.at(i)[*from])) continue;
+            low = std::min(low, content.at(i)[*from]);
+            high = std::max(high, content.at(i)[*from]);
+        }
+    return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
+}
+
+NonFiniteTexels countNonFinite(const render::Content& content) {
     NonFiniteTexels count;
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-        const float* texel = image.rgba.data() + i;
-        if (std::any_of(texel, texel + 4, [](float each) { return std::isnan(each); }))
+    for (std::size_t i = 0; i < content.size(); ++i) {
+        const std::span<const double> texel = content.at(i);
+        if (hasNan(texel))
             ++count.nan;
-        else if (std::any_of(texel, texel + 4, [](float each) { return std::isinf(each); }))
+        else if (hasInfinity(texel))
             ++count.infinite;
     }
     return count;
 }
 
+std::string textureKey(const scene::Scene& scene, scene::TextureIndex texture) {
+    const std::string& name = scene.textures[texture].name;
+    return name.empty() ? fmt::format("#{}", texture.position()) : name;
+}
+
 std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture) {
     const scene::Texture& of = scene.textures[texture];
     std::string what;
-    if (const auto* picture = std::get_if<scene::PictureSource>(&of.source))
+    if (const auto* picture = std::get_if<scene::PictureSource>(&of.source)) {
         what = scene.files[picture->files.front()].name;
-    else if (std::holds_alternative<scene::NoiseSource>(of.source))
-        what = "noise";
-    else
-        what = "target";
-    std::string title = fmt::format("unit {} / {}: {}", of.unit, word(of.target), what);
+    } else if (const auto* empty = std::get_if<scene::EmptySource>(&of.source); empty && !of.name.empty()) {
+        what = fmt::format("{} x {}", empty->width, empty->height);
+        if (empty->depth > 1) what += fmt::format(" x {}", empty->depth);
+        what += fmt::format(", {}", base::name(empty->format));
+        if (of.samples > 1) what += fmt::format(", {} samples", of.samples);
+    } else {
+        what = empty ? "target" : "noise";
+    }
+    std::string title = of.name.empty() ? fmt::format("unit {} / {}: {}", of.unit, word(of.target), what)
+                                        : fmt::format("{}: {}, {}", of.name, word(of.target), what);
     // Built-in noise textures are not made by a statement, so they have no line.
     if (!std::holds_alternative<scene::NoiseSource>(of.source))
         title += fmt::format(", line {}", of.place.line);

@@ -1,12 +1,13 @@
 #pragma once
-// Reads texels of textures and targets, and turns them into bytes that a screen can show.
+// Reads texels of pictures, and turns numbers into bytes that a screen can show.
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/object/target.h"
-#include "gpu/object/texture.h"
+#include "render/check/content.h"
 #include "scene/scene.h"
 
 namespace glibra::view {
@@ -17,35 +18,38 @@ struct TexelImage {
     std::vector<float> rgba;
 };
 
-/// The texels of one slice of a 3D texture (along p), one face of a cube map (+x -x +y -y +z -z), or a whole
-/// 2D or 1D texture, which has one row. `slice` is clamped to the existing ones. Empty if the driver cannot
-/// read the texture's format.
-TexelImage texelsOf(const gpu::Texture& texture, int slice);
-int sliceCount(const gpu::Texture& texture);
-
 /// The colours of a picture.
 TexelImage colorTexels(const gpu::Target& picture);
-/// The window depth of a picture, 0..1, in red, green and blue; alpha is 1.
-TexelImage depthTexels(const gpu::Target& picture);
+/// The same as numbers with a name; `isDepth`: its window depth, 0..1, in place of its colours.
+render::Content contentOf(const gpu::Target& picture, bool isDepth);
 
-/// How numbers become bytes: channel * gain; all channels in colour or one channel in grey.
+/// How numbers become bytes: `low` is black and `high` is white; all channels in colour or one channel in
+/// grey. What has one component is grey.
 enum class Channels { rgb, red, green, blue, alpha };
 struct TexelDisplay {
     Channels channels = Channels::rgb;
-    float gain = 1;
+    double low = 0, high = 1;
+    friend bool operator==(const TexelDisplay&, const TexelDisplay&) = default;
 };
 
-/// Opaque RGBA bytes, bottom row first. Texels with NaN are magenta and texels with infinity cyan, in a
-/// checkerboard pattern, whatever `display` is.
-std::vector<std::uint8_t> screenBytes(const TexelImage& image, const TexelDisplay& display);
+/// Opaque RGBA bytes of the first layer, bottom row first. Texels with NaN are magenta and texels with
+/// infinity cyan, in a checkerboard pattern, whatever `display` is.
+std::vector<std::uint8_t> screenBytes(const render::Content& content, const TexelDisplay& display);
+
+/// The least and the largest finite value that those channels show; 0 and 1 if there is none.
+std::pair<double, double> rangeOf(const render::Content& content, Channels channels);
 
 /// How many texels have a component that is NaN, and how many others one that is infinite.
 struct NonFiniteTexels {
     int nan = 0, infinite = 0;
 };
-NonFiniteTexels countNonFinite(const TexelImage& image);
+NonFiniteTexels countNonFinite(const render::Content& content);
 
-/// A scene's texture as named in lists: "unit 5 / 2D: wood.bmp, line 12", "unit 6 / 2D: target, line 8".
+/// A scene's texture as named in lists: "glow: 2D, 512 x 512, rgba16f, line 8", "unit 5 / 2D: wood.bmp, line
+/// 12".
 std::string textureTitle(const scene::Scene& scene, scene::TextureIndex texture);
+
+/// What tells the textures of a scene apart: the name, or "#2" for texture 2, which has none.
+std::string textureKey(const scene::Scene& scene, scene::TextureIndex texture);
 
 }  // namespace glibra::view

@@ -88,26 +88,34 @@ std::vector<const glib::UniformSpec*> countingSpecs(const scene::Program& progra
     return specs;
 }
 
-void addKnobs(const scene::Scene& scene, const plan::FramePlan& plan, plan::PlannedProgramIndex index,
-              std::vector<Knob>& knobs) {
-    const plan::PlannedProgram& planned = plan.programs[index];
+/// Calls `use` with each specification of the program and each literal that holds its value.
+template <class Use>
+void forEachLiteral(const scene::Scene& scene, plan::PlannedProgram& planned, const Use& use) {
     const plan::UniformNames names(*planned.interface);
     for (const glib::UniformSpec* spec : countingSpecs(scene.programs[planned.variant.program]))
         for (const plan::NamedUniform& named : names.find(spec->tag))
-            for (std::size_t i = 0; i < planned.values.size(); ++i) {
-                const plan::UniformBinding& binding = planned.values[i];
-                const auto* literal = std::get_if<plan::Literal>(&binding.value);
-                if (literal == nullptr || binding.uniform != named.uniform ||
-                    binding.firstElement != named.element || literal->values.empty())
-                    continue;
-                const auto known = std::find_if(knobs.begin(), knobs.end(), [&](const Knob& each) {
-                    return each.program == planned.variant.program && each.tag == spec->tag;
-                });
-                Knob& knob = known != knobs.end()
-                                 ? *known
-                                 : knobs.emplace_back(knobOf(scene, planned, *spec, named, *literal));
-                knob.bindings.push_back({index, i});
+            for (plan::UniformBinding& binding : planned.values) {
+                auto* literal = std::get_if<plan::Literal>(&binding.value);
+                if (literal != nullptr && binding.uniform == named.uniform &&
+                    binding.firstElement == named.element && !literal->values.empty())
+                    use(*spec, named, *literal);
             }
+}
+
+bool hasKnobs(const plan::PlannedProgram& planned) {
+    return planned.variant.program && planned.interface->usable;
+}
+
+void addKnobs(const scene::Scene& scene, const plan::PlannedProgram& planned, std::vector<Knob>& knobs) {
+    plan::PlannedProgram read = planned;
+    forEachLiteral(
+        scene, read,
+        [&](const glib::UniformSpec& spec, const plan::NamedUniform& named, const plan::Literal& literal) {
+            const bool isKnown = std::any_of(knobs.begin(), knobs.end(), [&](const Knob& each) {
+                return each.program == planned.variant.program && each.tag == spec.tag;
+            });
+            if (!isKnown) knobs.push_back(knobOf(scene, planned, spec, named, literal));
+        });
 }
 
 /// The control of a variable.
@@ -145,17 +153,19 @@ bool hasUniform(const plan::PlannedProgram& program, const std::string& tag) {
 
 }  // namespace
 
-std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan) {
+std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans) {
     std::vector<Knob> knobs;
-    for (const plan::PlannedProgramIndex i : plan.programs.indices())
-        if (plan.programs[i].variant.program && plan.programs[i].interface->usable)
-            addKnobs(scene, plan, i, knobs);
+    for (const plan::FramePlan* plan : plans)
+        for (const plan::PlannedProgram& each : plan->programs)
+            if (hasKnobs(each)) addKnobs(scene, each, knobs);
     for (Knob& knob : knobs)
-        knob.isShared =
-            std::any_of(plan.programs.begin(), plan.programs.end(), [&](const plan::PlannedProgram& each) {
-                return each.variant.program && each.variant.program != knob.program &&
-                       hasUniform(each, knob.tag);
-            });
+        for (const plan::FramePlan* plan : plans)
+            knob.isShared = knob.isShared || std::any_of(plan->programs.begin(), plan->programs.end(),
+                                                         [&](const plan::PlannedProgram& each) {
+                                                             return each.variant.program &&
+                                                                    each.variant.program != knob.program &&
+                                                                    hasUniform(each, knob.tag);
+                                                         });
     std::stable_sort(knobs.begin(), knobs.end(),
                      [](const Knob& a, const Knob& b) { return a.program < b.program; });
     std::vector<Knob> all;
@@ -164,14 +174,27 @@ std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan
     return all;
 }
 
-std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan) {
-    std::vector<plan::PlannedProgramIndex> programs;
-    for (const Knob::Binding& each : knob.bindings) {
-        plan::PlannedProgram& planned = plan.programs[each.program];
-        std::get<plan::Literal>(planned.values[each.value].value).values = knob.current;
-        programs.push_back(each.program);
+std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::span<const Knob> knobs,
+                                             plan::FramePlan& plan) {
+    std::vector<plan::PlannedProgramIndex> changed;
+    if (knobs.empty()) return changed;
+    for (const plan::PlannedProgramIndex i : plan.programs.indices()) {
+        plan::PlannedProgram& planned = plan.programs[i];
+        if (!hasKnobs(planned)) continue;
+        bool isChanged = false;
+        forEachLiteral(scene, planned,
+                       [&](const glib::UniformSpec& spec, const plan::NamedUniform&, plan::Literal& literal) {
+                           for (const Knob& each : knobs) {
+                               if (each.program != planned.variant.program || each.tag != spec.tag ||
+                                   each.current.size() != literal.values.size())
+                                   continue;
+                               isChanged = isChanged || literal.values != each.current;
+                               literal.values = each.current;
+                           }
+                       });
+        if (isChanged) changed.push_back(i);
     }
-    return programs;
+    return changed;
 }
 
 void KeptValues::keep(const scene::Scene& scene, std::span<const Knob> knobs) {

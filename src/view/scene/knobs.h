@@ -35,11 +35,6 @@ struct Knob {
     bool isShared = false;  ///< another program has a uniform of this name, whether the scene sets it or not
     std::string declaration;  ///< type and name for the tooltip: "vec3 uColor"
 
-    struct Binding {
-        plan::PlannedProgramIndex program{};
-        std::size_t value = 0;  ///< index into PlannedProgram::values
-    };
-    std::vector<Binding> bindings;
     std::vector<std::string> words;  ///< of a variable that is a choice; the value counts them from 0
 
     [[nodiscard]] bool isInteger() const {
@@ -48,11 +43,12 @@ struct Knob {
     [[nodiscard]] bool isChanged() const { return current != initial; }
 };
 
-/// All knobs, grouped by program, in the order of the file.
-std::vector<Knob> knobsOf(const scene::Scene& scene, const plan::FramePlan& plan);
+/// All knobs of these plans of the scene, grouped by program, in the order of the file.
+std::vector<Knob> knobsOf(const scene::Scene& scene, std::span<const plan::FramePlan* const> plans);
 
-/// Writes the knob's values into the plan. Returns the indices of the planned programs that have changed.
-std::vector<plan::PlannedProgramIndex> apply(const Knob& knob, plan::FramePlan& plan);
+/// Writes the knobs' values into a plan. Returns the planned programs that have changed.
+std::vector<plan::PlannedProgramIndex> apply(const scene::Scene& scene, std::span<const Knob> knobs,
+                                             plan::FramePlan& plan);
 
 /// The values that a user has set, kept while a scene is read again. A value returns if program position,
 /// program name, tag and the specification in the file are the same.

@@ -1,9 +1,12 @@
 #include "view/scene/live_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <new>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "gpu/context/loop_limit.h"
@@ -14,11 +17,38 @@
 #include "render/load/programs.h"
 #include "render/scene_renderer.h"
 #include "scene/view.h"
+#include "view/scene/step_text.h"
 
 namespace glibra::view {
 namespace {
 
 constexpr int kSamples = 1;  ///< per pixel of the pictures that a window shows
+
+/// A uniform block and counters are described as a storage block with the same members.
+base::StorageBlock blockOf(const plan::BlockUse& use, const plan::ProgramInterface& interface) {
+    if (use.kind == plan::BlockUse::Kind::storage) return interface.storageBlocks.at(use.index);
+    base::StorageBlock block;
+    const auto add = [&](std::string name, int offset) -> base::StorageMember& {
+        base::StorageMember& member = block.members.emplace_back();
+        member.name = std::move(name);
+        member.offset = offset;
+        return member;
+    };
+    if (use.kind == plan::BlockUse::Kind::counters) {
+        constexpr int kCounterBytes = 4;
+        for (const std::string& each : interface.counterBuffers.at(use.index).counters)
+            add(each, static_cast<int>(block.members.size()) * kCounterBytes);
+        return block;
+    }
+    block.name = interface.blocks.at(use.index).name;
+    for (const base::ActiveUniform& each : interface.uniforms) {
+        if (each.block != static_cast<int>(use.index)) continue;
+        base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
+        member.arraySize = each.arraySize;
+        member.arrayStride = each.arrayStride;
+    }
+    return block;
+}
 
 bool hasTangents(const plan::PlannedMesh& mesh) {
     return std::find(mesh.attributes.begin(), mesh.attributes.end(), geometry::kTangent) !=
@@ -36,7 +66,13 @@ struct LiveScene::State {
           inputs(std::move(interpreted.inputs)),
           scene(std::move(interpreted.scene)),
           programs(context, scene, options, false, loadStats),
-          device(context, scene, loadStats) {}
+          device(context, scene, loadStats) {
+        if (source) cameras = source->cameras();
+        for (const scene::FileReference& each : scene.files) {
+            std::error_code missing;
+            fileTimes.emplace(each.path, std::filesystem::last_write_time(each.path, missing));
+        }
+    }
 
     gpu::Context& context;
     RenderOptions options;
@@ -47,6 +83,8 @@ struct LiveScene::State {
     render::ProgramLibrary programs;
     render::DeviceScene device;
     plan::FramePlan plan;
+    std::optional<render::Simulation> simulation;  ///< of a scene with Once or Step
+    bool isSimulationWrong = false;                ///< its blocks have errors; they do not run
     std::optional<render::FrameDrawer> drawer;
     std::optional<render::Axes> axes;
     render::ViewMatrices view;
@@ -59,10 +97,24 @@ struct LiveScene::State {
     std::map<std::string, std::vector<double>, std::less<>> variables;  ///< as the user set them
     std::vector<Knob> changedKnobs;  ///< of programs, set by the user; a new plan does not know them
     bool drawsOutOfSight = false;
+    /// When the files were last written, as they were read.
+    std::map<std::filesystem::path, std::filesystem::file_time_type> fileTimes;
+    std::vector<scene::NamedCamera> cameras;  ///< of `scene`
+    std::string camera;                       ///< LiveScene::setCamera
+    std::optional<scene::NodeList> ownFrame;  ///< `scene.frame` and `scene.view` without that camera
+    glm::dmat4 ownView{1.0};
+    std::map<scene::BufferIndex, base::StorageBlock> askedBlocks;  ///< that blockOf() has been asked for
+    double mouseX = .5, mouseY = .5;
+    bool isMouseDown = false;
 
     Diagnostics prepare(State* previous);
-    Diagnostics makePlan();
-    void applyKnobs();
+    Diagnostics makePlan(bool variablesDiffer = false);
+    [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes,
+                                           const plan::PlanOptions& planOptions);
+    Diagnostics planSimulation(const plan::PlanOptions& planOptions);
+    [[nodiscard]] std::vector<const plan::FramePlan*> plans() const;
+    [[nodiscard]] std::string sourceOfSteps() const;
+    void lookThrough();
     bool moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics);
     void prepareFallback();
     int measuredLoopLimit();
@@ -92,51 +144,144 @@ bool LiveScene::State::moveTo(const scene::FrameInputs& wanted, Diagnostics& dia
                          changes(Depends::window | Depends::camera, &Inputs::width, &Inputs::height) ||
                          changes(Depends::mouse, &Inputs::mouseX, &Inputs::mouseY, &Inputs::isMouseDown) ||
                          wanted.variables != inputs.variables;
+    const bool variablesDiffer = wanted.variables != inputs.variables;
     inputs = wanted;
     if (!isOther) return false;
     scene = source->at(inputs);
+    cameras = source->cameras();
+    lookThrough();
     append(diagnostics, std::move(scene.diagnostics));
     scene.diagnostics.clear();
     device.beginMoment(plan);
-    append(diagnostics, makePlan());
-    applyKnobs();
+    append(diagnostics, makePlan(variablesDiffer));
     isViewSet = false;
     return true;
 }
 
-/// Writes the values that the user has set into the plan, whose indices may be new.
-void LiveScene::State::applyKnobs() {
-    if (changedKnobs.empty()) return;
-    for (Knob& knob : knobsOf(scene, plan))
-        for (const Knob& each : changedKnobs) {
-            if (each.program != knob.program || each.tag != knob.tag) continue;
-            knob.current = each.current;
-            for (const plan::PlannedProgramIndex program : apply(knob, plan)) drawer->forgetLiterals(program);
-        }
-}
-
-Diagnostics LiveScene::State::makePlan() {
+Diagnostics LiveScene::State::makePlan(bool variablesDiffer) {
     plan::PlanOptions planOptions;
     planOptions.maxTextureUnits = context.capabilities().combinedTextureUnits;
     planOptions.lacksCompute = render::lackOfCompute(context.capabilities());
     planOptions.loopLimit = [this] { return measuredLoopLimit(); };
-    plan = plan::planFrame(
-        scene, scene.frame,
-        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-            return programs.interfaceOf(variant);
-        },
-        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
+    plan = planList(scene.frame, planOptions);
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
-    for (const plan::PlannedMesh& each : plan.meshes)
-        device.bounds(each.shape, hasTangents(each), &diagnostics);
+    const bool isNew = !simulation;
+    append(diagnostics, planSimulation(planOptions));
+    const auto findBounds = [&] {
+        for (const plan::PlannedMesh& each : plan.meshes)
+            device.bounds(each.shape, hasTangents(each), &diagnostics);
+    };
+    findBounds();
     append(diagnostics, device.prepare(plan, programs));
+    if (variablesDiffer && !isNew && !isSimulationWrong) {
+        const Diagnostics found = simulation->variablesChanged();
+        isSimulationWrong = hasError(found);
+        append(diagnostics, found);
+        findBounds();
+    }
+    if (isNew && simulation && !isSimulationWrong) append(diagnostics, simulation->make());
     const bool isWireframe = drawer && drawer->isWireframe();
     drawer.emplace(context, plan, programs, device, drawStats);
     drawer->setWireframe(isWireframe);
     drawer->cullToTile(drawsOutOfSight ? 0 : kSamples);
     prepareFallback();
     append(diagnostics, context.debugLog().takeDiagnostics());
+    return diagnostics;
+}
+
+plan::FramePlan LiveScene::State::planList(const scene::NodeList& nodes,
+                                           const plan::PlanOptions& planOptions) {
+    plan::FramePlan made = plan::planFrame(
+        scene, nodes,
+        [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
+            return programs.interfaceOf(variant);
+        },
+        [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); }, planOptions);
+    apply(scene, changedKnobs, made);
+    return made;
+}
+
+std::vector<const plan::FramePlan*> LiveScene::State::plans() const {
+    std::vector<const plan::FramePlan*> all{&plan};
+    if (!simulation) return all;
+    const std::vector<const plan::FramePlan*> blocks = simulation->plans();
+    all.insert(all.end(), blocks.begin(), blocks.end());
+    return all;
+}
+
+/// What decides the content of what lasts, besides values that the window changes.
+std::string LiveScene::State::sourceOfSteps() const {
+    if (!simulation || isSimulationWrong || !source) return {};
+    std::string text = stepText(source->scripts());
+    const auto addFile = [&](scene::FileIndex index) {
+        if (!index) return;
+        const auto time = fileTimes.find(scene.files[index].path);
+        text += fmt::format("{} {}\n", scene.files[index].path.string(),
+                            time == fileTimes.end() ? 0 : time->second.time_since_epoch().count());
+    };
+    for (const scene::Shape& each : scene.shapes) addFile(each.file);
+    for (const plan::FramePlan* each : simulation->plans()) {
+        for (const plan::PlannedProgram& planned : each->programs) {
+            const render::BuiltProgram* built = programs.find(planned.variant);
+            text += fmt::format("program {}\n", built && built->program ? built->program->id() : 0);
+        }
+        for (const scene::TextureIndex texture : each->textures)
+            if (const auto* picture = std::get_if<scene::PictureSource>(&scene.textures[texture].source))
+                for (const scene::FileIndex file : picture->files) addFile(file);
+        for (const scene::BufferIndex buffer : each->buffers) addFile(scene.buffers[buffer].file);
+    }
+    return text;
+}
+
+/// Replaces the camera of the passes that the window's transforms move.
+void LiveScene::State::lookThrough() {
+    ownFrame.reset();
+    const auto find = [&](const std::string& name) {
+        return std::find_if(cameras.begin(), cameras.end(),
+                            [&](const scene::NamedCamera& each) { return each.name == name; });
+    };
+    const auto wanted = find(camera);
+    if (wanted == cameras.end()) return;
+    ownFrame = scene.frame;
+    ownView = std::exchange(scene.view, wanted->view);
+    for (scene::Pass& pass : scene.frame.passes) {
+        if (!render::isMoved(*ownFrame, pass)) continue;
+        const auto own = find(pass.camera.empty() ? "eye" : pass.camera);
+        const bool isMirrored = own != cameras.end() && own->isMirrored;
+        for (auto& step : pass.steps) {
+            auto* draw = std::get_if<scene::Draw>(&step);
+            if (draw == nullptr || std::holds_alternative<scene::ClipSpace>(draw->projection)) continue;
+            draw->modelView = wanted->view * draw->model;
+            draw->projection = wanted->projection;
+            if (wanted->isMirrored == isMirrored) continue;
+            draw->raster.front =
+                draw->raster.front == base::Winding::ccw ? base::Winding::cw : base::Winding::ccw;
+        }
+    }
+}
+
+/// Plans the Once and Step blocks when the scene is loaded. Frames of a window may differ in what they read,
+/// so all nodes that write something are kept.
+Diagnostics LiveScene::State::planSimulation(const plan::PlanOptions& planOptions) {
+    if (scene.once.empty() && scene.steps.empty()) return {};
+    Diagnostics diagnostics;
+    if (simulation) {
+        diagnostics = simulation->check(plan);
+    } else {
+        plan::PlanOptions listOptions = planOptions;
+        listOptions.reportsOverrides = false;
+        simulation.emplace(
+            render::SimulationParts{context, scene, source.get(), programs, device, loadStats,
+                                    [this, listOptions](const scene::NodeList& nodes,
+                                                        std::vector<scene::ObjectView> roots) mutable {
+                                        listOptions.roots = std::move(roots);
+                                        return planList(nodes, listOptions);
+                                    }},
+            options.steps);
+        diagnostics = simulation->plan(plan, true, {});
+    }
+    isSimulationWrong = hasError(diagnostics);
     return diagnostics;
 }
 
@@ -178,8 +323,12 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         loading.diagnostics = std::move(interpreted.diagnostics);
         if (!interpreted) return loading;
         auto state = std::make_unique<State>(context, options, std::move(*interpreted));
+        // Before the new scene takes programs away.
+        const std::string earlierSteps = previous ? previous->state_->sourceOfSteps() : std::string();
         loading.isPreviousLost = previous != nullptr;  // until the new scene is complete
         append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
+        if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
+            state->simulation->takeOver(*previous->state_->simulation);
         render::applyStrict(loading.diagnostics, false);
         loading.scene.reset(new LiveScene(std::move(state)));
         loading.isPreviousLost = false;
@@ -196,11 +345,12 @@ const plan::FramePlan& LiveScene::plan() const {
     return state_->plan;
 }
 std::vector<Knob> LiveScene::knobs() const {
-    return knobsOf(state_->scene, state_->plan);
+    return knobsOf(state_->scene, state_->plans());
 }
 
 bool LiveScene::isAnimated() const {
     using expression::Depends;
+    if (!state_->scene.steps.empty()) return true;
     if (state_->source && any(state_->source->depends() & (Depends::time | Depends::frame | Depends::tick)))
         return true;
     for (const plan::PlannedProgram& program : state_->plan.programs)
@@ -253,15 +403,12 @@ void LiveScene::setValue(const Knob& knob) {
         state.variables[knob.tag] = knob.current;
         return;
     }
-    if (!state.source) {
-        for (const plan::PlannedProgramIndex program : apply(knob, state.plan))
-            state.drawer->forgetLiterals(program);
-        return;
-    }
     std::erase_if(state.changedKnobs,
                   [&](const Knob& each) { return each.program == knob.program && each.tag == knob.tag; });
     state.changedKnobs.push_back(knob);
-    state.applyKnobs();
+    const auto change = [&](plan::FramePlan& plan) { return apply(state.scene, {&knob, 1}, plan); };
+    for (const plan::PlannedProgramIndex each : change(state.plan)) state.drawer->forgetLiterals(each);
+    if (state.simulation) state.simulation->changeValues(change);
 }
 
 Diagnostics LiveScene::longLoops() {
@@ -278,6 +425,9 @@ bool LiveScene::moveTo(int width, int height, double time, Diagnostics& diagnost
     wanted.time = time;
     wanted.width = width;
     wanted.height = height;
+    wanted.mouseX = state_->mouseX;
+    wanted.mouseY = state_->mouseY;
+    wanted.isMouseDown = state_->isMouseDown;
     for (const auto& [name, values] : state_->variables) wanted.variables[name] = values;
     return state_->moveTo(wanted, diagnostics);
 }
@@ -296,6 +446,10 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
         state.isViewSet = true;
     }
     const render::Tile whole{0, 0, target.width(), target.height()};
+    if (state.simulation && !state.isSimulationWrong) {
+        state.inputs.time = time;
+        append(diagnostics, state.simulation->advance(state.inputs));
+    }
     append(diagnostics,
            state.drawer->draw(target, {state.view, target.width(), target.height(), whole, time}));
     if (axes && !state.axes) {
@@ -328,6 +482,61 @@ const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw)
 }
 const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
     return state_->device.texture(index);
+}
+const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
+    return state_->device.completed({.texture = index, .isPrevious = isPrevious});
+}
+const render::DeviceBuffers& LiveScene::buffers() const {
+    return state_->device.buffers();
+}
+
+const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
+    for (const plan::FramePlan* plan : state_->plans())
+        for (const plan::PlannedProgram& program : plan->programs)
+            for (const plan::BlockUse& each : program.blocks)
+                if (each.buffer.buffer == buffer)
+                    return &state_->askedBlocks
+                                .insert_or_assign(buffer, view::blockOf(each, *program.interface))
+                                .first->second;
+    return nullptr;
+}
+
+void LiveScene::setCamera(const std::string& name) {
+    State& state = *state_;
+    if (state.ownFrame) {
+        state.scene.frame = *state.ownFrame;
+        state.scene.view = state.ownView;
+    }
+    state.camera = name;
+    state.lookThrough();
+    state.isViewSet = false;
+}
+
+const std::vector<scene::NamedCamera>& LiveScene::cameras() const {
+    return state_->cameras;
+}
+
+void LiveScene::setMouse(double x, double y, bool isDown) {
+    state_->mouseX = x;
+    state_->mouseY = y;
+    state_->isMouseDown = isDown;
+}
+
+bool LiveScene::readsMouse() const {
+    return state_->source && any(state_->source->depends() & expression::Depends::mouse);
+}
+
+void LiveScene::restart() {
+    if (state_->simulation) state_->simulation->forget();
+}
+
+std::vector<render::Simulation::Progress> LiveScene::steps() const {
+    if (!state_->simulation) return {};
+    return state_->simulation->progress();
+}
+
+void LiveScene::setRunHook(render::Simulation::RunHook hook) {
+    if (state_->simulation) state_->simulation->setRunHook(std::move(hook));
 }
 
 }  // namespace glibra::view

@@ -14,6 +14,7 @@
 #include "gpu/object/target.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
+#include "render/draw/simulation.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
@@ -54,6 +55,21 @@ class LiveScene {
     [[nodiscard]] const render::Stats& drawStats() const;
 
     void setValue(const Knob& knob);
+    /// The camera that the picture is seen from in place of the scene's own, where the window's transforms
+    /// act; expressions keep the scene's. Empty, or a name that the scene does not declare: the scene's own.
+    void setCamera(const std::string& name);
+    /// The cameras that the scene declares, sorted by name.
+    [[nodiscard]] const std::vector<scene::NamedCamera>& cameras() const;
+    /// Where the mouse is, 0..1 from the lower left corner, and whether its left button is down.
+    void setMouse(double x, double y, bool isDown);
+    /// True if the scene reads `mouse`.
+    [[nodiscard]] bool readsMouse() const;
+    /// What lasts begins anew with the next frame.
+    void restart();
+    /// How far the Step blocks have run.
+    [[nodiscard]] std::vector<render::Simulation::Progress> steps() const;
+    /// Calls `hook` around every run of a Once or Step block.
+    void setRunHook(render::Simulation::RunHook hook);
     /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
     /// With `on`, objects outside the picture are drawn too: debug views may show parts of them inside it.
@@ -75,6 +91,13 @@ class LiveScene {
     [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
     /// Null if it is not on the device.
     [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const;
+    /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
+    /// on the device. `isPrevious`: the other copy of a texture with history.
+    const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
+    [[nodiscard]] const render::DeviceBuffers& buffers() const;
+    /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
+    /// the next call for that buffer.
+    [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;
 
   private:
     struct State;

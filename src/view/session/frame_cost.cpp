@@ -1,9 +1,11 @@
 #include "view/session/frame_cost.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <array>
 #include <chrono>
+#include <utility>
 
 #include "gpu/object/name.h"
 #include "gpu/object/query.h"
@@ -22,45 +24,126 @@ void drawOnce(Session& session) {
         picture, {session.live().view(), width, height, {0, 0, width, height}, session.clock().time()});
 }
 
-/// Index of the pass that the draw belongs to.
-int passOf(const plan::FramePlan& plan, const plan::PlannedDraw& draw) {
-    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
-        for (const auto& step : plan.passes[pass].steps)
-            if (std::get_if<plan::PlannedDraw>(&step) == &draw) return static_cast<int>(pass);
-    return 0;
+constexpr int kTimedFrames = 5;
+constexpr double kNanosecondsInMillisecond = 1e6;
+
+double milliseconds(const gpu::Query& timer) {
+    return static_cast<double>(timer.result()) / kNanosecondsInMillisecond;
 }
 
-std::vector<PassCost> passesOf(const LiveScene& live) {
-    std::vector<PassCost> passes;
-    for (const plan::PlannedPass& each : live.plan().passes) {
-        PassCost pass{"window", live.plan().passOf(each).place.line, 0};
-        std::string units;
-        for (const scene::TextureIndex target : live.plan().passOf(each).targets)
-            units += (units.empty() ? "" : ", ") + std::to_string(live.scene().textures[target].unit);
-        if (!units.empty())
-            pass.target = (live.plan().passOf(each).targets.size() > 1 ? "units " : "unit ") + units;
-        passes.push_back(std::move(pass));
+std::string nameOf(const scene::Scene& scene, scene::TextureIndex index) {
+    const scene::Texture& texture = scene.textures[index];
+    return texture.name.empty() ? fmt::format("unit {}", texture.unit) : texture.name;
+}
+
+std::string targetsOf(const scene::Scene& scene, const scene::Pass& pass) {
+    if (pass.isWindow) return "window";
+    std::string targets;
+    for (std::size_t i = 0; i < pass.targets.size(); ++i) {
+        targets += (targets.empty() ? "" : ", ") + nameOf(scene, pass.targets[i]);
+        if (i >= pass.parts.size()) continue;
+        if (pass.parts[i].level) targets += fmt::format(" level {}", *pass.parts[i].level);
+        if (pass.parts[i].layer) targets += fmt::format(" layer {}", *pass.parts[i].layer);
     }
-    return passes;
+    if (!pass.depth) return targets;
+    targets += (targets.empty() ? "" : ", ") + nameOf(scene, pass.depth->texture);
+    if (pass.depth->layer) targets += fmt::format(" layer {}", *pass.depth->layer);
+    return targets;
 }
 
-/// Draws one frame with a timer around every draw, and adds the times to `draws`.
-void timeDraws(Session& session, std::vector<DrawCost>& draws) {
-    std::vector<gpu::Query> timers;
-    std::vector<DrawCost> found;
-    session.live().drawer().setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
-        if (!begins) return timers.back().end();
-        const plan::FramePlan& plan = session.live().plan();
-        const scene::Draw& drawn = plan.drawOf(draw);
-        found.push_back({drawn.word, drawn.place.line, passOf(plan, draw), 0});
-        timers.emplace_back(GL_TIME_ELAPSED).begin();
+NodeCost nodeOf(const scene::Scene& scene, const plan::FramePlan& plan, std::size_t node) {
+    const scene::NodeIndex& at = plan.order[node];
+    if (at.kind == scene::NodeIndex::Kind::pass) {
+        const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
+        return {"pass into " + targetsOf(scene, pass), pass.place.line, 0};
+    }
+    if (at.kind == scene::NodeIndex::Kind::dispatch) {
+        const scene::Dispatch& dispatch = plan.dispatchOf(plan.dispatches[at.index]);
+        return {"dispatch of " + scene.programs[dispatch.program].name, dispatch.place.line, 0};
+    }
+    const scene::ClearObject& clear = plan.clearOf(plan.clears[at.index]);
+    const auto* buffer = std::get_if<scene::BufferIndex>(&clear.object);
+    return {"clear of " + (buffer != nullptr ? scene.buffers[*buffer].name
+                                             : nameOf(scene, std::get<scene::TextureIndex>(clear.object))),
+            clear.place.line, 0};
+}
+
+/// Draws frames with a timer around every draw, and others with a timer around every node: only one timer
+/// runs at a time.
+void timeFrame(Session& session, FrameCost& cost) {
+    render::FrameDrawer& drawer = session.live().drawer();
+    const plan::FramePlan& plan = session.live().plan();
+    for (std::size_t i = 0; i < plan.order.size(); ++i)
+        cost.nodes.push_back(nodeOf(session.live().scene(), plan, i));
+    for (int frame = 0; frame < kTimedFrames; ++frame) {
+        std::vector<gpu::Query> timers;
+        std::vector<DrawCost> found;
+        std::size_t node = 0;
+        drawer.setNodeHook([&](std::size_t index, bool) { node = index; });
+        drawer.setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+            if (!begins) return timers.back().end();
+            const scene::Draw& drawn = plan.drawOf(draw);
+            found.push_back({drawn.word, drawn.place.line, node, 0});
+            timers.emplace_back(GL_TIME_ELAPSED).begin();
+        });
+        drawOnce(session);
+        drawer.setDrawHook({});
+        if (cost.draws.empty()) cost.draws = std::move(found);
+        for (std::size_t i = 0; i < timers.size() && i < cost.draws.size(); ++i)
+            cost.draws[i].milliseconds += milliseconds(timers[i]) / kTimedFrames;
+
+        std::vector<std::pair<std::size_t, gpu::Query>> nodeTimers;
+        drawer.setNodeHook([&](std::size_t index, bool begins) {
+            if (!begins) return nodeTimers.back().second.end();
+            nodeTimers.emplace_back(index, gpu::Query(GL_TIME_ELAPSED)).second.begin();
+        });
+        drawOnce(session);
+        drawer.setNodeHook({});
+        for (const auto& [index, timer] : nodeTimers)
+            cost.nodes[index].milliseconds += milliseconds(timer) / kTimedFrames;
+    }
+}
+
+/// Runs all steps again and times the last ones of each block.
+void timeBlocks(Session& session, FrameCost& cost) {
+    const std::vector<render::Simulation::Progress> progress = session.live().steps();
+    for (const render::Simulation::Progress& each : progress)
+        cost.blocks.push_back({fmt::format("Step {:g}", each.rate), each.place.line, 0, 0, {}});
+    struct Timed {
+        std::size_t block = 0, node = 0;
+        gpu::Query timer;
+    };
+    std::vector<Timed> timers;
+    std::vector<std::int64_t> ran(cost.blocks.size(), 0);
+    session.live().setRunHook([&](const render::Simulation::Run& run, bool begins) {
+        if (!begins) return run.drawer.setNodeHook({});
+        std::size_t block = 0;
+        while (block < cost.blocks.size() && cost.blocks[block].line != run.place.line) ++block;
+        if (block == cost.blocks.size()) {
+            cost.blocks.push_back({"Once", run.place.line, 0, 0, {}});
+            ran.push_back(0);
+        }
+        if (block < progress.size() && ran[block]++ < progress[block].steps - kTimedFrames) return;
+        ++cost.blocks[block].runs;
+        std::vector<NodeCost>& nodes = cost.blocks[block].nodes;
+        for (std::size_t i = nodes.size(); i < run.plan.order.size(); ++i)
+            nodes.push_back(nodeOf(session.live().scene(), run.plan, i));
+        run.drawer.setNodeHook([&timers, block](std::size_t node, bool nodeBegins) {
+            if (!nodeBegins) return timers.back().timer.end();
+            timers.push_back({block, node, gpu::Query(GL_TIME_ELAPSED)});
+            timers.back().timer.begin();
+        });
     });
-    drawOnce(session);
-    session.live().drawer().setDrawHook({});
-    if (draws.empty()) draws = found;
-    constexpr double kNanosecondsInMillisecond = 1e6;
-    for (std::size_t i = 0; i < timers.size() && i < draws.size(); ++i)
-        draws[i].milliseconds += static_cast<double>(timers[i].result()) / kNanosecondsInMillisecond;
+    session.live().restart();
+    session.setNeedsFrame();
+    session.drawIfNeeded();
+    session.live().setRunHook({});
+    for (const Timed& each : timers) {
+        BlockCost& block = cost.blocks[each.block];
+        const double time = milliseconds(each.timer) / block.runs;
+        block.nodes[each.node].milliseconds += time;
+        block.milliseconds += time;
+    }
 }
 
 std::optional<PipelineCounts> countOnce(Session& session, const gpu::Capabilities& capabilities) {
@@ -98,13 +181,8 @@ FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities,
     glFinish();
     constexpr double kMillisecondsInSecond = 1000;
     cost.millisecondsPerFrame = seconds(start) * kMillisecondsInSecond / cost.frames;
-    constexpr int kTimedFrames = 5;
-    for (int i = 0; i < kTimedFrames; ++i) timeDraws(session, cost.draws);
-    cost.passes = passesOf(session.live());
-    for (DrawCost& each : cost.draws) {
-        each.milliseconds /= kTimedFrames;
-        cost.passes[static_cast<std::size_t>(each.pass)].milliseconds += each.milliseconds;
-    }
+    timeFrame(session, cost);
+    timeBlocks(session, cost);
     cost.counts = countOnce(session, capabilities);
     session.setNeedsFrame();
     return cost;

@@ -2,6 +2,7 @@
 // Measures what a frame of the scene costs: the scene alone, without panels and without waiting for the
 // screen.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,14 +15,24 @@ namespace glibra::view {
 struct DrawCost {
     std::string word;  ///< the command
     int line = 0;
-    int pass = 0;             ///< index into FrameCost::passes
+    std::size_t node = 0;     ///< index into FrameCost::nodes
     double milliseconds = 0;  ///< device time, mean of all repeats
 };
 
-struct PassCost {
-    std::string target;       ///< "window", "unit 6" or "units 6, 7"
-    int line = 0;             ///< of the statement that begins the pass; 0: no statement does
-    double milliseconds = 0;  ///< sum over its draws
+/// A pass, dispatch or clear.
+struct NodeCost {
+    std::string what;         ///< "pass into window", "dispatch of Move", "clear of hits"
+    int line = 0;             ///< of its statement; 0: no statement begins the pass
+    double milliseconds = 0;  ///< device time with all that belongs to it, mean of all repeats
+};
+
+/// A Once or Step block.
+struct BlockCost {
+    std::string what;  ///< "Once", "Step 60"
+    int line = 0;
+    int runs = 0;                 ///< that were measured: the last ones before the time of the picture
+    double milliseconds = 0;      ///< device time of one run
+    std::vector<NodeCost> nodes;  ///< in one run
 };
 
 /// What the driver's pipeline statistics count in one frame.
@@ -34,12 +45,14 @@ struct PipelineCounts {
 struct FrameCost {
     int frames = 0;                   ///< measured; 0: there was no picture to draw
     double millisecondsPerFrame = 0;  ///< real time; the device is idle before and after
-    std::vector<PassCost> passes;
+    std::vector<NodeCost> nodes;      ///< of the frame, in order
     std::vector<DrawCost> draws;
+    std::vector<BlockCost> blocks;
     std::optional<PipelineCounts> counts;  ///< empty if the driver has no such queries
 };
 
-/// Draws the current frame repeatedly: at least `leastFrames` times and for at least `leastSeconds`.
+/// Draws the current frame repeatedly: at least `leastFrames` times and for at least `leastSeconds`. Steps
+/// are run again from the start, and the last ones are measured.
 FrameCost measureFrames(Session& session, const gpu::Capabilities& capabilities, int leastFrames,
                         double leastSeconds);
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "glib/text.h"
 #include "plan/overrides.h"
 #include "render/draw/view_matrices.h"
 #include "scene/matrices.h"
@@ -83,6 +85,7 @@ bool Session::open(const std::filesystem::path& path) {
     path_ = path;
     kept_.forget();
     view_ = {};
+    camera_.clear();
     clock_ = {};
     width_ = loading.scene->scene().width;
     height_ = loading.scene->scene().height;
@@ -132,6 +135,8 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     for (std::size_t i = 0; i < knobs_.size(); ++i)
         if (knobs_[i].isChanged()) applyValue(i);
     live_->drawer().setWireframe(wireframe_);
+    live_->setMouse(mouse_.x, mouse_.y, mouse_.isDown);
+    setCamera(camera_);
     isStale_ = true;
     ++timesLoaded_;
 }
@@ -174,6 +179,16 @@ void Session::resetValues() {
 Diagnostics Session::setByText(const std::string& argument) {
     const Result<plan::Override> parsed = plan::parseOverride(argument);
     if (!parsed) return parsed.diagnostics;
+    if (!parsed->word.empty()) {
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            const std::vector<std::string>& words = knobs_[i].words;
+            const auto word = std::find(words.begin(), words.end(), parsed->word);
+            if (knobs_[i].tag != parsed->name || word == words.end()) continue;
+            setValue(i, {static_cast<double>(word - words.begin())});
+            return {};
+        }
+        return {plan::notAChoice(parsed->name, parsed->word)};
+    }
     bool isKnown = false;
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
         const std::string line = std::to_string(live_->scene().programs[knobs_[i].program].place.line);
@@ -234,10 +249,15 @@ Surroundings Session::surroundings(TransformMode mode) const {
     const render::ViewMatrices view(without, live_->scene().view, live_->eyeDistance());
     const scene::Draw* draw = pickedDraw();
     if (mode != TransformMode::object || !draw) {
-        // The last one that a projection acts on.
+        // The last one that the window's transforms and a projection act on.
         draw = nullptr;
-        for (const scene::Draw* each : windowDraws(live_->scene()))
-            if (!std::holds_alternative<scene::ClipSpace>(each->projection)) draw = each;
+        const scene::NodeList& frame = live_->scene().frame;
+        for (const scene::Pass& pass : frame.passes) {
+            if (!render::isMoved(frame, pass)) continue;
+            for (const auto& step : pass.steps)
+                if (const auto* each = std::get_if<scene::Draw>(&step))
+                    if (!std::holds_alternative<scene::ClipSpace>(each->projection)) draw = each;
+        }
     }
     Surroundings around;
     if (!draw) return around;
@@ -284,6 +304,70 @@ void Session::setNormalLength(double length) {
 const TexelImage& Session::debugNumbers() const {
     static const TexelImage kNone;
     return debugRenderer_ && debugView_ != DebugView::picture ? debugRenderer_->numbers() : kNone;
+}
+
+void Session::setCamera(const std::string& name) {
+    if (!live_) return;
+    const auto& cameras = live_->cameras();
+    const bool isKnown = std::any_of(cameras.begin(), cameras.end(),
+                                     [&](const scene::NamedCamera& each) { return each.name == name; });
+    camera_ = isKnown ? name : "";
+    live_->setCamera(camera_);
+    isStale_ = true;
+}
+
+void Session::nextCamera() {
+    if (!live_) return;
+    const auto& cameras = live_->cameras();
+    if (camera_.empty()) return setCamera(cameras.empty() ? "" : cameras.front().name);
+    for (std::size_t i = 0; i + 1 < cameras.size(); ++i)
+        if (cameras[i].name == camera_) return setCamera(cameras[i + 1].name);
+    setCamera("");
+}
+
+void Session::setMouse(double x, double y, bool isDown) {
+    const Mouse mouse{x, y, isDown};
+    if (mouse == mouse_) return;
+    mouse_ = mouse;
+    if (!live_) return;
+    live_->setMouse(x, y, isDown);
+    isStale_ = isStale_ || live_->readsMouse();
+}
+
+bool Session::pressKey(std::string_view key) {
+    if (!live_) return false;
+    bool isBound = false;
+    const std::vector<scene::KeyBinding> bindings = live_->scene().keys;
+    for (const scene::KeyBinding& each : bindings) {
+        if (!glib::sameWord(each.key, key)) continue;
+        isBound = true;
+        if (each.restarts) restart();
+        for (std::size_t i = 0; i < knobs_.size() && !each.values.empty(); ++i) {
+            if (knobs_[i].program || knobs_[i].tag != each.variable) continue;
+            const auto now = std::find(each.values.begin(), each.values.end(), knobs_[i].current);
+            const bool isLast = now == each.values.end() || now + 1 == each.values.end();
+            setValue(i, isLast ? each.values.front() : *(now + 1));
+        }
+    }
+    return isBound;
+}
+
+void Session::restart() {
+    clock_.setTime(0);
+    if (live_) live_->restart();
+    isStale_ = true;
+}
+
+void Session::nextStep() {
+    if (!live_) return;
+    double next = std::numeric_limits<double>::infinity();
+    for (const render::Simulation::Progress& each : live_->steps())
+        next =
+            std::min(next, (static_cast<double>(render::stepsAt(clock_.time(), each.rate)) + 1) / each.rate);
+    Clock clock = clock_;
+    clock.play(false);
+    clock.setTime(next);
+    setClock(clock);
 }
 
 void Session::setClock(const Clock& clock) {
@@ -361,10 +445,13 @@ RenderOptions Session::renderOptions(int width, int height) const {
 }
 
 std::string Session::onlyOnScreen() const {
-    std::string words = wireframe_ ? "wireframe" : "";
-    if (debugView_ == DebugView::picture) return words;
-    return words + (words.empty() ? "" : " and ") + "the debug view '" + std::string(nameOf(debugView_)) +
-           "'";
+    std::string words;
+    const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " and ") + word; };
+    if (wireframe_) add("wireframe");
+    if (debugView_ != DebugView::picture) add("the debug view '" + std::string(nameOf(debugView_)) + "'");
+    if (!camera_.empty()) add("the camera '" + camera_ + "'");
+    if (live_ && live_->readsMouse() && mouse_ != Mouse{}) add("the mouse");
+    return words;
 }
 
 bool Session::isChanged() const {

@@ -79,6 +79,25 @@ class Session {
     /// The numbers behind the debug view of the last frame, bottom row first; empty if it shows none.
     [[nodiscard]] const TexelImage& debugNumbers() const;
 
+    /// The camera that the picture is seen from; empty: as in the scene. See LiveScene::setCamera.
+    [[nodiscard]] const std::string& camera() const { return camera_; }
+    /// A name that the scene does not declare means: as in the scene.
+    void setCamera(const std::string& name);
+    /// The next camera of the scene, by name; after the last one, as in the scene.
+    void nextCamera();
+
+    /// Where the mouse is in the picture, 0..1 from the lower left corner, and whether its left button is
+    /// down.
+    void setMouse(double x, double y, bool isDown);
+    /// Does what the scene's Key statements say about that key; the name is compared without case. Returns
+    /// false if there is none.
+    bool pressKey(std::string_view key);
+
+    /// Sets the time to 0; what lasts begins anew.
+    void restart();
+    /// Pauses, and moves the time to the next step of the scene's Step blocks.
+    void nextStep();
+
     [[nodiscard]] const Clock& clock() const { return clock_; }
     void setClock(const Clock& clock);
     /// Reports that `seconds` of real time have passed.
@@ -129,6 +148,12 @@ class Session {
     KeptValues kept_;
     ViewState view_;
     Clock clock_;
+    std::string camera_;
+    struct Mouse {
+        double x = .5, y = .5;
+        bool isDown = false;
+        friend bool operator==(const Mouse&, const Mouse&) = default;
+    } mouse_;
     bool axes_ = false, wireframe_ = false;
     DebugView debugView_ = DebugView::picture;
     double normalLength_ = kUsualNormalLength;

@@ -82,8 +82,15 @@ nlohmann::ordered_json stateOf(const Session& session) {
               {"width", session.width()},
               {"height", session.height()},
               {"view", viewJson(session.view())},
+              {"camera", session.camera()},
               {"knobs", knobsJson(session)},
               {"messages", messages}};
+    if (session.hasScene()) {
+        Json steps = Json::array();
+        for (const render::Simulation::Progress& each : session.live().steps())
+            steps.push_back({{"line", each.place.line}, {"rate", each.rate}, {"steps", each.steps}});
+        json["steps"] = steps;
+    }
     if (const auto& picked = session.picked())
         json["picked"] = {{"line", picked->draw.line},
                           {"word", picked->word},

@@ -22,8 +22,8 @@ std::string show(Ui& ui, const FileUse& use, const std::string& name) {
             return {};
         case FileUse::Kind::texture:
             ui.inspector.isOpen = true;
-            ui.inspector.chosen = static_cast<int>(use.texture.position());
-            ui.inspector.slice = 0;
+            ui.inspector.chosen = textureKey(ui.session.live().scene(), use.texture);
+            ui.inspector.level = ui.inspector.layer = 0;
             return {};
         case FileUse::Kind::data:
             break;

@@ -57,7 +57,10 @@ int run(glibra::view::WindowArguments& arguments, const std::string& size) {
 
 int start(int argc, char** argv) {
     glibra::cli::Program program("shows a scene in a window, with a slider for every range",
-                                 "glibra view glib/start/teapot.glib --paused", "glibra view");
+                                 "glibra view teapot.glib\n"
+                                 "glibra view a.glib b.glib --paused           # two tabs\n"
+                                 "glibra view teapot.glib --set uShininess=20 --size 800x600",
+                                 "glibra view");
     glibra::cli::CommandLine line = program.line();
     glibra::view::WindowArguments arguments;
     std::vector<std::string> scenes;
@@ -72,7 +75,7 @@ int start(int argc, char** argv) {
     line.option("--time", arguments.options.time, "time at the start, in seconds").within(0.0, 1e9);
     line.flag("--paused", arguments.paused, "start with the time paused");
     line.flag("--axes", arguments.options.axes, "draw axes two units long");
-    line.choice("--view", arguments.options.view,
+    line.choice("--eye,--view", arguments.options.view,
                 std::vector<std::pair<const char*, glibra::ViewPolicy>>{
                     {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}},
                 "auto: move the eye back if the scene surrounds it; glman: never");

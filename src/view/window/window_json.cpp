@@ -68,12 +68,46 @@ void addExamples(Json& state, const ExampleBrowser& examples) {
                          {"drawing", examples.maker != nullptr}};
 }
 
+Json nodesJson(const std::vector<NodeCost>& nodes) {
+    Json json = Json::array();
+    for (const NodeCost& each : nodes)
+        json.push_back({{"what", each.what}, {"line", each.line}, {"milliseconds", each.milliseconds}});
+    return json;
+}
+
 void addCost(Json& state, const FrameCost& cost) {
-    Json passes = Json::array();
-    for (const PassCost& each : cost.passes)
-        passes.push_back({{"target", each.target}, {"milliseconds", each.milliseconds}});
-    state["cost"] = {
-        {"frames", cost.frames}, {"milliseconds", cost.millisecondsPerFrame}, {"passes", passes}};
+    Json blocks = Json::array();
+    for (const BlockCost& each : cost.blocks)
+        blocks.push_back({{"what", each.what},
+                          {"line", each.line},
+                          {"runs", each.runs},
+                          {"milliseconds", each.milliseconds},
+                          {"nodes", nodesJson(each.nodes)}});
+    state["cost"] = {{"frames", cost.frames},
+                     {"milliseconds", cost.millisecondsPerFrame},
+                     {"nodes", nodesJson(cost.nodes)},
+                     {"blocks", blocks}};
+}
+
+void addInspector(Json& state, const Inspector& inspector) {
+    if (!inspector.isOpen) return;
+    Json columns = Json::array();
+    for (const BufferColumn& each : inspector.table.columns) columns.push_back(each.name);
+    Json head = Json::array();
+    for (std::size_t i = 0; i < inspector.head.size(); ++i)
+        head.push_back({inspector.table.head[i].name, inspector.head[i]});
+    state["inspector"] = {{"chosen", inspector.chosen},
+                          {"level", inspector.level},
+                          {"layer", inspector.layer},
+                          {"width", inspector.content ? inspector.content->width : 0},
+                          {"height", inspector.content ? inspector.content->height : 0},
+                          {"range", {inspector.display.low, inspector.display.high}},
+                          {"zoom", inspector.zoom},
+                          {"problem", inspector.problem},
+                          {"columns", columns},
+                          {"head", head},
+                          {"firstRow", inspector.firstRow},
+                          {"rows", inspector.rows}};
 }
 
 void addPanels(Json& state, const Ui& ui) {
@@ -84,6 +118,7 @@ void addPanels(Json& state, const Ui& ui) {
     state["hardcopyMessage"] = ui.hardcopy.job ? std::string() : ui.hardcopy.message;
     state["lightTheme"] = ui.settings.lightTheme;
     state["inspected"] = ui.inspector.hovered;
+    addInspector(state, ui.inspector);
     addTabs(state, ui.shared);
     addSource(state, ui);
     addExamples(state, ui.shared.examples);

@@ -62,7 +62,7 @@ class Dropping(ScenesTest):
         window.wait(lambda s: "inspector/image" in s["widgets"])
         left, top, _, _ = window.state()["widgets"]["inspector/image"]
         window.move(left + 0.3, top + 0.3)
-        window.wait(lambda s: s["inspected"] == "0, 0: 0.78431 0.39216 0.19608 1")
+        window.wait(lambda s: s["inspected"].startswith("0, 0: 0.784314 0.392157 0.196078"))
         # A file of the other tab's scene switches to that tab.
         window.drop(self.files / "one.frag")
         window.wait(lambda s: s["shownTab"] == 1 and s["source"]["file"].endswith("one.frag"))

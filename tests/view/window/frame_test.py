@@ -134,7 +134,10 @@ class NoDisplay(unittest.TestCase):
         done = subprocess.run([PROGRAM, "view", "--help"], text=True, stdout=subprocess.PIPE)
         self.assertEqual(done.returncode, 0)
         self.assertIn("--state", done.stdout)
-        done = subprocess.run([PROGRAM, "view", "--size", "big", str(OVALS)], text=True, stderr=subprocess.PIPE)
+        # The options are read before the display is opened.
+        environment = {**os.environ, "DISPLAY": ":none"}
+        done = subprocess.run([PROGRAM, "view", "--size", "big", str(OVALS)], env=environment, text=True,
+                              stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 2)
 
 

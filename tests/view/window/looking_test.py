@@ -31,8 +31,8 @@ class Looking(WindowTest):
         cost = window.wait(lambda s: "cost" in s)["cost"]
         self.assertGreaterEqual(cost["frames"], 20)
         self.assertGreater(cost["milliseconds"], 0)
-        self.assertEqual([each["target"] for each in cost["passes"]], ["window"])
-        self.assertGreater(cost["passes"][0]["milliseconds"], 0)
+        self.assertEqual([each["what"] for each in cost["nodes"]], ["pass into window"])
+        self.assertGreater(cost["nodes"][0]["milliseconds"], 0)
 
 
 class Pipeline(WindowTest):

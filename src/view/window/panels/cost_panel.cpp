@@ -1,4 +1,4 @@
-// The section "Frame rate": measures the time per frame, pass and draw.
+// The section "Frame rate": measures the time per frame, pass, dispatch, draw and step.
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -11,26 +11,52 @@
 namespace glibra::view {
 namespace {
 
-/// A bar per pass, and below it one per draw. The full width is the longest pass.
+std::string lineOf(int line) {
+    return line > 0 ? fmt::format(" (line {})", line) : "";
+}
+
+void bar(double milliseconds, double longest, const std::string& text) {
+    const float part = longest > 0 ? static_cast<float>(milliseconds / longest) : 0;
+    ImGui::ProgressBar(part, {-1, 0}, fmt::format("{}: {:.3f} ms", text, milliseconds).c_str());
+}
+
+/// Bars in another colour, farther to the right.
+template <class Draw>
+void inner(const Draw& draw) {
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+    ImGui::Indent();
+    draw();
+    ImGui::Unindent();
+    ImGui::PopStyleColor();
+}
+
+/// A bar for each pass, dispatch and clear of the frame, with one for each draw below, and for each Once and
+/// Step block, with what a run executes. The longest bar has the full width.
 void bars(Ui& ui, const FrameCost& cost) {
     double longest = 0;
-    for (const PassCost& each : cost.passes) longest = std::max(longest, each.milliseconds);
-    const auto bar = [&](double milliseconds, const std::string& text) {
-        const float part = longest > 0 ? static_cast<float>(milliseconds / longest) : 0;
-        ImGui::ProgressBar(part, {-1, 0}, fmt::format("{}: {:.3f} ms", text, milliseconds).c_str());
-    };
-    for (std::size_t pass = 0; pass < cost.passes.size(); ++pass) {
-        const PassCost& each = cost.passes[pass];
-        const std::string line = each.line > 0 ? fmt::format(" (line {})", each.line) : "";
-        bar(each.milliseconds, fmt::format("pass {} into {}{}", pass + 1, each.target, line));
-        mark(ui, "cost/pass/{}", pass);
-        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
-        ImGui::Indent();
-        for (const DrawCost& draw : cost.draws)
-            if (draw.pass == static_cast<int>(pass))
-                bar(draw.milliseconds, fmt::format("{} (line {})", draw.word, draw.line));
-        ImGui::Unindent();
-        ImGui::PopStyleColor();
+    for (const NodeCost& each : cost.nodes) longest = std::max(longest, each.milliseconds);
+    for (const BlockCost& each : cost.blocks) longest = std::max(longest, each.milliseconds);
+    for (std::size_t node = 0; node < cost.nodes.size(); ++node) {
+        const NodeCost& each = cost.nodes[node];
+        bar(each.milliseconds, longest, each.what + lineOf(each.line));
+        mark(ui, "cost/node/{}", node);
+        inner([&] {
+            for (const DrawCost& draw : cost.draws)
+                if (draw.node == node) bar(draw.milliseconds, longest, draw.word + lineOf(draw.line));
+        });
+    }
+    for (const BlockCost& each : cost.blocks) {
+        if (each.runs == 0) {
+            ImGui::TextDisabled("%s%s: no step has run yet", each.what.c_str(), lineOf(each.line).c_str());
+            continue;
+        }
+        bar(each.milliseconds, longest, each.what + lineOf(each.line));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("One run of the block: mean of the last %d before this picture", each.runs);
+        inner([&] {
+            for (const NodeCost& node : each.nodes)
+                bar(node.milliseconds, longest, node.what + lineOf(node.line));
+        });
     }
 }
 

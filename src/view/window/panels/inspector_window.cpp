@@ -1,4 +1,4 @@
-// The window that shows the texels of textures, targets and the picture.
+// The window that shows the texels of textures, targets and the picture, and the content of buffers.
 
 #include <fmt/format.h>
 #include <glad/gl.h>
@@ -10,75 +10,196 @@
 #include <span>
 #include <string>
 
+#include "render/check/object_content.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
 namespace {
 
-constexpr int kColor = -1;
-constexpr int kDepth = -2;
+constexpr std::uint64_t kRowsPerPage = 100;
+constexpr float kNearest = 64, kFarthest = .02F;  // zoom
 
-scene::TextureIndex textureOf(int chosen) {
-    return chosen < 0 ? scene::TextureIndex() : scene::TextureIndex(static_cast<std::size_t>(chosen));
-}
+/// The object that the user has chosen. Without one it is the picture.
+struct Chosen {
+    scene::TextureIndex texture{};
+    scene::BufferIndex buffer{};
+    bool isDepth = false;
+};
 
-std::string titleOf(const Ui& ui, int chosen) {
-    if (chosen == kColor) return "picture: colour";
-    if (chosen == kDepth) return "picture: depth";
-    return textureTitle(ui.session.live().scene(), textureOf(chosen));
-}
-
-void choose(Ui& ui) {
+/// What the key names now; the picture if that no longer exists.
+Chosen chosenOf(Ui& ui) {
     Inspector& inspector = ui.inspector;
-    const auto count = static_cast<int>(ui.session.live().scene().textures.size());
-    const auto isThere = [&](int each) {
-        return each < 0 || (each < count && ui.session.live().texture(textureOf(each)));
-    };
-    if (!isThere(inspector.chosen)) inspector.chosen = kColor;
-    ImGui::SetNextItemWidth(-1);
-    const bool isOpen = ImGui::BeginCombo("##what", titleOf(ui, inspector.chosen).c_str());
-    mark(ui, "inspector/what");
-    if (!isOpen) return;
-    for (int each = kDepth; each < count; ++each) {
-        if (!isThere(each)) continue;
-        ImGui::PushID(each);
-        if (ImGui::Selectable(titleOf(ui, each).c_str(), each == inspector.chosen)) {
-            inspector.chosen = each;
-            inspector.slice = 0;
-        }
-        mark(ui, fmt::format("inspector/item/{}", each));
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
+    const LiveScene& live = ui.session.live();
+    if (inspector.chosen == "depth") return {{}, {}, true};
+    for (const scene::TextureIndex each : live.scene().textures.indices())
+        if (textureKey(live.scene(), each) == inspector.chosen && live.texture(each))
+            return {each, {}, false};
+    for (const scene::BufferIndex each : live.scene().buffers.indices())
+        if (live.scene().buffers[each].name == inspector.chosen && live.buffers().layout(each))
+            return {{}, each, false};
+    inspector.chosen = "picture";
+    return {};
 }
 
-/// Reads the texels again after each frame of the scene, and after another choice.
-void read(Ui& ui) {
+std::string bufferTitle(const Ui& ui, scene::BufferIndex index) {
+    const scene::Buffer& buffer = ui.session.live().scene().buffers[index];
+    const plan::BufferLayout& layout = *ui.session.live().buffers().layout(index);
+    return fmt::format("{}: buffer, {} bytes, line {}", buffer.name, layout.bytes, buffer.place.line);
+}
+
+std::string titleOf(const Ui& ui, const Chosen& chosen) {
+    if (chosen.buffer) return bufferTitle(ui, chosen.buffer);
+    if (chosen.texture) return textureTitle(ui.session.live().scene(), chosen.texture);
+    return chosen.isDepth ? "picture: depth" : "picture: colour";
+}
+
+bool hasHistory(const scene::Scene& scene, const Chosen& chosen) {
+    if (chosen.buffer) return scene.buffers[chosen.buffer].hasHistory;
+    return chosen.texture && scene.textures[chosen.texture].hasHistory;
+}
+
+/// The values of these begin far from 0..1.
+bool needsRange(const LiveScene& live, const Chosen& chosen) {
+    const gpu::Texture* texture = chosen.texture ? live.texture(chosen.texture) : nullptr;
+    return texture && (base::isInteger(texture->format()) || base::hasDepth(texture->format()));
+}
+
+Chosen choose(Ui& ui) {
+    Inspector& inspector = ui.inspector;
+    Chosen chosen = chosenOf(ui);
+    ImGui::SetNextItemWidth(-1);
+    const bool isOpen = ImGui::BeginCombo("##what", titleOf(ui, chosen).c_str(), ImGuiComboFlags_HeightLarge);
+    mark(ui, "inspector/what");
+    if (!isOpen) return chosen;
+    const auto item = [&](const std::string& key, const Chosen& each) {
+        ImGui::PushID(key.c_str());
+        if (ImGui::Selectable(titleOf(ui, each).c_str(), key == inspector.chosen)) {
+            inspector.chosen = key;
+            inspector.level = inspector.layer = 0;
+            inspector.firstRow = 0;
+            inspector.isPrevious = false;
+            inspector.wantsRange = needsRange(ui.session.live(), each);
+            inspector.display = {};
+            chosen = each;
+        }
+        mark(ui, "inspector/item/{}", key);
+        ImGui::PopID();
+    };
+    const LiveScene& live = ui.session.live();
+    item("picture", {});
+    item("depth", {{}, {}, true});
+    for (const scene::TextureIndex each : live.scene().textures.indices())
+        if (live.texture(each)) item(textureKey(live.scene(), each), {each, {}, false});
+    for (const scene::BufferIndex each : live.scene().buffers.indices())
+        if (live.buffers().layout(each)) item(live.scene().buffers[each].name, {{}, each, false});
+    ImGui::EndCombo();
+    return chosen;
+}
+
+/// Which level, layer and copy of the object is shown.
+void part(Ui& ui, const Chosen& chosen) {
+    Inspector& inspector = ui.inspector;
+    if (hasHistory(ui.session.live().scene(), chosen)) {
+        ImGui::Checkbox("previous copy (.prev)", &inspector.isPrevious);
+        mark(ui, "inspector/previous");
+    }
+    if (!chosen.texture) return;
+    const gpu::Texture* texture = ui.session.live().completed(chosen.texture, inspector.isPrevious);
+    if (!texture) return;
+    const auto slider = [&](const char* label, const char* name, int& value, int count) {
+        value = std::clamp(value, 0, count - 1);
+        if (count < 2) return;
+        ImGui::SetNextItemWidth(160 * ui.scale);
+        ImGui::SliderInt(label, &value, 0, count - 1);
+        markField(ui, name, label);
+    };
+    slider("level", "inspector/level", inspector.level, texture->levels());
+    if (texture->levels() > 1 && texture->layers(inspector.level) > 1) ImGui::SameLine();
+    const bool isCube = texture->shape() == gpu::TextureShape::cube;
+    slider(isCube ? "face (+x -x +y -y +z -z)" : "layer", "inspector/layer", inspector.layer,
+           texture->layers(inspector.level));
+}
+
+void readTexture(Ui& ui, scene::TextureIndex index) {
+    Inspector& inspector = ui.inspector;
+    const gpu::Texture* texture = ui.session.live().completed(index, inspector.isPrevious);
+    if (!texture || texture->samples() > 1) {
+        inspector.problem = "The samples of this texture cannot be resolved.";
+        return;
+    }
+    const std::optional<int> layer =
+        texture->layers(inspector.level) > 1 ? std::optional(inspector.layer) : std::nullopt;
+    Result<render::Content> content = render::contentOf(*texture, inspector.level, layer);
+    if (!content) inspector.problem = "The driver cannot read this format.";
+    inspector.content = std::move(content.value);
+}
+
+/// The texts of a row of cells; `first` is the number of the buffer at which it begins.
+std::vector<std::string> cells(const std::vector<BufferColumn>& columns,
+                               const std::vector<plan::MemoryNumber>& kinds, std::span<const double> values) {
+    std::vector<std::string> texts;
+    for (const BufferColumn& each : columns)
+        texts.push_back(each.first + each.count <= values.size()
+                            ? cellText(std::span(kinds).subspan(each.first, each.count),
+                                       values.subspan(each.first, each.count))
+                            : "");
+    return texts;
+}
+
+void readBuffer(Ui& ui, scene::BufferIndex index) {
+    Inspector& inspector = ui.inspector;
+    const render::DeviceBuffers& buffers = ui.session.live().buffers();
+    const plan::BufferLayout& layout = *buffers.layout(index);
+    const plan::MemoryPattern& pattern = layout.pattern;
+    const scene::BufferView view{index, inspector.isPrevious};
+    inspector.table = tableOf(layout, ui.session.live().blockOf(index));
+    inspector.head.clear();
+    inspector.rows.clear();
+    const std::vector<double> head = buffers.read(view, 0, pattern.head.size());
+    if (!head.empty()) inspector.head = cells(inspector.table.head, pattern.head, head);
+    const std::uint64_t elements = inspector.table.elements;
+    if (elements == 0) return;
+    inspector.firstRow = std::min(inspector.firstRow, elements - 1);
+    const std::size_t size = pattern.element.size();
+    const std::vector<double> values =
+        buffers.read(view, pattern.head.size() + inspector.firstRow * size, kRowsPerPage * size);
+    for (std::size_t i = 0; i + size <= values.size(); i += size)
+        inspector.rows.push_back(
+            cells(inspector.table.columns, pattern.element, std::span(values).subspan(i, size)));
+}
+
+/// Reads the content again after each frame of the scene, and after another choice.
+void read(Ui& ui, const Chosen& chosen) {
     Inspector& inspector = ui.inspector;
     const gpu::Target* picture = ui.session.picture();
     if (!picture) return;
-    const bool isSame = inspector.frame == ui.session.framesDrawn() &&
-                        inspector.readChosen == inspector.chosen && inspector.readSlice == inspector.slice &&
-                        inspector.readScene == ui.session.path();
-    if (!isSame) {
-        if (inspector.chosen == kColor)
-            inspector.image = colorTexels(*picture);
-        else if (inspector.chosen == kDepth)
-            inspector.image = depthTexels(*picture);
+    std::string wanted =
+        fmt::format("{} {} {} {} {} {} {} {}", ui.session.path().string(), ui.session.timesLoaded(),
+                    ui.session.framesDrawn(), inspector.chosen, inspector.level, inspector.layer,
+                    inspector.isPrevious, inspector.firstRow);
+    if (wanted != inspector.readFor) {
+        inspector.readFor = std::move(wanted);
+        inspector.content.reset();
+        inspector.shown.reset();
+        inspector.problem.clear();
+        if (chosen.buffer)
+            readBuffer(ui, chosen.buffer);
+        else if (chosen.texture)
+            readTexture(ui, chosen.texture);
         else
-            inspector.image =
-                texelsOf(*ui.session.live().texture(textureOf(inspector.chosen)), inspector.slice);
-        inspector.frame = ui.session.framesDrawn();
-        inspector.readChosen = inspector.chosen;
-        inspector.readSlice = inspector.slice;
-        inspector.readScene = ui.session.path().string();
+            inspector.content = contentOf(*picture, chosen.isDepth);
     }
-    if (inspector.image.rgba.empty()) return inspector.shown.reset();
-    const std::vector<std::uint8_t> bytes = screenBytes(inspector.image, inspector.display);
+    if (!inspector.content) return;
+    if (std::exchange(inspector.wantsRange, false))
+        std::tie(inspector.display.low, inspector.display.high) =
+            rangeOf(*inspector.content, inspector.display.channels);
+    if (inspector.shown && inspector.shownDisplay == inspector.display) return;
+    const std::vector<std::uint8_t> bytes = screenBytes(*inspector.content, inspector.display);
     Result<gpu::Texture> made = gpu::Texture::create(
         ui.context.capabilities(), gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
-        {inspector.image.width, inspector.image.height, 1}, {std::as_bytes(std::span(bytes)), 4});
+        {inspector.content->width, inspector.content->height, 1}, {std::as_bytes(std::span(bytes)), 4});
     inspector.shown = std::move(made.value);
+    inspector.shownDisplay = inspector.display;
     if (!inspector.shown) return;
     glBindTexture(GL_TEXTURE_2D, inspector.shown->id());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -87,69 +208,182 @@ void read(Ui& ui) {
 
 void settings(Ui& ui) {
     Inspector& inspector = ui.inspector;
-    ImGui::PushItemWidth(110 * ui.scale);
+    ImGui::PushItemWidth(90 * ui.scale);
     int channels = static_cast<int>(inspector.display.channels);
     if (ImGui::Combo("##channels", &channels, "RGB\0red\0green\0blue\0alpha\0"))
         inspector.display.channels = static_cast<Channels>(channels);
     mark(ui, "inspector/channels");
     ImGui::SameLine();
-    ImGui::SliderFloat("gain", &inspector.display.gain, .01F, 100, "%.2f", ImGuiSliderFlags_Logarithmic);
-    markField(ui, "inspector/gain", "gain");
+    ImGui::InputDouble("black", &inspector.display.low, 0, 0, "%.5g");
+    markField(ui, "inspector/low", "black");
     ImGui::SameLine();
-    ImGui::SliderFloat("zoom", &inspector.zoom, .1F, 32, "%.2f", ImGuiSliderFlags_Logarithmic);
-    markField(ui, "inspector/zoom", "zoom");
+    ImGui::InputDouble("white", &inspector.display.high, 0, 0, "%.5g");
+    markField(ui, "inspector/high", "white");
+    ImGui::SameLine();
+    if (ImGui::Button("Fit range")) inspector.wantsRange = true;
+    mark(ui, "inspector/fitRange");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Black is the least value of the shown channels, white the largest");
+    ImGui::SameLine();
+    if (ImGui::Button("0..1")) inspector.display.low = 0, inspector.display.high = 1;
+    mark(ui, "inspector/unitRange");
     ImGui::PopItemWidth();
-    const gpu::Texture* texture = ui.session.live().texture(textureOf(inspector.chosen));
-    const int slices = texture ? sliceCount(*texture) : 1;
-    if (slices > 1) {
-        const char* label = texture->shape() == gpu::TextureShape::cube ? "face" : "slice";
-        ImGui::SliderInt(label, &inspector.slice, 0, slices - 1);
-        markField(ui, "inspector/slice", label);
+}
+
+std::string textOf(const render::Content& content, std::size_t column, std::size_t row) {
+    std::string text = fmt::format("{}, {}:", column, row);
+    for (const double each : content.at(row * static_cast<std::size_t>(content.width) + column)) {
+        // Integers up to 2^32 with all their digits.
+        const bool isWhole = each == std::trunc(each) && std::abs(each) < 1e10;
+        text += isWhole ? fmt::format(" {:.0f}", each) : fmt::format(" {:.6g}", each);
     }
-    inspector.slice = std::clamp(inspector.slice, 0, slices - 1);
+    return text;
+}
+
+/// The wheel zooms about the texel under the mouse. Call it before the image, whose size limits how far the
+/// next frame can be scrolled.
+void zoomImage(Ui& ui, const ImVec2& at) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
+    float& zoom = ui.inspector.zoom;
+    const float before = zoom;
+    zoom = std::clamp(zoom * std::pow(1.2F, io.MouseWheel), kFarthest, kNearest);
+    const float more = zoom / before - 1;
+    ImGui::SetScrollX(ImGui::GetScrollX() + (io.MousePos.x - at.x) * more);
+    ImGui::SetScrollY(ImGui::GetScrollY() + (io.MousePos.y - at.y) * more);
+}
+
+/// Dragging moves the image.
+void panImage() {
+    if (!ImGui::IsItemActive()) return;
+    ImGui::SetScrollX(ImGui::GetScrollX() - ImGui::GetIO().MouseDelta.x);
+    ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseDelta.y);
 }
 
 void image(Ui& ui) {
     Inspector& inspector = ui.inspector;
-    const TexelImage& texels = inspector.image;
-    if (!inspector.shown) return ImGui::TextDisabled("The driver cannot read this format.");
-    const NonFiniteTexels bad = countNonFinite(texels);
-    ImGui::Text("%d x %d   %s", texels.width, texels.height, inspector.hovered.c_str());
+    if (!inspector.content || !inspector.shown) return ImGui::TextDisabled("%s", inspector.problem.c_str());
+    const render::Content& content = *inspector.content;
+    settings(ui);
+    const auto width = static_cast<float>(content.width), height = static_cast<float>(content.height);
+    bool fits = ImGui::Button("Fit");
+    mark(ui, "inspector/fit");
+    ImGui::SameLine();
+    if (ImGui::Button("1:1")) inspector.zoom = 1;
+    mark(ui, "inspector/actualSize");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110 * ui.scale);
+    ImGui::SliderFloat("zoom", &inspector.zoom, kFarthest, kNearest, "%.2f", ImGuiSliderFlags_Logarithmic);
+    markField(ui, "inspector/zoom", "zoom");
+    ImGui::SameLine();
+    ImGui::Text("%d x %d   %s", content.width, content.height, inspector.hovered.c_str());
+    const NonFiniteTexels bad = countNonFinite(content);
     if (bad.nan + bad.infinite > 0)
         ImGui::TextColored({1, .4F, .9F, 1}, "%d texels are NaN (magenta), %d infinite (cyan)", bad.nan,
                            bad.infinite);
-    ImGui::BeginChild("image", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    if (fits) {
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        const float border = 2 * ImGui::GetStyle().WindowPadding.x;
+        inspector.zoom =
+            std::clamp(std::min((room.x - border) / width, (room.y - border) / height), kFarthest, kNearest);
+    }
+    ImGui::BeginChild("image", {0, 0}, true,
+                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size(static_cast<float>(texels.width) * inspector.zoom,
-                      static_cast<float>(texels.height) * inspector.zoom);
-    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(inspector.shown->id())), size, {0, 1},
-                 {1, 0});
+    zoomImage(ui, at);
+    const ImVec2 size(std::max(1.F, width * inspector.zoom), std::max(1.F, height * inspector.zoom));
+    ImGui::InvisibleButton("texels", size);
     mark(ui, "inspector/image");
+    ImGui::GetWindowDrawList()->AddImage(
+        std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(inspector.shown->id())), at,
+        {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
     inspector.hovered.clear();
     if (ImGui::IsItemHovered()) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const int x = std::clamp(static_cast<int>((mouse.x - at.x) / inspector.zoom), 0, texels.width - 1);
-        const int y = std::clamp(static_cast<int>((mouse.y - at.y) / inspector.zoom), 0, texels.height - 1);
-        const auto row = static_cast<std::size_t>(texels.height - 1 - y);
-        const float* texel = texels.rgba.data() +
-                             4 * (row * static_cast<std::size_t>(texels.width) + static_cast<std::size_t>(x));
-        inspector.hovered = fmt::format("{}, {}: {:.5g} {:.5g} {:.5g} {:.5g}", x, row, texel[0], texel[1],
-                                        texel[2], texel[3]);
+        const int x = std::clamp(static_cast<int>((mouse.x - at.x) / inspector.zoom), 0, content.width - 1);
+        const int y = std::clamp(static_cast<int>((mouse.y - at.y) / inspector.zoom), 0, content.height - 1);
+        inspector.hovered =
+            textOf(content, static_cast<std::size_t>(x), static_cast<std::size_t>(content.height - 1 - y));
         ImGui::SetTooltip("%s", inspector.hovered.c_str());
     }
+    panImage();
     ImGui::EndChild();
+}
+
+/// The members before the array, one per line.
+void headTable(const Inspector& inspector) {
+    if (inspector.head.empty() || !ImGui::BeginTable("head", 2, ImGuiTableFlags_RowBg)) return;
+    constexpr std::size_t kMostShown = 200;
+    for (std::size_t i = 0; i < std::min(inspector.head.size(), kMostShown); ++i) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(inspector.table.head[i].name.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(inspector.head[i].c_str());
+    }
+    ImGui::EndTable();
+    if (inspector.head.size() > kMostShown)
+        ImGui::TextDisabled("and %zu more members", inspector.head.size() - kMostShown);
+}
+
+void pages(Ui& ui) {
+    Inspector& inspector = ui.inspector;
+    const std::uint64_t elements = inspector.table.elements;
+    ImGui::BeginDisabled(inspector.firstRow == 0);
+    if (ImGui::Button("< Page")) inspector.firstRow -= std::min(inspector.firstRow, kRowsPerPage);
+    ImGui::EndDisabled();
+    mark(ui, "inspector/pageBack");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(inspector.firstRow + kRowsPerPage >= elements);
+    if (ImGui::Button("Page >")) inspector.firstRow += kRowsPerPage;
+    ImGui::EndDisabled();
+    mark(ui, "inspector/pageForward");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110 * ui.scale);
+    ImGui::InputScalar("first", ImGuiDataType_U64, &inspector.firstRow);
+    markField(ui, "inspector/first", "first");
+    ImGui::SameLine();
+    ImGui::Text("of %llu elements", static_cast<unsigned long long>(elements));
+}
+
+void bufferTable(Ui& ui) {
+    const Inspector& inspector = ui.inspector;
+    headTable(inspector);
+    if (inspector.table.elements == 0) return;
+    pages(ui);
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingFixedFit;
+    const int columns = static_cast<int>(inspector.table.columns.size()) + 1;
+    if (!ImGui::BeginTable("elements", columns, kFlags)) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    ImGui::TableSetupColumn("index");
+    for (const BufferColumn& each : inspector.table.columns) ImGui::TableSetupColumn(each.name.c_str());
+    ImGui::TableHeadersRow();
+    for (std::size_t row = 0; row < inspector.rows.size(); ++row) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%llu", static_cast<unsigned long long>(inspector.firstRow + row));
+        for (const std::string& cell : inspector.rows[row]) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(cell.c_str());
+        }
+    }
+    ImGui::EndTable();
 }
 
 }  // namespace
 
 void inspectorWindow(Ui& ui) {
     if (!ui.inspector.isOpen || !ui.session.hasScene()) return;
-    placeFloating(ui, 20, 20, 520, 460);
-    if (ImGui::Begin("Textures and targets", &ui.inspector.isOpen, ImGuiWindowFlags_NoCollapse)) {
-        choose(ui);
-        settings(ui);
-        read(ui);
-        image(ui);
+    placeFloating(ui, 20, 20, 560, 480);
+    if (ImGui::Begin("Textures, targets, buffers", &ui.inspector.isOpen, ImGuiWindowFlags_NoCollapse)) {
+        const Chosen chosen = choose(ui);
+        part(ui, chosen);
+        read(ui, chosen);
+        if (chosen.buffer)
+            bufferTable(ui);
+        else
+            image(ui);
     }
     ImGui::End();
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -113,8 +114,13 @@ void errorLine(const Ui& ui, ImDrawList& list) {
 
 void pictureInput(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    const bool isOver = !io.WantCaptureMouse && isInPicture(ui, io.MousePos);
+    if (isOver || ui.dragButton == ImGuiMouseButton_Left)
+        ui.session.setMouse(std::clamp((io.MousePos.x - ui.picture[0]) / ui.picture[2], 0.F, 1.F),
+                            std::clamp(1 - (io.MousePos.y - ui.picture[1]) / ui.picture[3], 0.F, 1.F),
+                            ImGui::IsMouseDown(ImGuiMouseButton_Left));
     bool begins = false;
-    if (ui.dragButton < 0 && !io.WantCaptureMouse && isInPicture(ui, io.MousePos)) {
+    if (ui.dragButton < 0 && isOver) {
         for (int button = 0; button < 3; ++button)
             if (ImGui::IsMouseClicked(button)) {
                 ui.dragButton = button;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "glib/text.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -53,7 +55,13 @@ void undo(Ui& ui, bool again) {
         ui.history.undo(ui.session);
 }
 
+/// Back to the scene's own camera, if the user looks through another one.
 void toggleProjection(Ui& ui) {
+    if (!ui.session.camera().empty()) {
+        ui.session.setCamera("");
+        ui.session.setTransform(TransformMode::eye, kIdentity);
+        return;
+    }
     ViewState view = ui.session.view();
     view.projection = view.projection == ProjectionMode::orthographic ? ProjectionMode::perspective
                                                                       : ProjectionMode::orthographic;
@@ -78,7 +86,10 @@ const auto kShortcuts = std::to_array<Shortcut>({
     {GLFW_KEY_R, false, "R", "reset all transforms, keep the values",
      [](Ui& ui) { ui.session.resetTransforms(); }},
     {GLFW_KEY_R, true, "Ctrl+R", "reset all values", [](Ui& ui) { ui.session.resetValues(); }},
-    {GLFW_KEY_P, false, "P", "orthographic or perspective projection", toggleProjection},
+    {GLFW_KEY_B, false, "B", "pause, and go to the next step", [](Ui& ui) { ui.session.nextStep(); }},
+    {GLFW_KEY_C, false, "C", "look through the scene's next camera", [](Ui& ui) { ui.session.nextCamera(); }},
+    {GLFW_KEY_P, false, "P", "orthographic or perspective projection; first back to the scene's own camera",
+     toggleProjection},
     {GLFW_KEY_A, false, "A", "show axes", [](Ui& ui) { ui.session.setAxes(!ui.session.axes()); }},
     {GLFW_KEY_W, false, "W", "show wireframe",
      [](Ui& ui) { ui.session.setWireframe(!ui.session.wireframe()); }},
@@ -111,7 +122,7 @@ const auto kShortcuts = std::to_array<Shortcut>({
      true},
     {GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", [](Ui& ui) { goToTab(ui, 1); }, true},
     {GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "previous tab", [](Ui& ui) { goToTab(ui, -1); }, true},
-    {GLFW_KEY_I, false, "I", "show textures and targets",
+    {GLFW_KEY_I, false, "I", "show textures, targets and buffers",
      [](Ui& ui) { ui.inspector.isOpen = !ui.inspector.isOpen; }},
     {GLFW_KEY_N, false, "N", "show noise functions",
      [](Ui& ui) { ui.shared.noise.isOpen = !ui.shared.noise.isOpen; }},
@@ -133,20 +144,77 @@ constexpr auto kMouse = std::to_array<std::pair<const char*, const char*>>({
 
 }  // namespace
 
+namespace {
+
+/// The key as Key statements name it; empty if they cannot.
+std::string nameOf(int key) {
+    if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return {static_cast<char>('a' + key - GLFW_KEY_A)};
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return {static_cast<char>('0' + key - GLFW_KEY_0)};
+    constexpr std::pair<int, const char*> kNames[] = {{GLFW_KEY_SPACE, "space"}, {GLFW_KEY_ENTER, "enter"},
+                                                      {GLFW_KEY_LEFT, "left"},   {GLFW_KEY_RIGHT, "right"},
+                                                      {GLFW_KEY_UP, "up"},       {GLFW_KEY_DOWN, "down"}};
+    for (const auto& [known, name] : kNames)
+        if (known == key) return name;
+    return {};
+}
+
+const std::vector<scene::KeyBinding>& sceneKeys(const Ui& ui) {
+    static const std::vector<scene::KeyBinding> kNone;
+    return ui.session.hasScene() ? ui.session.live().scene().keys : kNone;
+}
+
+/// The scene uses the key of this shortcut, which then needs Shift.
+bool isTaken(const Ui& ui, const Shortcut& shortcut) {
+    if (shortcut.control || shortcut.whileTyping) return false;
+    const std::string name = nameOf(shortcut.key);
+    return std::any_of(sceneKeys(ui).begin(), sceneKeys(ui).end(),
+                       [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, name); });
+}
+
+std::string effectOf(const scene::KeyBinding& key) {
+    if (key.restarts) return "begin the scene anew";
+    return (key.values.size() > 1 ? "next value of " : "set ") + key.variable;
+}
+
+}  // namespace
+
 void shortcuts(Ui& ui) {
     const std::vector<Display::KeyPress> pressed = std::exchange(ui.pressed, {});
     if (ui.shared.question) return;
     const bool isTyping = ImGui::GetIO().WantTextInput;
-    for (const Display::KeyPress& press : pressed)
+    for (const Display::KeyPress& press : pressed) {
+        const bool isPlain = !isTyping && !press.control && !ImGui::GetIO().KeyShift;
+        const std::string name = isPlain ? nameOf(press.key) : std::string();
+        if (!name.empty() && ui.session.pressKey(name)) continue;
         for (const Shortcut& each : kShortcuts)
             if (each.control == press.control && each.key == press.key && (each.whileTyping || !isTyping))
                 each.act(ui);
+    }
+}
+
+void keysPanel(Ui& ui) {
+    const std::vector<scene::KeyBinding> keys = sceneKeys(ui);
+    if (keys.empty() || !ImGui::CollapsingHeader("Keys of the scene", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::SmallButton(keys[i].key.c_str())) ui.session.pressKey(keys[i].key);
+        mark(ui, "key/{}", keys[i].key);
+        ImGui::PopID();
+        ImGui::SameLine();
+        ImGui::TextUnformatted(effectOf(keys[i]).c_str());
+        for (const Shortcut& each : kShortcuts)
+            if (isTaken(ui, each) && glib::sameWord(nameOf(each.key), keys[i].key)) {
+                ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+                ImGui::TextWrapped("Shift+%s: %s", each.keys, each.what);
+                ImGui::PopStyleColor();
+            }
+    }
 }
 
 void helpWindow(Ui& ui) {
     if (!ui.showHelp) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const auto rows = static_cast<float>(kMouse.size() + kShortcuts.size() + 2);
+    const auto rows = static_cast<float>(kMouse.size() + kShortcuts.size() + sceneKeys(ui).size() + 2);
     const float height = rows * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y) +
                          2 * ImGui::GetFrameHeight();
     // Two columns of keys if one would be too high and the window is wide enough.
@@ -167,14 +235,19 @@ void helpWindow(Ui& ui) {
                 ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keys);
                 ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
             }
-            const auto row = [](const char* first, const char* second) {
+            const auto row = [](const std::string& first, const char* second) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(first);
+                ImGui::TextUnformatted(first.c_str());
                 ImGui::TableNextColumn();
                 ImGui::TextWrapped("%s", second);
             };
+            for (const scene::KeyBinding& each : sceneKeys(ui)) {
+                row(each.key + " (scene)", effectOf(each).c_str());
+                mark(ui, "help/key/{}", each.key);
+            }
             for (const auto& [doing, what] : kMouse) row(doing, what);
-            for (const Shortcut& each : kShortcuts) row(each.keys, each.what);
+            for (const Shortcut& each : kShortcuts)
+                row(isTaken(ui, each) ? std::string("Shift+") + each.keys : each.keys, each.what);
             ImGui::EndTable();
         }
     }

@@ -5,9 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vector>
+
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
+
+namespace {
+
+/// The number of steps of each Step block. Returns true if the user wants the next step.
+bool stepControls(Ui& ui) {
+    const std::vector<render::Simulation::Progress> progress = ui.session.live().steps();
+    if (progress.empty()) return false;
+    const bool isWanted = ImGui::Button("Step >");
+    mark(ui, "time/step");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Pause, and go to the next step (B)");
+    for (const render::Simulation::Progress& each : progress) {
+        if (&each == &progress.front()) ImGui::SameLine();
+        ImGui::Text("Step %g (line %d): %lld steps", each.rate, each.place.line,
+                    static_cast<long long>(each.steps));
+        mark(ui, "time/steps/{}", each.place.line);
+    }
+    return isWanted;
+}
+
+}  // namespace
 
 void timePanel(Ui& ui) {
     if (!ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) return;
@@ -24,9 +46,11 @@ void timePanel(Ui& ui) {
     if (ImGui::Button("Frame >")) clock.step(1);
     mark(ui, "time/forward");
     ImGui::SameLine();
-    if (ImGui::Button("Restart")) clock.setTime(0);
+    const bool restarts = ImGui::Button("Restart");
+    if (restarts) clock.setTime(0);
     mark(ui, "time/restart");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set the time to 0 seconds");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set the time to 0 seconds; what lasts begins anew");
+    const bool steps = stepControls(ui);
     if (!ui.session.live().isAnimated()) {
         ImGui::SameLine();
         ImGui::TextDisabled("no Timer");
@@ -52,6 +76,8 @@ void timePanel(Ui& ui) {
     markField(ui, "time/speed", "Speed");
     ImGui::PopItemWidth();
     ui.session.setClock(clock);
+    if (restarts) ui.session.restart();
+    if (steps) ui.session.nextStep();
 }
 
 }  // namespace glibra::view

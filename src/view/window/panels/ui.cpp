@@ -50,6 +50,7 @@ float panel(Ui& ui) {
         messagesPanel(ui);
         if (ui.session.hasScene()) {
             uniformsPanel(ui);
+            keysPanel(ui);
             viewPanel(ui);
             timePanel(ui);
             hardcopyPanel(ui);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "view/debug_view/buffer_table.h"
 #include "view/debug_view/texels.h"
 #include "view/export/hardcopy_job.h"
 #include "view/session/frame_cost.h"
@@ -67,19 +68,28 @@ struct HardcopyEntries {
     bool failed = false;
 };
 
-/// The state of the window "Textures and targets".
+/// The state of the window "Textures, targets, buffers".
 struct Inspector {
     bool isOpen = false;
-    int chosen = -1;  ///< index of a texture of the scene; -1: the picture's colour, -2: its depth
-    int slice = 0;
+    /// "picture", "depth", the name of a texture or buffer, or "#2" for texture 2 of the scene, which has no
+    /// name.
+    std::string chosen = "picture";
+    int level = 0, layer = 0;
+    bool isPrevious = false;  ///< the other copy of an object with history
+    bool wantsRange = false;  ///< the range of shown values follows from the next content
     float zoom = 1;
     TexelDisplay display;
-    std::uint64_t frame = 0;  ///< Session::framesDrawn() when `image` was read
-    int readChosen = -3, readSlice = -1;
-    std::string readScene;
-    TexelImage image;
+    std::string readFor;  ///< what `content` or `rows` was read for
+    std::optional<render::Content> content;
+    std::string problem;  ///< why there is none
     std::optional<gpu::Texture> shown;
+    TexelDisplay shownDisplay;
     std::string hovered;  ///< the texel under the mouse: "12, 40: 0.5 0.25 0 1"
+    // Of a buffer:
+    std::uint64_t firstRow = 0;
+    BufferTable table;
+    std::vector<std::string> head;               ///< the cells before the array
+    std::vector<std::vector<std::string>> rows;  ///< the cells of the shown elements
 };
 
 struct Ui {
@@ -177,6 +187,8 @@ void pictureOverlay(Ui& ui);
 /// Handles the keyboard shortcuts.
 void shortcuts(Ui& ui);
 void helpWindow(Ui& ui);
+/// The keys that the scene declares, as buttons.
+void keysPanel(Ui& ui);
 
 /// The width of the panel with the sections, in screen coordinates.
 float panelWidth(const Ui& ui);

@@ -60,6 +60,27 @@ void numbers(Ui& ui) {
     mark(ui, "transform/reset");
 }
 
+/// A menu of the scene's cameras.
+void cameras(Ui& ui) {
+    const auto& cameras = ui.session.live().cameras();
+    if (cameras.empty()) return;
+    const auto labelOf = [](const std::string& name) {
+        return name.empty() ? "as in the scene" : name.c_str();
+    };
+    ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Projection ").x);
+    const bool isOpen = ImGui::BeginCombo("Camera", labelOf(ui.session.camera()));
+    markField(ui, "view/camera", "Camera");
+    if (!isOpen) return;
+    const auto item = [&](const std::string& name) {
+        if (ImGui::Selectable(labelOf(name), name == ui.session.camera())) ui.session.setCamera(name);
+        mark(ui, "view/camera/{}", name.empty() ? "scene" : name);
+    };
+    item("");
+    for (std::size_t i = 0; i < ui.session.live().cameras().size(); ++i)
+        item(std::string(ui.session.live().cameras()[i].name));
+    ImGui::EndCombo();
+}
+
 void projection(Ui& ui) {
     ViewState view = ui.session.view();
     int mode = static_cast<int>(view.projection);
@@ -80,7 +101,8 @@ void projection(Ui& ui) {
     ImGui::Checkbox("Textures", &ui.inspector.isOpen);
     mark(ui, "view/inspector");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Show the texels of textures and targets, and the picture's colour and depth (I)");
+        ImGui::SetTooltip(
+            "Show the texels of textures and targets, the picture's colour and depth, and buffers (I)");
     ImGui::SameLine();
     ImGui::Checkbox("Noise", &ui.shared.noise.isOpen);
     mark(ui, "view/noise");
@@ -115,6 +137,7 @@ void viewPanel(Ui& ui) {
     numbers(ui);
     debugViewControls(ui);
     ImGui::PopItemWidth();
+    cameras(ui);
     projection(ui);
 }
 

@@ -1,0 +1,329 @@
+#include "classroom/class_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/contained.h"
+#include "base/memory_limit.h"
+#include "base/workers.h"
+#include "classroom/review.h"
+#include "suite/run/run.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+using suite::ShotReference;
+using suite::Verdict;
+
+constexpr const char* kPictures = "pictures";
+
+/// The name of a picture: "0012-1", the submission (0 is the reference) and the moment. A name from the
+/// submission would be one that a stranger chose.
+std::string pictureName(std::size_t entry, std::size_t moment) {
+    return fmt::format("{:04}-{}", entry, moment + 1);
+}
+
+/// True for the names of pictureName with their ending.
+bool isOurs(std::string_view name) {
+    const std::size_t dash = name.find('-');
+    if (dash == std::string_view::npos || dash < 4 || !name.ends_with(".png")) return false;
+    const auto isNumber = [](std::string_view text) {
+        return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    return isNumber(name.substr(0, dash)) && isNumber(name.substr(dash + 1, name.size() - dash - 5));
+}
+
+/// The files of an earlier run in the folder of pictures.
+std::vector<std::string> earlierPictures(const fs::path& site) {
+    std::vector<std::string> names;
+    std::error_code ignored;  // a file that stays does no harm: the page names only those that were drawn
+    for (const fs::directory_entry& each : fs::directory_iterator(site / kPictures, ignored))
+        if (std::string name = each.path().filename().string(); isOurs(name))
+            names.push_back(std::move(name));
+    return names;
+}
+
+/// Removes links and the like, which writing a picture would follow.
+void removeLinks(const fs::path& site) {
+    for (const std::string& each : earlierPictures(site)) {
+        const fs::path name = fs::path(kPictures) / each;
+        std::error_code ignored;
+        if (fs::symlink_status(site / name, ignored).type() != fs::file_type::regular)
+            base::removeBeneath(site, name);
+    }
+}
+
+/// Removes the page, the table and all pictures but those of this reference.
+void removeEarlier(const fs::path& site, const Entry& reference) {
+    for (const char* each : {"index.html", "grades.csv"}) base::removeBeneath(site, each);
+    for (const std::string& each : earlierPictures(site)) {
+        const fs::path name = fs::path(kPictures) / each;
+        if (std::none_of(reference.pictures.begin(), reference.pictures.end(),
+                         [&](const Picture& one) { return name == one.file; }))
+            base::removeBeneath(site, name);
+    }
+}
+
+class ClassRun {
+  public:
+    ClassRun(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events)
+        : plan_(plan), options_(options), events_(events) {
+        jobs_ = options.jobs > 0 ? options.jobs : suite::defaultJobs();
+        Classroom& room = end_.classroom;
+        room.folder = plan.folder.string();
+        room.moments = plan.moments;
+        room.leftOut = plan.submissions.leftOut;
+        room.reference.submission = {
+            plan.reference.filename().string(), plan.reference.parent_path(), plan.reference, {}};
+        for (const Submission& each : plan.submissions.all) {
+            room.entries.emplace_back().submission = each;
+            if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
+        }
+        room.reference.pictures.resize(plan.moments.size());
+        suite_.name = "class";
+        suite_.file = plan.folder;
+        makeShots();
+    }
+
+    ClassEnd run() {
+        if (const int problem =
+                base::prepareBeneath(plan_.site, fs::path(kPictures) / (pictureName(0, 0) + ".png"));
+            problem != 0) {
+            end_.diagnostics.push_back(diagnose(
+                "file-E10", fmt::format("cannot write into '{}': {}", (plan_.site / kPictures).string(),
+                                        std::generic_category().message(problem))));
+            return std::move(end_);
+        }
+        removeLinks(plan_.site);
+        if (!drawReference()) return std::move(end_);
+        removeEarlier(plan_.site, end_.classroom.reference);
+        drawSubmissions();
+        if (!end_.stopped && !end_.noDriver) reviewAll();
+        return std::move(end_);
+    }
+
+  private:
+    Entry& entryOf(std::size_t index) {
+        return index == 0 ? end_.classroom.reference : end_.classroom.entries[index - 1];
+    }
+    [[nodiscard]] std::size_t moments() const { return plan_.moments.size(); }
+
+    /// The shot of an entry at a moment is number entry * moments() + moment.
+    void makeShots() {
+        for (std::size_t entry = 0; entry <= end_.classroom.entries.size(); ++entry)
+            for (std::size_t moment = 0; moment < moments(); ++moment) {
+                suite::Shot shot = plan_.moments[moment].shot;
+                shot.name = pictureName(entry, moment);
+                shot.script = entryOf(entry).submission.scene;
+                if (entry > 0) shot.options.within = entryOf(entry).submission.folder;
+                suite_.shots.push_back(std::move(shot));
+            }
+    }
+
+    void draw(const std::vector<std::size_t>& shots) {
+        std::vector<ShotReference> open;
+        for (const std::size_t each : shots) open.push_back({0, each});
+        suite::RunOptions options;
+        options.driver = options_.driver;
+        options.jobs = jobs_;
+        options.timeout = options_.timeout;
+        options.memory = options_.memory;
+        options.onlyRender = plan_.site / kPictures;
+        options.sandbox = options_.drawing;
+        suite::RunEvents events;
+        events.begins = [&](const ShotReference& each) {
+            if (events_.begins) events_.begins(entryOf(each.shot / moments()).submission.name);
+        };
+        std::map<std::string, std::size_t> numbers;
+        for (const std::size_t each : shots) numbers.emplace(suite_.shots[each].name, each);
+        events.done = [&](const suite::ShotResult& result) {
+            if (const auto found = numbers.find(result.shot); found != numbers.end())
+                take(found->second, result);
+        };
+        events.stop = events_.stop;
+        const suite::RunEnd end = suite::runShots({&suite_, 1}, open, options, events);
+        append(end_.diagnostics, end.diagnostics);
+        end_.noDriver = end.noDriver;
+        end_.stopped = end.stopped;
+        if (!end.driver.empty()) end_.classroom.driver = end.driver;
+    }
+
+    void take(std::size_t number, const suite::ShotResult& result) {
+        Entry& entry = entryOf(number / moments());
+        Picture& picture = entry.pictures[number % moments()];
+        picture.verdict = result.verdict;
+        picture.reason = result.reason;
+        picture.width = result.width;
+        picture.height = result.height;
+        picture.milliseconds = result.milliseconds;
+        if (result.verdict == Verdict::passed)
+            picture.file = fmt::format("{}/{}.png", kPictures, suite_.shots[number].name);
+        for (const Diagnostic& each : result.diagnostics) {
+            const auto isSame = [&](const Diagnostic& other) {
+                return other.severity == each.severity && other.id == each.id && other.text == each.text &&
+                       other.place.file == each.place.file && other.place.line == each.place.line &&
+                       other.place.column == each.place.column;
+            };
+            if (std::none_of(entry.diagnostics.begin(), entry.diagnostics.end(), isSame))
+                entry.diagnostics.push_back(each);
+        }
+        if (entry.reproduce.empty()) entry.reproduce = result.reproduce;
+        if (events_.done) events_.done(suite::isFailure(result.verdict));
+    }
+
+    bool drawReference() {
+        std::vector<std::size_t> shots;
+        for (std::size_t moment = 0; moment < moments(); ++moment) shots.push_back(moment);
+        draw(shots);
+        const Entry& reference = end_.classroom.reference;
+        if (end_.noDriver || end_.stopped) return false;
+        if (!isDrawn(reference)) {
+            append(end_.diagnostics, reference.diagnostics);
+            end_.diagnostics.push_back(withoutId(Severity::error,
+                                                 "the reference cannot be drawn: " + reasonOf(reference),
+                                                 {plan_.reference.string(), 1, 1}));
+            return false;
+        }
+        for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
+            const Picture& picture = reference.pictures[i % moments()];
+            suite_.shots[i].options.width = picture.width;
+            suite_.shots[i].options.height = picture.height;
+        }
+        return true;
+    }
+
+    void drawSubmissions() {
+        // The first pictures show which submissions end their process, so that no other picture of these
+        // waits for its time limit.
+        std::vector<std::size_t> first, others;
+        for (std::size_t i = moments(); i < suite_.shots.size(); ++i)
+            if (!suite_.shots[i].script.empty() && i % moments() == 0) first.push_back(i);
+        draw(first);
+        if (end_.stopped || end_.noDriver) return;
+        for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
+            if (suite_.shots[i].script.empty() || i % moments() == 0) continue;
+            Entry& entry = entryOf(i / moments());
+            const Picture& before = entry.pictures.front();
+            if (before.verdict != Verdict::crashed && before.verdict != Verdict::timedOut) {
+                others.push_back(i);
+                continue;
+            }
+            Picture& picture = entry.pictures[i % moments()];
+            picture.reason =
+                "not drawn, because the first picture of this submission was not: " + before.reason;
+            if (events_.done) events_.done(true);
+        }
+        if (!others.empty()) draw(others);
+    }
+
+    ReviewTask taskOf(std::size_t index) {
+        ReviewTask task;
+        task.site = plan_.site;
+        if (index > end_.classroom.entries.size()) {
+            task.sources = plan_.given;
+            return task;
+        }
+        const Entry& entry = entryOf(index);
+        task.scene = entry.submission.scene;
+        task.options = suite_.shots[index * moments()].options;
+        if (index > 0)
+            for (std::size_t moment = 0; moment < entry.pictures.size(); ++moment)
+                task.pictures.emplace_back(entryOf(0).pictures[moment].file, entry.pictures[moment].file);
+        return task;
+    }
+
+    void reviewAll() {
+        // One piece per entry, the reference first, and one for the given code.
+        std::vector<ReviewTask> tasks;
+        for (std::size_t i = 0; i < end_.classroom.entries.size() + 2; ++i) tasks.push_back(taskOf(i));
+        std::vector<SourceFile> given;
+        base::runInWorkers(
+            tasks.size(),
+            {.workers = jobs_,
+             .timeout = options_.timeout,
+             .memory = options_.memory.value_or(base::memoryShare(jobs_, tasks.size())),
+             .stop = events_.stop,
+             .sandbox = options_.reading},
+            [&](std::size_t index, const base::Step&) -> std::string {
+                try {
+                    return toText(review(tasks[index]));
+                } catch (const std::exception&) {
+                    return {};
+                }
+            },
+            [&](std::size_t index, const base::Outcome& outcome) {
+                if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
+                std::optional<Review> found;
+                if (outcome.end == base::Outcome::End::finished) found = parseReview(outcome.answer);
+                if (index >= tasks.size() - 1) {
+                    if (found) given = std::move(found->files);
+                } else {
+                    takeReview(entryOf(index), std::move(found));
+                }
+            },
+            [](std::size_t, const std::string&) {});
+        end_.stopped = end_.stopped || (events_.stop && events_.stop());
+        if (!end_.stopped) compareSources(given);
+    }
+
+    void takeReview(Entry& entry, std::optional<Review> found) {
+        if (!found) {
+            if (!entry.submission.scene.empty())
+                entry.diagnostics.push_back(
+                    withoutId(Severity::warning,
+                              "the scene, its shaders and pictures could not be reviewed within the limits",
+                              {entry.submission.scene.string(), 1, 1}));
+            return;
+        }
+        entry.programs = std::move(found->programs);
+        entry.files = std::move(found->files);
+        for (std::size_t i = 0; i < std::min(found->scores.size(), entry.pictures.size()); ++i)
+            entry.pictures[i].score = found->scores[i];
+    }
+
+    void compareSources(const std::vector<SourceFile>& given) {
+        Classroom& room = end_.classroom;
+        GivenCode code;
+        for (const SourceFile& each : room.reference.files) addGivenCode(code, each.tokens);
+        for (const SourceFile& each : given) addGivenCode(code, each.tokens);
+        // Scenes that lie in one folder may share a shader; none of them has copied it.
+        std::map<std::string, std::size_t> users;
+        for (const Entry& each : room.entries) {
+            std::set<std::string> paths;
+            for (const SourceFile& file : each.files) paths.insert(file.path);
+            for (const std::string& path : paths) ++users[path];
+        }
+        for (Entry& each : room.entries) {
+            std::erase_if(each.files, [&](const SourceFile& file) { return users[file.path] > 1; });
+            room.fingerprints.push_back(fingerprintsOf(each.files, code));
+        }
+        room.pairs = similarPairs(room.fingerprints);
+    }
+
+    const ClassPlan& plan_;
+    const ClassOptions& options_;
+    const ClassEvents& events_;
+    suite::Suite suite_;
+    ClassEnd end_;
+    int jobs_ = 1;
+};
+
+}  // namespace
+
+std::size_t pictureCount(const ClassPlan& plan) {
+    const auto scenes = std::count_if(plan.submissions.all.begin(), plan.submissions.all.end(),
+                                      [](const Submission& each) { return !each.scene.empty(); });
+    return (static_cast<std::size_t>(scenes) + 1) * plan.moments.size();
+}
+
+ClassEnd runClass(const ClassPlan& plan, const ClassOptions& options, const ClassEvents& events) {
+    return ClassRun(plan, options, events).run();
+}
+
+}  // namespace glibra::classroom

@@ -1,0 +1,86 @@
+#include "classroom/classroom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glib/text.h"
+
+namespace glibra::classroom {
+
+using suite::Verdict;
+
+std::size_t drawnCount(const Entry& entry) {
+    return static_cast<std::size_t>(
+        std::count_if(entry.pictures.begin(), entry.pictures.end(),
+                      [](const Picture& each) { return each.verdict == Verdict::passed; }));
+}
+
+bool isDrawn(const Entry& entry) {
+    return !entry.pictures.empty() && drawnCount(entry) == entry.pictures.size();
+}
+
+std::string stateOf(const Entry& entry) {
+    if (entry.submission.scene.empty()) return "no-scene";
+    for (const Verdict each : {Verdict::crashed, Verdict::timedOut})
+        if (std::any_of(entry.pictures.begin(), entry.pictures.end(),
+                        [&](const Picture& one) { return one.verdict == each; }))
+            return suite::name(each);
+    return isDrawn(entry) ? "drawn" : suite::name(Verdict::failed);
+}
+
+std::string reasonOf(const Entry& entry) {
+    if (!entry.submission.problem.empty()) return entry.submission.problem;
+    for (const Picture& each : entry.pictures)
+        if (each.verdict != Verdict::passed && !each.reason.empty()) return each.reason;
+    return {};
+}
+
+std::size_t countOf(const Entry& entry, Severity severity) {
+    return static_cast<std::size_t>(
+        std::count_if(entry.diagnostics.begin(), entry.diagnostics.end(),
+                      [&](const Diagnostic& each) { return each.severity == severity; }));
+}
+
+std::optional<Scores> scoresOf(const Entry& entry) {
+    Scores scores;
+    double count = 0;
+    for (const Picture& each : entry.pictures) {
+        if (!each.score) continue;
+        ++count;
+        scores.flip += each.score->flip;
+        scores.structure += each.score->structure;
+        scores.worstFlip = std::max(scores.worstFlip, each.score->flip);
+        scores.worstStructure = std::max(scores.worstStructure, each.score->structure);
+    }
+    if (count == 0) return std::nullopt;
+    scores.flip /= count;
+    scores.structure /= count;
+    return scores;
+}
+
+std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) {
+    std::optional<Nearest> nearest;
+    for (const SimilarPair& each : classroom.pairs) {
+        if (each.a != entry && each.b != entry) continue;
+        const Nearest one = each.a == entry ? Nearest{each.b, each.ofA} : Nearest{each.a, each.ofB};
+        if (!nearest || one.share > nearest->share) nearest = one;
+    }
+    return nearest;
+}
+
+std::string summary(const Classroom& classroom) {
+    std::string text = glib::counted(classroom.entries.size(), "submission") + ": ";
+    bool first = true;
+    for (const char* state : {"drawn", "failed", "crashed", "timed-out", "no-scene"}) {
+        const auto count = std::count_if(classroom.entries.begin(), classroom.entries.end(),
+                                         [&](const Entry& each) { return stateOf(each) == state; });
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}", first ? "" : ", ", count,
+                            std::string_view(state) == "no-scene" ? "without a scene" : state);
+        first = false;
+    }
+    return text;
+}
+
+}  // namespace glibra::classroom

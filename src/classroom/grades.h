@@ -1,0 +1,21 @@
+#pragma once
+// The table for a grade book.
+
+#include <string>
+#include <string_view>
+
+#include "classroom/classroom.h"
+
+namespace glibra::classroom {
+
+/// Comma-separated values (RFC 4180, UTF-8): a line of names, then one line per submission. With several
+/// moments there are two more columns for each, its FLIP and its structural difference. A score that could
+/// not be measured is empty.
+std::string gradesCsv(const Classroom& classroom);
+
+/// One field. Text that a spreadsheet would take for a formula (after blanks it begins with = + - @, or with
+/// a character that stands for one of them) gets an apostrophe before it; line ends and control characters
+/// become blanks, because some programs split at them even in quotes.
+std::string csvField(std::string_view text);
+
+}  // namespace glibra::classroom

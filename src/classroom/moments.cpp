@@ -1,0 +1,81 @@
+#include "classroom/moments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "glib/number.h"
+#include "suite/file/suite_file.h"
+#include "suite/file/sweep.h"
+#include "suite/file/toml_reader.h"
+
+namespace glibra::classroom {
+namespace {
+
+/// "uTol=0.1, time=2" for "@uTol=0.1@time=2".
+std::string labelOf(std::string_view suffix) {
+    std::string label;
+    for (const char each : suffix.substr(std::min<std::size_t>(suffix.size(), 1)))
+        label += each == '@' ? std::string(", ") : std::string(1, each);
+    return label;
+}
+
+Diagnostic tooMany(std::uint64_t count) {
+    return withoutId(
+        Severity::error,
+        fmt::format("{} pictures of every submission are too many; the limit is {}", count, kMostMoments));
+}
+
+}  // namespace
+
+Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<const double> times,
+                                      std::span<const std::string> sweeps) {
+    std::string text;
+    for (const std::string& each : sweeps) text += each + "\n";
+    suite::TomlReader reader("--sweep", text);
+    std::vector<suite::UniformValues> values;
+    if (const suite::TomlValue* root = reader.root())
+        if (const auto* table = root->as<suite::TomlTable>())
+            values = suite::readUniforms(reader, *table, suite::UniformTable::sweep);
+    if (reader.hasErrors()) return reader.take();
+    const std::vector<double> all =
+        times.empty() ? std::vector{picture.options.time} : std::vector(times.begin(), times.end());
+    if (const std::uint64_t count = suite::combinationCount(values);
+        count > kMostMoments || count * all.size() > kMostMoments)
+        return tooMany(count > kMostMoments ? count : count * all.size());
+    std::vector<Moment> moments;
+    for (const suite::Combination& each : suite::combinations(values))
+        for (const double time : all) {
+            Moment moment{labelOf(each.suffix + (times.size() > 1 ? "@time=" + glib::numberText(time) : "")),
+                          picture};
+            moment.shot.options.time = time;
+            moment.shot.options.set.insert(moment.shot.options.set.end(), each.set.begin(), each.set.end());
+            moments.push_back(std::move(moment));
+        }
+    return moments;
+}
+
+Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
+    Result<suite::Suite> read = suite::readSuite(file);
+    if (!read) return std::move(read.diagnostics);
+    if (read->shots.size() > kMostMoments) return tooMany(read->shots.size());
+    std::vector<Moment> moments;
+    for (const suite::Shot& shot : read->shots) {
+        if (shot.script != read->shots.front().script)
+            return withoutId(Severity::error,
+                             fmt::format("the suite of a reference has one scene, found '{}' and '{}'",
+                                         read->shots.front().script.string(), shot.script.string()),
+                             shot.place);
+        Moment moment{read->shots.size() > 1 ? shot.name : "", {}};
+        moment.shot.script = shot.script;
+        moment.shot.options = shot.options;
+        moment.shot.options.floatPixels = false;  // a browser shows no such pictures
+        moment.shot.memory = shot.memory;
+        moments.push_back(std::move(moment));
+    }
+    if (moments.empty()) return withoutId(Severity::error, "the suite has no shots", {file.string(), 1, 1});
+    return {std::move(moments), std::move(read.diagnostics)};
+}
+
+}  // namespace glibra::classroom

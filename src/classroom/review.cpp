@@ -1,0 +1,230 @@
+#include "classroom/review.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "base/contained.h"
+#include "image/compare/flip.h"
+#include "image/compare/structure.h"
+#include "image/format.h"
+#include "image/read.h"
+#include "render/scene_renderer.h"
+#include "scene/file_lookup.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostFiles = 200;         // of a submission
+constexpr std::size_t kMostGivenFiles = 2'000;  // of a template
+constexpr std::size_t kMostGivenTokens = 1'000'000;
+constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
+
+const char* nameOf(glsl::Stage stage) {
+    constexpr std::array kNames{
+        "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
+    return kNames.at(static_cast<std::size_t>(stage));
+}
+
+std::optional<std::string> textOf(const base::Descriptor& file) {
+    std::vector<std::byte> bytes;
+    if (!file || base::readAll(file, kLargestSource, bytes) != 0) return std::nullopt;
+    std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.find('\0') != std::string::npos) return std::nullopt;
+    return text;
+}
+
+/// The shaders of one scene, each read once.
+class Sources {
+  public:
+    Sources(const scene::Scene& scene, const RenderOptions& options)
+        : scene_(scene), options_{options.libraryRoots, options.within} {
+        const scene::SearchFolders folders = scene::searchFolders(scene.path, options_);
+        readable_ = scene::shownRoots(folders);
+        if (!options.within.empty()) {
+            readable_.add(options.within);
+            own_.add(options.within);
+        }
+    }
+
+    /// The uniforms of a stage and of the files that it includes.
+    std::vector<DeclaredUniform> uniformsOf(const scene::FileReference& file) {
+        std::vector<DeclaredUniform> uniforms;
+        std::set<std::string> seen;
+        std::vector<std::pair<std::string, std::optional<std::string>>> open;  // path, and text if it has one
+        if (!file.path.empty()) open.emplace_back(file.path.string(), file.text);
+        while (!open.empty() && seen.size() < kMostFiles) {
+            const auto [path, given] = std::move(open.back());
+            open.pop_back();
+            const std::string key = given ? path + ":" + std::to_string(file.place.line) : path;
+            if (!seen.insert(key).second) continue;
+            const std::optional<std::string> text = given ? given : textOf(opened(path));
+            if (!text) continue;
+            for (DeclaredUniform& each : declaredUniforms(*text)) uniforms.push_back(std::move(each));
+            for (const std::string& each : includedNames(*text)) {
+                const scene::FileReference found =
+                    scene::findInclude(each, path, scene_.path, options_, listings_);
+                if (!found.path.empty()) open.emplace_back(found.path.string(), std::nullopt);
+            }
+            compare(key, path, *text);
+        }
+        return uniforms;
+    }
+
+    std::vector<SourceFile> take() { return std::move(files_); }
+
+  private:
+    [[nodiscard]] base::Descriptor opened(const fs::path& path) const {
+        // What the reference reads was chosen by the teacher.
+        if (options_.within.empty() && !readable_.contains(path))
+            return base::openBeneath(path.parent_path().empty() ? fs::path(".") : path.parent_path(),
+                                     path.filename());
+        return readable_.open(path);
+    }
+
+    /// Keeps the tokens of a text that belongs to the submission.
+    void compare(const std::string& key, const std::string& path, const std::string& text) {
+        if (files_.size() >= kMostFiles || !compared_.insert(key).second) return;
+        if (!options_.within.empty() && !own_.contains(path)) return;
+        files_.push_back({path, comparableTokens(text, kMostTokens - count_)});
+        count_ += files_.back().tokens.size();
+    }
+
+    const scene::Scene& scene_;
+    scene::InterpretOptions options_;
+    scene::FolderListings listings_;
+    base::Roots readable_, own_;
+    std::set<std::string> compared_;
+    std::vector<SourceFile> files_;
+    std::size_t count_ = 0;  ///< of tokens
+};
+
+void reviewScene(const ReviewTask& task, Review& result) {
+    render::Stats stats;
+    const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
+    if (!read) return;
+    const scene::Scene& scene = read->scene;
+    Sources sources(scene, task.options);
+    for (const scene::Program& program : scene.programs) {
+        UsedProgram used{program.name, {}, {}};
+        for (const scene::StageFile& stage : program.stages) {
+            used.stages.emplace_back(nameOf(stage.stage));
+            for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
+                used.uniforms.push_back(std::move(each));
+        }
+        std::sort(used.uniforms.begin(), used.uniforms.end());
+        used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());
+        result.programs.push_back(std::move(used));
+    }
+    result.files = sources.take();
+}
+
+void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
+    if (result.files.size() >= kMostGivenFiles || tokens >= kMostGivenTokens) return;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const std::optional<std::string> text = textOf(base::openBeneath(folder, path.filename()));
+    if (!text) return;
+    result.files.push_back({path.string(), comparableTokens(*text)});
+    tokens += result.files.back().tokens.size();
+}
+
+void readGivenCode(const ReviewTask& task, Review& result) {
+    std::size_t tokens = 0;
+    for (const fs::path& source : task.sources) {
+        std::error_code failure;
+        if (!fs::is_directory(source, failure)) {
+            addGivenFile(source, tokens, result);
+            continue;
+        }
+        fs::recursive_directory_iterator each(source, fs::directory_options::skip_permission_denied, failure);
+        for (; !failure && each != fs::recursive_directory_iterator(); each.increment(failure))
+            if (each->symlink_status(failure).type() == fs::file_type::regular)
+                addGivenFile(each->path(), tokens, result);
+    }
+}
+
+/// A picture that another worker wrote. A link, or a file that is no PNG picture, is none.
+std::optional<image::Image> pictureOf(const fs::path& site, const std::string& name) {
+    const base::Descriptor file = base::openBeneath(site, name);
+    std::vector<std::byte> bytes;
+    if (!file || base::readAll(file, kLargestPicture, bytes) != 0) return std::nullopt;
+    if (image::formatOf(bytes) != image::Format::png) return std::nullopt;
+    return image::decodeImage(bytes, site / name).value;
+}
+
+std::optional<Score> scoreOf(const ReviewTask& task, const std::pair<std::string, std::string>& pictures) {
+    const std::optional<image::Image> expected = pictureOf(task.site, pictures.first);
+    const std::optional<image::Image> got = pictureOf(task.site, pictures.second);
+    if (!expected || !got) return std::nullopt;
+    return Score{image::flip(*expected, *got, {.threads = 1}).mean,
+                 image::structure(*expected, *got).difference};
+}
+
+}  // namespace
+
+Review review(const ReviewTask& task) {
+    Review result;
+    if (!task.scene.empty()) reviewScene(task, result);
+    readGivenCode(task, result);
+    for (const auto& each : task.pictures) result.scores.push_back(scoreOf(task, each));
+    return result;
+}
+
+std::string toText(const Review& review) {
+    Json json = {{"programs", Json::array()}, {"files", Json::array()}, {"scores", Json::array()}};
+    for (const UsedProgram& each : review.programs) {
+        Json uniforms = Json::array();
+        for (const DeclaredUniform& one : each.uniforms) uniforms.push_back({one.name, one.type});
+        json["programs"].push_back(
+            {{"name", each.name}, {"stages", each.stages}, {"uniforms", std::move(uniforms)}});
+    }
+    for (const SourceFile& each : review.files) {
+        Json codes = Json::array(), lines = Json::array();
+        for (const SourceToken& one : each.tokens) {
+            codes.push_back(one.code);
+            lines.push_back(one.line);
+        }
+        json["files"].push_back(
+            {{"path", each.path}, {"codes", std::move(codes)}, {"lines", std::move(lines)}});
+    }
+    for (const std::optional<Score>& each : review.scores)
+        json["scores"].push_back(each ? Json{each->flip, each->structure} : Json(nullptr));
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<Review> parseReview(std::string_view text) try {
+    const Json json = Json::parse(text);
+    Review result;
+    for (const Json& each : json.at("programs")) {
+        UsedProgram used{
+            each.at("name").get<std::string>(), each.at("stages").get<std::vector<std::string>>(), {}};
+        for (const Json& one : each.at("uniforms"))
+            used.uniforms.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
+        result.programs.push_back(std::move(used));
+    }
+    for (const Json& each : json.at("files")) {
+        SourceFile file{each.at("path").get<std::string>(), {}};
+        const Json& codes = each.at("codes");
+        const Json& lines = each.at("lines");
+        for (std::size_t i = 0; i < codes.size(); ++i)
+            file.tokens.push_back({codes.at(i).get<std::uint32_t>(), lines.at(i).get<std::int32_t>()});
+        result.files.push_back(std::move(file));
+    }
+    for (const Json& each : json.at("scores")) {
+        std::optional<Score>& score = result.scores.emplace_back();
+        if (each.is_null()) continue;
+        score = Score{each.at(0).get<double>(), each.at(1).get<double>()};
+        if (!std::isfinite(score->flip) || !std::isfinite(score->structure)) return std::nullopt;
+    }
+    return result;
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
+}  // namespace glibra::classroom

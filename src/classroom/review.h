@@ -1,0 +1,43 @@
+#pragma once
+// What can be found out about a submission without drawing it: its programs, its shader sources as tokens,
+// and how its pictures differ from the reference's. It reads files of strangers, so it runs in worker
+// processes.
+
+#include <glibra/render.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "classroom/classroom.h"
+
+namespace glibra::classroom {
+
+struct ReviewTask {
+    std::filesystem::path scene;  ///< empty: only `sources`
+    RenderOptions options;        ///< `within` is the submission's own folder; empty for the reference
+    std::filesystem::path site;   ///< that the pictures are relative to
+    std::vector<std::pair<std::string, std::string>> pictures;  ///< of the reference and of the submission
+    std::vector<std::filesystem::path> sources;                 ///< files and folders of given code
+};
+
+struct Review {
+    std::vector<UsedProgram> programs;
+    std::vector<SourceFile> files;             ///< with a `within` only those of that folder
+    std::vector<std::optional<Score>> scores;  ///< one per pair of pictures; nothing if one cannot be read
+};
+
+/// A shader source of more than this many bytes is not compared.
+inline constexpr std::uint64_t kLargestSource = std::uint64_t{1} << 20;
+
+/// Reads no file outside of `options.within` and the library.
+Review review(const ReviewTask& task);
+
+/// A review as text for the pipe of a worker. parseReview returns nothing for text that is none.
+std::string toText(const Review& review);
+std::optional<Review> parseReview(std::string_view text);
+
+}  // namespace glibra::classroom

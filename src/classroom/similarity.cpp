@@ -1,0 +1,177 @@
+#include "classroom/similarity.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace glibra::classroom {
+namespace {
+
+/// Spreads the bits of a rolling hash, whose order would otherwise prefer some tokens (the finaliser of
+/// MurmurHash3, by Appleby).
+std::uint64_t mixed(std::uint64_t value) {
+    value = (value ^ (value >> 33U)) * 0xff51afd7ed558ccdULL;
+    value = (value ^ (value >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
+    return value ^ (value >> 33U);
+}
+
+std::vector<std::uint64_t> distinctHashes(const std::vector<Fingerprint>& fingerprints) {
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(fingerprints.size());
+    for (const Fingerprint& each : fingerprints) hashes.push_back(each.hash);
+    std::sort(hashes.begin(), hashes.end());
+    hashes.erase(std::unique(hashes.begin(), hashes.end()), hashes.end());
+    return hashes;
+}
+
+/// The tokens that passages already have.
+class Covered {
+  public:
+    explicit Covered(std::span<const SourceFile> files) {
+        for (const SourceFile& each : files) tokens_.emplace_back(each.tokens.size(), false);
+    }
+    [[nodiscard]] bool at(const TokenPlace& place) const { return tokens_[place.file][place.token]; }
+    void cover(const TokenPlace& from, std::size_t count) {
+        std::fill_n(tokens_[from.file].begin() + static_cast<std::ptrdiff_t>(from.token), count, true);
+    }
+
+  private:
+    std::vector<std::vector<bool>> tokens_;
+};
+
+}  // namespace
+
+std::vector<std::uint64_t> gramHashes(std::span<const SourceToken> tokens) {
+    if (tokens.size() < kGram) return {};
+    constexpr std::uint64_t kBase = 0x9e3779b97f4a7c15ULL;
+    std::uint64_t highest = 1;  // kBase to the power of kGram - 1
+    for (std::size_t i = 1; i < kGram; ++i) highest *= kBase;
+    std::vector<std::uint64_t> hashes;
+    hashes.reserve(tokens.size() - kGram + 1);
+    std::uint64_t rolling = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (i >= kGram) rolling -= highest * tokens[i - kGram].code;
+        rolling = rolling * kBase + tokens[i].code;
+        if (i + 1 >= kGram) hashes.push_back(mixed(rolling));
+    }
+    return hashes;
+}
+
+void addGivenCode(GivenCode& given, std::span<const SourceToken> tokens) {
+    for (const std::uint64_t each : gramHashes(tokens)) given.insert(each);
+}
+
+std::vector<Fingerprint> fingerprintsOf(std::span<const SourceFile> files, const GivenCode& given) {
+    std::vector<Fingerprint> kept;
+    for (std::size_t file = 0; file < files.size(); ++file) {
+        const std::vector<std::uint64_t> hashes = gramHashes(files[file].tokens);
+        // A text with fewer hashes than a window has one window.
+        const std::size_t window = std::min(kWindow, hashes.size());
+        std::size_t last = hashes.size();  // the hash that was kept last
+        for (std::size_t end = window; window > 0 && end <= hashes.size(); ++end) {
+            std::size_t least = end - 1;
+            for (std::size_t i = end - 1; i-- > end - window;)
+                if (hashes[i] < hashes[least]) least = i;
+            if (least == last) continue;
+            last = least;
+            if (!given.contains(hashes[least]))
+                kept.push_back(
+                    {hashes[least], {static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(least)}});
+        }
+    }
+    return kept;
+}
+
+std::vector<SimilarPair> similarPairs(std::span<const std::vector<Fingerprint>> submissions) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> all;  // hash, submission
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        const std::vector<std::uint64_t> hashes = distinctHashes(submissions[i]);
+        counts.push_back(hashes.size());
+        for (const std::uint64_t each : hashes) all.emplace_back(each, static_cast<std::uint32_t>(i));
+    }
+    std::sort(all.begin(), all.end());
+    // The number of shared fingerprints of each pair (a, b), a < b, at row b of a triangle.
+    const std::size_t count = submissions.size();
+    std::vector<std::uint32_t> shared(count * (count > 0 ? count - 1 : 0) / 2, 0);
+    const auto at = [](std::size_t a, std::size_t b) { return b * (b - 1) / 2 + a; };
+    for (std::size_t begin = 0; begin < all.size();) {
+        std::size_t end = begin;
+        while (end < all.size() && all[end].first == all[begin].first) ++end;
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t k = begin; k < i; ++k) ++shared[at(all[k].second, all[i].second)];
+        begin = end;
+    }
+    std::vector<SimilarPair> pairs;
+    for (std::size_t b = 1; b < count; ++b)
+        for (std::size_t a = 0; a < b; ++a) {
+            const std::size_t both = shared[at(a, b)];
+            if (both < kLeastShared) continue;
+            const SimilarPair pair{a, b, both, static_cast<double>(both) / static_cast<double>(counts[a]),
+                                   static_cast<double>(both) / static_cast<double>(counts[b])};
+            if (pair.figure() >= kLeastFigure) pairs.push_back(pair);
+        }
+    std::sort(pairs.begin(), pairs.end(), [](const SimilarPair& one, const SimilarPair& other) {
+        return std::tuple(-one.figure(), -std::min(one.ofA, one.ofB), other.shared, one.a, one.b) <
+               std::tuple(-other.figure(), -std::min(other.ofA, other.ofB), one.shared, other.a, other.b);
+    });
+    return pairs;
+}
+
+std::vector<SharedPassage> sharedPassages(std::span<const SourceFile> filesA, std::span<const Fingerprint> a,
+                                          std::span<const SourceFile> filesB, std::span<const Fingerprint> b,
+                                          std::size_t most) {
+    constexpr std::size_t kMostCandidates =
+        16;  // of one fingerprint; code may repeat itself thousands of times
+    std::unordered_map<std::uint64_t, std::vector<TokenPlace>> places;
+    for (const Fingerprint& each : b)
+        if (std::vector<TokenPlace>& known = places[each.hash]; known.size() < kMostCandidates)
+            known.push_back(each.place);
+    Covered coveredA(filesA), coveredB(filesB);
+    std::size_t steps = 20'000'000;  // code that repeats itself may be compared with itself again and again
+    const auto isSame = [&](const TokenPlace& one, const TokenPlace& other) {
+        if (steps == 0) return false;
+        --steps;
+        return filesA[one.file].tokens[one.token].code == filesB[other.file].tokens[other.token].code &&
+               !coveredA.at(one) && !coveredB.at(other);
+    };
+    const auto extended = [&](TokenPlace one, TokenPlace other) {
+        while (one.token > 0 && other.token > 0 &&
+               isSame({one.file, one.token - 1}, {other.file, other.token - 1})) {
+            --one.token;
+            --other.token;
+        }
+        SharedPassage passage{one, other, 0};
+        const auto length = [](const SourceFile& file) {
+            return static_cast<std::uint32_t>(file.tokens.size());
+        };
+        for (; one.token < length(filesA[one.file]) && other.token < length(filesB[other.file]) &&
+               isSame(one, other);
+             ++one.token, ++other.token)
+            ++passage.tokens;
+        return passage;
+    };
+    std::vector<SharedPassage> passages;
+    for (const Fingerprint& each : a) {
+        const auto known = places.find(each.hash);
+        if (known == places.end() || coveredA.at(each.place)) continue;
+        SharedPassage longest;
+        for (const TokenPlace& other : known->second) {
+            if (!isSame(each.place, other)) continue;
+            const SharedPassage passage = extended(each.place, other);
+            if (passage.tokens > longest.tokens) longest = passage;
+        }
+        if (longest.tokens < kGram) continue;
+        coveredA.cover(longest.a, longest.tokens);
+        coveredB.cover(longest.b, longest.tokens);
+        passages.push_back(longest);
+    }
+    std::stable_sort(
+        passages.begin(), passages.end(),
+        [](const SharedPassage& one, const SharedPassage& other) { return one.tokens > other.tokens; });
+    if (passages.size() > most) passages.resize(most);
+    return passages;
+}
+
+}  // namespace glibra::classroom

@@ -1,0 +1,186 @@
+#include "classroom/tokens.h"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+#include <span>
+
+#include "glsl/read/token.h"
+#include "glsl/read/words.h"
+
+namespace glibra::classroom {
+namespace {
+
+using glsl::Token;
+using glsl::TokenKind;
+
+constexpr std::uint32_t kName = 1, kNumber = 2;
+
+/// FNV-1a, by Fowler, Noll and Vo.
+std::uint32_t codeOf(std::string_view text) {
+    std::uint32_t code = 2166136261U;
+    for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
+    return code;
+}
+
+/// The significant tokens of a text, and its preprocessor lines.
+class Text {
+  public:
+    explicit Text(std::string_view glsl) : text_(glsl::normalizeLines(glsl)) {
+        tokens_ = glsl::lex(text_, joined_);
+        std::vector<const Token*> line;
+        for (const Token& each : tokens_) {
+            if (each.kind == TokenKind::newline) {
+                addLine(line);
+                line.clear();
+            } else if (glsl::isSignificant(each.kind)) {
+                line.push_back(&each);
+            }
+        }
+        addLine(line);
+    }
+
+    [[nodiscard]] std::span<const Token* const> code() const { return code_; }
+    [[nodiscard]] std::span<const std::vector<const Token*>> directives() const { return directives_; }
+
+  private:
+    void addLine(const std::vector<const Token*>& line) {
+        if (line.empty() || line.front()->text != "#") {
+            code_.insert(code_.end(), line.begin(), line.end());
+            return;
+        }
+        directives_.push_back(line);
+        // What a macro computes is code like any other.
+        if (line.size() > 1 && line[1]->text == "define") code_.insert(code_.end(), line.begin(), line.end());
+    }
+
+    std::string text_;
+    std::deque<std::string> joined_;
+    std::vector<Token> tokens_;
+    std::vector<const Token*> code_;
+    std::vector<std::vector<const Token*>> directives_;
+};
+
+std::string_view textAt(std::span<const Token* const> code, std::size_t index) {
+    return index < code.size() ? code[index]->text : std::string_view{};
+}
+
+int depthChange(std::string_view text, char open, char close) {
+    if (text.size() != 1) return 0;
+    return text[0] == open ? 1 : text[0] == close ? -1 : 0;
+}
+
+/// The first token after a global declaration that begins at `first`: after its ";".
+std::size_t endOfDeclaration(std::span<const Token* const> code, std::size_t first) {
+    int depth = 0;
+    for (std::size_t i = first; i < code.size(); ++i) {
+        depth += depthChange(code[i]->text, '{', '}');
+        if (depth <= 0 && code[i]->text == ";") return i + 1;
+    }
+    return code.size();
+}
+
+bool beginsInterface(std::string_view word) {
+    static const std::set<std::string_view> kWords{"uniform",   "in",      "out",   "inout",
+                                                   "attribute", "varying", "buffer"};
+    return kWords.contains(word);
+}
+
+/// Names of functions that the text defines or declares: after a type, before a "(", outside of all braces.
+std::set<std::string_view> ownFunctions(std::span<const Token* const> code) {
+    std::set<std::string_view> names;
+    int depth = 0;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        depth += depthChange(code[i]->text, '{', '}');
+        if (depth <= 0 && i > 0 && code[i]->kind == TokenKind::word && code[i - 1]->kind == TokenKind::word &&
+            code[i - 1]->text != "define" && textAt(code, i + 1) == "(")
+            names.insert(code[i]->text);
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t most) {
+    const Text text(glsl);
+    const std::span<const Token* const> code = text.code();
+    const std::set<std::string_view> own = ownFunctions(code);
+    std::vector<SourceToken> tokens;
+    int braces = 0, parentheses = 0;
+    for (std::size_t i = 0; i < code.size() && tokens.size() < most; ++i) {
+        const Token& token = *code[i];
+        braces += depthChange(token.text, '{', '}');
+        parentheses += depthChange(token.text, '(', ')');
+        if (braces <= 0 && parentheses <= 0 && beginsInterface(token.text)) {
+            i = endOfDeclaration(code, i) - 1;
+            continue;
+        }
+        std::uint32_t kind = codeOf(token.text);
+        if (token.kind == TokenKind::number) {
+            kind = kNumber;
+        } else if (token.kind == TokenKind::word) {
+            const bool isBuiltIn =
+                token.text.starts_with("gl_") || (textAt(code, i + 1) == "(" && !own.contains(token.text));
+            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) kind = kName;
+        }
+        tokens.push_back({kind, token.line});
+    }
+    return tokens;
+}
+
+std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
+    const Text text(glsl);
+    const std::span<const Token* const> code = text.code();
+    std::vector<DeclaredUniform> found;
+    const auto add = [&](std::string_view name, std::string_view type) {
+        DeclaredUniform one{std::string(name), std::string(type)};
+        if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(std::move(one));
+    };
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        if (code[i]->text != "uniform") continue;
+        const std::size_t end = endOfDeclaration(code, i);
+        std::size_t at = i + 1;
+        while (at < end && glsl::isQualifierWord(code[at]->text)) ++at;
+        if (at + 1 < end && code[at]->kind == TokenKind::word) {
+            if (code[at + 1]->text == "{") {
+                add(code[at]->text, "block");
+            } else {
+                // float a, b[2] = ..., c;
+                const std::string_view type = code[at]->text;
+                int nested = 0;
+                bool expectsName = true;
+                for (++at; at < end; ++at) {
+                    const std::string_view each = code[at]->text;
+                    nested += depthChange(each, '(', ')') + depthChange(each, '[', ']') +
+                              depthChange(each, '{', '}');
+                    if (nested == 0 && each == ",") {
+                        expectsName = true;
+                    } else if (nested == 0 && expectsName && code[at]->kind == TokenKind::word) {
+                        add(each, type);
+                        expectsName = false;
+                    }
+                }
+            }
+        }
+        i = end - 1;
+    }
+    return found;
+}
+
+std::vector<std::string> includedNames(std::string_view glsl) {
+    const Text text(glsl);
+    std::vector<std::string> names;
+    for (const std::vector<const Token*>& line : text.directives()) {
+        if (line.size() < 3 || line[1]->text != "include") continue;
+        const char* begin = line[2]->text.data();
+        const std::string_view rest(
+            begin, static_cast<std::size_t>(line.back()->text.data() + line.back()->text.size() - begin));
+        const std::size_t open = rest.find_first_of("\"<");
+        const std::size_t close = rest.find_first_of("\">", open + 1);
+        if (open != std::string_view::npos && close != std::string_view::npos)
+            names.emplace_back(rest.substr(open + 1, close - open - 1));
+    }
+    return names;
+}
+
+}  // namespace glibra::classroom

@@ -1,0 +1,46 @@
+#pragma once
+// Shader sources as sequences of tokens that stay the same when somebody renames, reformats or comments them.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glibra::classroom {
+
+/// One token: what it is, and its line, counted from 1.
+struct SourceToken {
+    std::uint32_t code = 0;
+    std::int32_t line = 1;
+    friend bool operator==(const SourceToken&, const SourceToken&) = default;
+};
+
+/// A file with its tokens.
+struct SourceFile {
+    std::string path;  ///< as messages name it
+    std::vector<SourceToken> tokens;
+};
+
+/// A file is read up to this number of tokens, and so are all files of a submission together.
+inline constexpr std::size_t kMostTokens = 60'000;
+
+/// The tokens of a GLSL text, at most `most`. Comments, blanks, preprocessor lines except #define, and global
+/// declarations of uniforms, inputs and outputs are left out, because the task gives them. All numbers have
+/// one code, and so have all names except those of types, keywords and functions that the text does not
+/// define itself, which are the built-in ones.
+std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t most = kMostTokens);
+
+/// A uniform variable, or block, as a text declares it.
+struct DeclaredUniform {
+    std::string name, type;  ///< of a block: its name, and "block"
+    friend bool operator==(const DeclaredUniform&, const DeclaredUniform&) = default;
+    friend auto operator<=>(const DeclaredUniform&, const DeclaredUniform&) = default;
+};
+
+/// The uniforms that a GLSL text declares, in its order; macros are not expanded.
+std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl);
+
+/// The names of its #include lines.
+std::vector<std::string> includedNames(std::string_view glsl);
+
+}  // namespace glibra::classroom

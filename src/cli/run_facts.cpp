@@ -1,0 +1,27 @@
+#include "cli/run_facts.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+
+#include "suite/options/option_words.h"
+
+namespace glibra::cli {
+
+std::string commandLine() {
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::string line;
+    for (std::string word; std::getline(file, word, '\0');)
+        line += (line.empty() ? "" : " ") + suite::shellWord(word);
+    return line;
+}
+
+std::string utcNow() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+}  // namespace glibra::cli

@@ -1,0 +1,80 @@
+#include "cli/scene_arguments.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
+#include "suite/file/glob.h"
+
+namespace glibra::cli {
+namespace {
+
+Diagnostics readStandardInput(std::string& to) {
+    const Place place{kStandardInput, 1, 1};
+    std::array<char, 65536> block;
+    for (;;) {
+        const ssize_t count = ::read(STDIN_FILENO, block.data(), block.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0)
+            return {
+                diagnose("glib-E14", fmt::format("cannot read the scene: {}", std::strerror(errno)), place)};
+        if (count == 0) return {};
+        to.append(block.data(), static_cast<std::size_t>(count));
+        if (to.size() > glib::kLargestFile)
+            return {diagnose("glib-E15",
+                             fmt::format("the scene has more than {} bytes",
+                                         glib::groupedText(static_cast<long long>(glib::kLargestFile))),
+                             place)};
+    }
+}
+
+}  // namespace
+
+Diagnostics resolveScenes(const std::vector<std::string>& words, SceneArguments& to) {
+    namespace fs = std::filesystem;
+    Diagnostics problems;
+    for (const std::string& each : words) {
+        std::error_code failure;
+        if (each == "-") {
+            if (to.standardInput) {
+                problems.push_back(diagnose("glib-E14",
+                                            "- stands for standard input, which has one scene only",
+                                            {kStandardInput, 1, 1}));
+                continue;
+            }
+            append(problems, readStandardInput(to.standardInput.emplace()));
+            to.scenes.emplace_back(kStandardInput);
+        } else if (fs::is_directory(each, failure)) {
+            to.hasFolder = true;
+            const Result<std::vector<fs::path>> found = suite::scenesBelow(each);
+            if (!found || found->empty())
+                problems.push_back(diagnose("glib-E14",
+                                            found ? "there is no scene (.glib) in this folder"
+                                                  : "the folder has too many files to search for scenes",
+                                            {each, 1, 1}));
+            else
+                for (const fs::path& scene : *found) to.scenes.push_back(scene.string());
+        } else {
+            to.scenes.push_back(each);
+        }
+    }
+    return problems;
+}
+
+RenderOptions optionsFor(const std::string& scene, const std::optional<std::string>& standardInput,
+                         const RenderOptions& options) {
+    RenderOptions own = options;
+    if (standardInput && scene == kStandardInput) own.sceneText = *standardInput;
+    return own;
+}
+
+}  // namespace glibra::cli

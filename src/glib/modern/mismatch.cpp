@@ -1,0 +1,105 @@
+#include "glib/modern/mismatch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/suggest.h"
+#include "glib/text.h"
+
+namespace glibra::glib {
+namespace {
+
+/// The first line of a piece in quotes.
+std::string found(const Pieces& pieces, std::size_t at) {
+    const std::string_view all = pieces.source(pieces[at]);
+    return inQuotes(all.substr(0, all.find_first_of("\r\n")));
+}
+
+}  // namespace
+
+bool Mismatch::expect(std::size_t at, std::string expected, bool isWord) {
+    if (at > furthest_) {
+        furthest_ = at;
+        expected_.clear();
+    }
+    if (at == furthest_ && std::none_of(expected_.begin(), expected_.end(),
+                                        [&](const Expectation& each) { return each.text == expected; }))
+        expected_.push_back({std::move(expected), isWord});
+    return false;
+}
+
+void Mismatch::contradict(std::size_t before, std::size_t at) {
+    if (!conflict_ || at > conflict_->second) conflict_ = {before, at};
+}
+
+std::string Mismatch::listOfExpected() const {
+    constexpr std::size_t kShown = 8;
+    std::string text;
+    const std::size_t shown = std::min(expected_.size(), kShown);
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == shown && shown == expected_.size() ? " or " : ", ";
+        text += expected_[i].text;
+    }
+    return shown < expected_.size() ? text + " ..." : text;
+}
+
+std::string Mismatch::suggested(std::string_view word) const {
+    std::vector<std::string_view> words;
+    for (const Expectation& each : expected_)
+        if (each.isWord) words.push_back(std::string_view(each.text).substr(1, each.text.size() - 2));
+    std::string nearest = base::nearestName(word, words);
+    if (nearest.empty()) nearest = base::nearestName(beforePoint(word), words);
+    return nearest;
+}
+
+std::string Mismatch::valueHint(const Value& found, const DeclaredNames& names) const {
+    constexpr std::string_view kCounter = "i";
+    const std::string_view head = beforePoint(found.text);
+    const bool expectsNumber = std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) {
+        return each.text.starts_with("a number") || each.text.starts_with("number ");
+    });
+    if (!isUnquoted(found) || !isDotted(found.text, false)) return {};
+    if (!names.has(head) && !(expectsNumber && head == kCounter)) return {};
+    return fmt::format("; write ({}) for its value", found.text);
+}
+
+void Mismatch::report(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, bool matched,
+                      std::size_t at, Position command, MessageLog& log) {
+    const auto reportAt = [&](const char* id, std::size_t place, const std::string& message) {
+        log.report(id, fmt::format("{}: {}", row.name, message), pieces[place].position);
+    };
+    if (conflict_ && conflict_->second >= std::max(furthest_, at)) {
+        const auto [before, later] = *conflict_;
+        return reportAt("glib-E18", later,
+                        sameWord(pieces[before].text, pieces[later].text)
+                            ? fmt::format("{} given twice", found(pieces, later))
+                            : fmt::format("{} contradicts {}", found(pieces, later), found(pieces, before)));
+    }
+    if (furthest_ < at) {
+        furthest_ = at;
+        expected_.clear();
+    }
+    if (furthest_ >= pieces.size()) {
+        log.report("glib-E17",
+                   fmt::format("{}: expected {}, found the end of the statement", row.name, listOfExpected()),
+                   command);
+        return;
+    }
+    const std::string text = found(pieces, furthest_);
+    const bool expectsWord =
+        std::any_of(expected_.begin(), expected_.end(), [](const Expectation& each) { return each.isWord; });
+    const std::string hint = valueHint(pieces[furthest_], names);
+    if (isUnquoted(pieces[furthest_]) && expectsWord) {
+        const std::string nearest = hint.empty() ? suggested(pieces[furthest_].text) : std::string();
+        return reportAt("glib-E16", furthest_,
+                        nearest.empty()
+                            ? fmt::format("unknown word {}; expected {}{}", text, listOfExpected(), hint)
+                            : fmt::format("unknown word {}; did you mean '{}'?", text, nearest));
+    }
+    if (matched && furthest_ == at)
+        return reportAt("glib-E18", furthest_, fmt::format("surplus argument {}", text));
+    reportAt("glib-E19", furthest_, fmt::format("expected {}, found {}{}", listOfExpected(), text, hint));
+}
+
+}  // namespace glibra::glib

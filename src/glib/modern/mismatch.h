@@ -1,0 +1,50 @@
+#pragma once
+// Private to this folder: why the arguments of a statement do not fit its syntax. The syntax tries
+// alternatives; the message is about the furthest argument that any of them arrived at.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "glib/message_log.h"
+#include "glib/modern/match.h"
+#include "glib/modern/pieces.h"
+#include "glib/modern/statement_table.h"
+
+namespace glibra::glib {
+
+class Mismatch {
+  public:
+    /// Notes what an alternative expected at a piece. `isWord`: a key or one of several words, in quotes, so
+    /// that a suggestion can name it. Returns false.
+    bool expect(std::size_t at, std::string expected, bool isWord = false);
+
+    /// Notes that a piece repeats or contradicts an earlier one.
+    void contradict(std::size_t before, std::size_t at);
+
+    /// Reports one error: glib-E16 to E19. `matched`: the syntax fitted, but a piece at `at` is left over.
+    /// `command` is the place of the statement.
+    void report(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, bool matched,
+                std::size_t at, Position command, MessageLog& log);
+
+  private:
+    struct Expectation {
+        std::string text;
+        bool isWord = false;
+    };
+
+    [[nodiscard]] std::string listOfExpected() const;
+    [[nodiscard]] std::string suggested(std::string_view word) const;
+    /// What to write for the value of a name that stands without parentheses; empty if that is not the
+    /// mistake.
+    [[nodiscard]] std::string valueHint(const Value& found, const DeclaredNames& names) const;
+
+    std::size_t furthest_ = 0;
+    std::vector<Expectation> expected_;
+    std::optional<std::pair<std::size_t, std::size_t>> conflict_;  ///< the earlier and the later piece
+};
+
+}  // namespace glibra::glib

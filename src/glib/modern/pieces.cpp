@@ -1,0 +1,132 @@
+#include "glib/modern/pieces.h"
+
+namespace glibra::glib {
+namespace {
+
+using Kind = Value::Kind;
+
+/// Adds the parts of a text with points between them.
+void addParts(std::string_view text, std::vector<NamePart>& path) {
+    if (text.starts_with('.')) text.remove_prefix(1);
+    while (true) {
+        const std::size_t point = text.find('.');
+        path.push_back({std::string(text.substr(0, point)), {}});
+        if (point == std::string_view::npos) return;
+        text.remove_prefix(point + 1);
+    }
+}
+
+}  // namespace
+
+bool isNumeric(const Value& value) {
+    return value.kind == Kind::number || value.kind == Kind::expression;
+}
+bool isUnquoted(const Value& value) {
+    return (value.kind == Kind::word || value.kind == Kind::truth) && !value.text.empty();
+}
+
+bool isDotted(std::string_view text, bool hasHead) {
+    if (hasHead) {
+        if (!text.starts_with('.')) return false;
+        text.remove_prefix(1);
+    }
+    while (true) {
+        const std::size_t point = text.find('.');
+        if (!isIdentifier(text.substr(0, point))) return false;
+        if (point == std::string_view::npos) return true;
+        text.remove_prefix(point + 1);
+    }
+}
+
+std::string_view beforePoint(std::string_view text) {
+    return text.substr(0, text.find('.'));
+}
+std::string_view afterPoint(std::string_view text) {
+    const std::size_t point = text.find('.');
+    return point == std::string_view::npos ? std::string_view() : text.substr(point + 1);
+}
+
+bool Pieces::isSubscript(std::size_t at) const {
+    if (!isJoined(at)) return false;
+    const Value& value = (*this)[at];
+    if (value.kind == Kind::expression) return true;
+    return value.kind == Kind::list && value.count.empty() &&
+           source(value).find_first_of("\r\n") == std::string_view::npos;
+}
+
+std::size_t Pieces::objectEnd(std::size_t at) const {
+    const Value* value = find(at);
+    if (value == nullptr || value->kind != Kind::word || !isDotted(value->text, false)) return at;
+    for (std::size_t next = at + 1;;) {
+        if (isSubscript(next))
+            ++next;
+        else if (isJoined(next) && (*this)[next].kind == Kind::word && isDotted((*this)[next].text, true))
+            ++next;
+        else
+            return next;
+    }
+}
+
+std::size_t Pieces::tagEnd(std::size_t at) const {
+    const Value* value = find(at);
+    if (value == nullptr || !isUnquoted(*value) || !isDotted(value->text, false)) return at;
+    std::size_t next = at + 1;
+    while (isSubscript(next) && (*this)[next].kind == Kind::list && valueFollows(next + 1)) {
+        ++next;
+        if (isJoined(next) && (*this)[next].kind == Kind::word) ++next;
+    }
+    return next;
+}
+
+bool Pieces::valueFollows(std::size_t at) const {
+    const Value* value = find(at);
+    if (value == nullptr) return false;
+    if (value->kind != Kind::word) return true;
+    if (isJoined(at) && isDotted(value->text, true)) return true;
+    // A word is a value if what follows it is not: `uTex[2] shadow uB 5`, but `uA[3] uB 5`.
+    const std::size_t next = objectEnd(at);
+    if (next == at) return false;
+    return next == size() || (*this)[next].kind == Kind::word;
+}
+
+std::string_view Pieces::source(const Value& value) const {
+    return text_.substr(value.begin, value.end - value.begin);
+}
+
+std::string Pieces::written(std::size_t begin, std::size_t end) const {
+    return std::string(text_.substr((*this)[begin].begin, (*this)[end - 1].end - (*this)[begin].begin));
+}
+
+Value Pieces::indexOf(const Value& subscript) const {
+    Value index = subscript;
+    if (subscript.kind == Kind::expression) return index;
+    if (subscript.items.size() == 1 && isNumeric(subscript.items.front())) return subscript.items.front();
+    index.kind = Kind::expression;
+    index.items.clear();
+    const std::string_view all = source(subscript);
+    index.text = all.substr(1, all.size() - 2);
+    return index;
+}
+
+std::vector<NamePart> Pieces::pathOf(std::size_t begin, std::size_t end) const {
+    std::vector<NamePart> path;
+    for (std::size_t i = begin; i < end; ++i) {
+        const Value& value = (*this)[i];
+        if (value.kind == Kind::word || value.kind == Kind::truth)
+            addParts(value.text, path);
+        else
+            path.back().index = {indexOf(value)};
+    }
+    return path;
+}
+
+Value Pieces::nameOf(std::size_t begin, std::size_t end) const {
+    Value name = (*this)[begin];
+    name.kind = Kind::word;
+    name.text = written(begin, end);
+    name.end = (*this)[end - 1].end;
+    name.path = pathOf(begin, end);
+    return name;
+}
+
+}  // namespace glibra::glib

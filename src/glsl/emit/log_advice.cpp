@@ -1,0 +1,331 @@
+#include "glsl/emit/log_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/suggest.h"
+#include "glsl/parse/types.h"
+#include "glsl/read/token.h"
+#include "glsl/read/words.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// Words of HLSL, Cg, C and extensions of old GLSL, and what core GLSL has instead.
+struct ForeignWord {
+    std::string_view word, core;
+};
+constexpr auto kForeignWords = std::to_array<ForeignWord>({
+    {"frac", "fract"},
+    {"saturate", "clamp(x, 0.0, 1.0)"},
+    {"lerp", "mix"},
+    {"rsqrt", "inversesqrt"},
+    {"rcp", "1.0 / x"},
+    {"ddx", "dFdx"},
+    {"ddy", "dFdy"},
+    {"fmod", "mod"},
+    {"atan2", "atan"},
+    {"mul", "a * b"},
+    {"mad", "a * b + c"},
+    {"clip", "if (x < 0.0) discard"},
+    {"log10", "log2(x) * 0.30103"},
+    {"fabs", "abs"},
+    {"fmin", "min"},
+    {"fmax", "max"},
+    {"sqrtf", "sqrt"},
+    {"powf", "pow"},
+    {"sinf", "sin"},
+    {"cosf", "cos"},
+    {"floorf", "floor"},
+    {"tex1D", "texture"},
+    {"tex2D", "texture"},
+    {"tex3D", "texture"},
+    {"texCUBE", "texture"},
+    {"tex2Dlod", "textureLod"},
+    {"tex2Dbias", "texture"},
+    {"tex2Dproj", "textureProj"},
+    {"tex2Dgrad", "textureGrad"},
+    {"texture1DLod", "textureLod"},
+    {"texture2DLod", "textureLod"},
+    {"texture3DLod", "textureLod"},
+    {"textureCubeLod", "textureLod"},
+    {"texture2DLodEXT", "textureLod"},
+    {"float1", "float"},
+    {"float2", "vec2"},
+    {"float3", "vec3"},
+    {"float4", "vec4"},
+    {"half", "float"},
+    {"half2", "vec2"},
+    {"half3", "vec3"},
+    {"half4", "vec4"},
+    {"fixed", "float"},
+    {"fixed3", "vec3"},
+    {"fixed4", "vec4"},
+    {"int2", "ivec2"},
+    {"int3", "ivec3"},
+    {"int4", "ivec4"},
+    {"uint2", "uvec2"},
+    {"uint3", "uvec3"},
+    {"uint4", "uvec4"},
+    {"bool2", "bvec2"},
+    {"bool3", "bvec3"},
+    {"bool4", "bvec4"},
+    {"float2x2", "mat2"},
+    {"float3x3", "mat3"},
+    {"float4x4", "mat4"},
+    {"Texture2D", "sampler2D"},
+    {"Texture3D", "sampler3D"},
+    {"TextureCube", "samplerCube"},
+    {"string", "float"},
+});
+
+bool contains(std::string_view text, std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+}
+
+/// The word as the user wrote it.
+std::string userWord(const TranslatedProgram& program, std::string_view emitted) {
+    std::string word(emitted);
+    if (!word.starts_with("glibra_")) return word;
+    const auto found = program.userNames.find(word);
+    return found != program.userNames.end() ? found->second : "gl_" + word.substr(7);
+}
+
+/// The driver's names of tokens, which are no GLSL ("BASIC_TYPE_TOK"), give way to the token itself.
+std::string readableSyntaxError(std::string_view driver, std::string_view token) {
+    std::string text = "syntax error";
+    if (!token.empty()) text += " at '" + std::string(token) + "'";
+    constexpr std::string_view kExpecting = "expecting ";
+    const std::size_t at = driver.find(kExpecting);
+    if (at == std::string_view::npos) return text;
+    const std::string_view expected = driver.substr(at + kExpecting.size());
+    const bool isJargon = expected.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string_view::npos;
+    return isJargon ? text : text + ", expected " + std::string(expected.substr(0, expected.find(" at ")));
+}
+
+bool isAboutAnUnknownName(std::string_view text) {
+    constexpr std::array<std::string_view, 6> kPhrases{"undeclared",
+                                                       "no function with name",
+                                                       "undefined variable",
+                                                       "unable to find compatible overloaded",
+                                                       "no matching overloaded function",
+                                                       "is not declared"};
+    return std::any_of(kPhrases.begin(), kPhrases.end(),
+                       [&](std::string_view each) { return contains(text, each); });
+}
+
+bool isAboutTypes(std::string_view text) {
+    constexpr std::array<std::string_view, 7> kPhrases{
+        "mismatch",      "could not implicitly convert", "must have the same type",
+        "wrong operand", "incompatible types",           "no operation",
+        "cannot convert"};
+    return std::any_of(kPhrases.begin(), kPhrases.end(),
+                       [&](std::string_view each) { return contains(text, each); });
+}
+
+}  // namespace
+
+/// The tokens of an emitted source that the grammar sees, except those of directives.
+class LogAdvice::Source {
+  public:
+    explicit Source(const TranslatedStage& stage) : stage_(stage) {
+        for (const Token& each : lex(stage.source, storage_)) {
+            // lex() does not know directives: a line that begins with # is one.
+            if (each.text == "#" && (tokens_.empty() || tokens_.back().line < each.line))
+                directive_ = each.line;
+            if (isSignificant(each.kind) && each.line != directive_) tokens_.push_back(each);
+        }
+        closing_.assign(tokens_.size(), tokens_.size());
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            const std::string_view text = tokens_[i].text;
+            if (text == "(" || text == "{" || text == "[") open.push_back(i);
+            if ((text == ")" || text == "}" || text == "]") && !open.empty()) {
+                closing_[i] = open.back();
+                open.pop_back();
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const { return tokens_.size(); }
+    [[nodiscard]] const Token& operator[](std::size_t at) const { return tokens_[at]; }
+    [[nodiscard]] std::string_view text(std::size_t at) const {
+        return at < tokens_.size() ? tokens_[at].text : std::string_view{};
+    }
+    [[nodiscard]] bool isWord(std::size_t at) const {
+        return at < tokens_.size() && tokens_[at].kind == TokenKind::word;
+    }
+    /// The bracket that the one at `at` closes; size() if there is none.
+    [[nodiscard]] std::size_t opening(std::size_t at) const { return closing_[at]; }
+
+    /// The first token at or after the place; size() if there is none.
+    [[nodiscard]] std::size_t find(const EmittedPlace& place) const {
+        const auto line = static_cast<std::int32_t>(place.line) + 1;
+        const auto found = std::find_if(tokens_.begin(), tokens_.end(), [&](const Token& each) {
+            return each.line > line ||
+                   (each.line == line &&
+                    each.column + static_cast<std::int32_t>(each.text.size()) > place.column);
+        });
+        return static_cast<std::size_t>(found - tokens_.begin());
+    }
+
+    /// The first such word on a line; size() if there is none.
+    [[nodiscard]] std::size_t findWord(std::size_t line, std::string_view word) const {
+        const auto found = std::find_if(tokens_.begin(), tokens_.end(), [&](const Token& each) {
+            return each.line == static_cast<std::int32_t>(line) + 1 && each.text == word;
+        });
+        return static_cast<std::size_t>(found - tokens_.begin());
+    }
+
+    /// The user's place of a column of a token; nothing if the translator wrote its line.
+    [[nodiscard]] std::optional<Place> userPlace(const Token& token, int column) const {
+        const auto line = static_cast<std::size_t>(token.line - 1);
+        if (line >= stage_.lineMap.lines.size()) return std::nullopt;
+        const LineOrigin& origin = stage_.lineMap.lines[line];
+        if (origin.file < 0) return std::nullopt;
+        return Place{stage_.lineMap.files[static_cast<std::size_t>(origin.file)], origin.line,
+                     userColumn(stage_, EmittedPlace{line, column})};
+    }
+
+    /// True if a statement cannot go on after the token without an operator: a name, a number, a closing
+    /// bracket.
+    [[nodiscard]] bool endsAnOperand(std::size_t at) const {
+        const Token& token = tokens_[at];
+        if (token.kind == TokenKind::number || token.text == "]") return true;
+        if (token.kind == TokenKind::word)
+            return (!isStatementWord(token.text) || token.text == "break" || token.text == "continue" ||
+                    token.text == "discard" || token.text == "return") &&
+                   !isTypeWord(token.text) && !isQualifierWord(token.text);
+        const std::size_t open = opening(at);
+        if (open == size() || open == 0) return false;
+        const std::string_view before = text(open - 1);
+        if (token.text == ")")
+            return before != "if" && before != "for" && before != "while" && before != "switch";
+        // struct S { ... } and uniform Block { ... } need a semicolon, the braces of statements do not.
+        return token.text == "}" && isWord(open - 1) && open >= 2 &&
+               (text(open - 2) == "struct" || isQualifierWord(text(open - 2)));
+    }
+
+    /// True if the token begins a statement or a declaration, or ends a block.
+    [[nodiscard]] bool beginsAStatement(std::size_t at) const { return isWord(at) || text(at) == "}"; }
+
+    /// True if the word stands where a declaration may begin.
+    [[nodiscard]] bool isAtTheStart(std::size_t at) const {
+        if (at == 0) return true;
+        const std::string_view before = text(at - 1);
+        return before == ";" || before == "{" || before == "}" || before == "(" || before == "," ||
+               isQualifierWord(before);
+    }
+
+  private:
+    const TranslatedStage& stage_;
+    std::deque<std::string> storage_;
+    std::vector<Token> tokens_;
+    std::vector<std::size_t> closing_;
+    std::int32_t directive_ = 0;
+};
+
+LogAdvice::LogAdvice(const TranslatedProgram& program, const TranslatedStage& stage)
+    : program_(program), stage_(stage) {}
+LogAdvice::~LogAdvice() = default;
+
+const LogAdvice::Source& LogAdvice::source() {
+    if (!source_) source_ = std::make_unique<const Source>(stage_);
+    return *source_;
+}
+
+std::string LogAdvice::suggestionFor(std::string_view word, bool isType) {
+    const auto* const foreign = std::find_if(kForeignWords.begin(), kForeignWords.end(),
+                                             [&](const ForeignWord& each) { return each.word == word; });
+    if (foreign != kForeignWords.end()) return "; did you mean '" + std::string(foreign->core) + "'?";
+    constexpr std::size_t kMostNames = 10'000;
+    const Source& source = this->source();
+    std::set<std::string> names;
+    for (std::size_t i = 0; i + 1 < source.size() && names.size() < kMostNames; ++i) {
+        // "vec3 color;", "float glow(", "Light light": the name in a declaration comes after a word.
+        if (!source.isWord(i) || !source.isWord(i + 1) || isStatementWord(source.text(i))) continue;
+        const std::string name(source.text(i + 1));
+        if (keywordSince(name) > 0 || (isType && source.text(i) != "struct")) continue;
+        const auto user = program_.userNames.find(name);
+        if (user != program_.userNames.end())
+            names.insert(user->second);
+        else if (!name.starts_with("glibra_"))
+            names.insert(name);
+    }
+    std::vector<std::string_view> candidates(names.begin(), names.end());
+    if (isType) {
+        for (const std::string_view each : keywords())
+            if (isTypeWord(each)) candidates.push_back(each);
+    } else {
+        for (const std::string_view each : coreFunctions()) candidates.push_back(each);
+    }
+    return base::suggestion(word, candidates);
+}
+
+void LogAdvice::explainSyntaxError(const LogLine& line, Diagnostic& message) {
+    if (contains(line.text, "unexpected end of file") || contains(line.text, "unexpected $end")) {
+        message.text = "syntax error: the file ends too early; is a '}' missing?";
+        return;
+    }
+    const Source& source = this->source();
+    const std::optional<EmittedPlace> place = emittedPlace(stage_, line, message.place.file);
+    if (!place) return;
+    // Without a column the token is the one that the message quotes: "at token \"vec3\"".
+    const std::size_t at =
+        place->column > 0 ? source.find(*place) : source.findWord(place->line, quotedWord(line.text));
+    if (at == 0 || at == source.size()) return;
+    const Token& before = source[at - 1];
+    if (before.line == source[at].line && before.kind == TokenKind::word && source.isWord(at) &&
+        source.isAtTheStart(at - 1) && keywordSince(before.text) == 0 && keywordSince(source.text(at)) == 0) {
+        message.text = "unknown type '" + std::string(before.text) + "'" + suggestionFor(before.text, true);
+        if (const auto user = source.userPlace(before, before.column)) message.place = *user;
+        return;
+    }
+    if (source.endsAnOperand(at - 1) && source.beginsAStatement(at)) {
+        if (const std::optional<Place> user = source.userPlace(before, before.column)) {
+            const std::string word = userWord(program_, before.text);
+            message.text = "missing ';' after '" + word + "'";
+            message.place = {user->file, user->line, user->column + static_cast<int>(word.size())};
+            return;
+        }
+    }
+    message.text = readableSyntaxError(line.text, userWord(program_, source.text(at)));
+}
+
+void LogAdvice::nameTypes(const LogLine& line, Diagnostic& message) const {
+    // The driver may point to any part of the expression; of several on one line the nearest is meant.
+    const TypeMismatch* nearest = nullptr;
+    const auto distance = [&](const TypeMismatch& each) {
+        return std::abs(each.place.column - message.place.column);
+    };
+    const bool isReturn = contains(line.text, "return");
+    for (const TypeMismatch& each : stage_.mismatches) {
+        const bool fits = each.place.file == message.place.file && each.place.line == message.place.line &&
+                          isReturn == each.text.starts_with("the value");
+        if (fits && (nearest == nullptr || distance(each) < distance(*nearest))) nearest = &each;
+    }
+    if (nearest != nullptr) message.text += ": " + nearest->text;
+}
+
+void LogAdvice::addTo(const LogLine& line, Diagnostic& message) {
+    constexpr int kMostMessages = 32;
+    if (++messages_ > kMostMessages) return;
+    if (contains(line.text, "syntax error")) {
+        explainSyntaxError(line, message);
+    } else if (isAboutAnUnknownName(line.text)) {
+        const std::string word(quotedWord(message.text));
+        if (!word.empty() && keywordSince(word) == 0) message.text += suggestionFor(word, false);
+    } else if (isAboutTypes(line.text)) {
+        nameTypes(line, message);
+    }
+}
+
+}  // namespace glibra::glsl

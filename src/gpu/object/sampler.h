@@ -1,0 +1,35 @@
+#pragma once
+// Samplers: how a texture is read.
+
+#include <glad/gl.h>
+
+#include <optional>
+
+#include "base/raster_state.h"
+#include "base/sampler_state.h"
+#include "gpu/object/name.h"
+
+namespace glibra::gpu {
+
+inline void deleteSampler(GLuint name) {
+    glDeleteSamplers(1, &name);
+}
+
+using base::SamplerState;
+using base::Wrap;
+
+class Sampler {
+  public:
+    /// `compare`: for sampler2DShadow and its like, which read 1 where (reference compared with texel) holds,
+    /// else 0. Anisotropy above 1 needs a driver that supports it.
+    explicit Sampler(const SamplerState& state = {}, std::optional<base::Comparison> compare = {});
+    /// Linear, with the same wrapping in every direction.
+    explicit Sampler(Wrap wrap) : Sampler(SamplerState{.wrap = {wrap, wrap, wrap}, .border = {}}) {}
+    void bind(int unit) const { glBindSampler(static_cast<GLuint>(unit), name_.get()); }
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+
+  private:
+    Name<deleteSampler> name_;
+};
+
+}  // namespace glibra::gpu

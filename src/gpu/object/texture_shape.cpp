@@ -1,0 +1,54 @@
+#include "gpu/object/texture_shape.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace glibra::gpu {
+
+GLenum glTarget(TextureShape shape) {
+    switch (shape) {
+        case TextureShape::texture1D:
+            return GL_TEXTURE_1D;
+        case TextureShape::texture2D:
+            return GL_TEXTURE_2D;
+        case TextureShape::texture3D:
+            return GL_TEXTURE_3D;
+        case TextureShape::array2D:
+            return GL_TEXTURE_2D_ARRAY;
+        case TextureShape::multisampled:
+            return GL_TEXTURE_2D_MULTISAMPLE;
+        case TextureShape::cube:
+            break;
+    }
+    return GL_TEXTURE_CUBE_MAP;
+}
+
+TextureSize sizeOfLevel(TextureShape shape, TextureSize size, int level) {
+    const auto smaller = [&](int side) { return std::max(1, side >> std::min(level, 30)); };
+    return {smaller(size.width), smaller(size.height),
+            shape == TextureShape::array2D ? size.depth : smaller(size.depth)};
+}
+
+int mostLevels(TextureShape shape, TextureSize size) {
+    if (shape == TextureShape::multisampled) return 1;
+    const int depth = shape == TextureShape::texture3D ? size.depth : 1;
+    return static_cast<int>(
+        std::bit_width(static_cast<unsigned>(std::max({1, size.width, size.height, depth}))));
+}
+
+std::string describe(TextureShape shape, TexelFormat format, TextureSize size) {
+    std::string text = "a " + std::to_string(size.width);
+    if (shape != TextureShape::texture1D) text += " x " + std::to_string(size.height);
+    if (shape == TextureShape::texture3D) text += " x " + std::to_string(size.depth);
+    if (shape == TextureShape::array2D) text += ", " + std::to_string(size.depth) + " layers";
+    return text + (shape == TextureShape::cube ? " cube map (" : " texture (") + std::string(name(format)) +
+           ")";
+}
+
+std::uint64_t texelCount(TextureShape shape, TextureSize size) {
+    const auto count = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) *
+                       static_cast<std::uint64_t>(size.depth);
+    return shape == TextureShape::cube ? 6 * count : count;
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,126 @@
+// What counts as a submission, and which of its scenes is drawn.
+
+#include "classroom/submissions.h"
+
+#include <gtest/gtest.h>
+
+#include "../suite/folder.h"
+
+namespace glibra::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SubmissionsTest : public testing::Test {
+  protected:
+    void SetUp() override { folder = made.path(); }
+
+    void write(const fs::path& name) const { suite::writeText(folder / name, "Sphere\n"); }
+    [[nodiscard]] std::vector<Submission> found(const SubmissionOptions& options = {}) const {
+        Result<Submissions> read = findSubmissions(folder, options);
+        return read ? read->all : std::vector<Submission>{};
+    }
+    [[nodiscard]] std::string sceneOf(const SubmissionOptions& options = {}) const {
+        const std::vector<Submission> all = found(options);
+        if (all.size() != 1) return "expected one submission";
+        return all[0].scene.empty() ? all[0].problem : all[0].scene.lexically_relative(folder).string();
+    }
+
+    suite::Folder made;
+    fs::path folder;
+};
+
+TEST_F(SubmissionsTest, FoldersAndSceneFilesInTheOrderOfTheirNames) {
+    write("dora/x.glib");
+    write("Ana.glib");
+    write("bob/deep/er/y.GLIB");
+    write("notes.txt");
+    write(".git/z.glib");
+    write("textures/t.glib");
+    const Result<Submissions> read = findSubmissions(folder, {});
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->all.size(), 3U);
+    EXPECT_EQ(read->all[0].name, "Ana");
+    EXPECT_EQ(read->all[0].folder, folder);
+    EXPECT_EQ(read->all[1].name, "bob");
+    EXPECT_EQ(read->all[1].scene, folder / "bob/deep/er/y.GLIB");
+    EXPECT_EQ(read->all[1].folder, folder / "bob");
+    EXPECT_EQ(read->all[2].name, "dora");
+    EXPECT_EQ(read->leftOut, std::vector<std::string>{"notes.txt"});
+}
+
+TEST_F(SubmissionsTest, TheNameOfTheReferenceDecidesThenTheStudentsNameThenTheDepth) {
+    write("ana/b/ana.glib");
+    write("ana/c/sub.glib");
+    write("ana/solution.glib");
+    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/solution.glib", .others = {}}), "ana/solution.glib");
+    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/other.glib", .others = {}}), "ana/b/ana.glib");
+    fs::remove(folder / "ana/b/ana.glib");
+    EXPECT_EQ(sceneOf({.scene = {}, .reference = "x/other.glib", .others = {}}), "ana/solution.glib");
+}
+
+TEST_F(SubmissionsTest, ScenesBetweenWhichNothingDecidesAreNamed) {
+    write("ana/a.glib");
+    write("ana/b.glib");
+    EXPECT_EQ(sceneOf({.scene = {}, .reference = "solution.glib", .others = {}}),
+              "the folder has 2 scenes: 'a.glib', 'b.glib'; expected one, or one named 'solution.glib' or "
+              "'ana.glib'; --scene chooses");
+}
+
+TEST_F(SubmissionsTest, APatternChooses) {
+    write("ana/a.glib");
+    write("ana/src/b.glib");
+    EXPECT_EQ(sceneOf({.scene = "b.*", .reference = {}, .others = {}}), "ana/src/b.glib");
+    EXPECT_EQ(sceneOf({.scene = "src/*.glib", .reference = {}, .others = {}}), "ana/src/b.glib");
+    EXPECT_EQ(sceneOf({.scene = "c.glib", .reference = {}, .others = {}}),
+              "no scene fits --scene 'c.glib'; found 'a.glib', 'src/b.glib'");
+}
+
+TEST_F(SubmissionsTest, AnEmptyFolderIsASubmissionWithoutAScene) {
+    fs::create_directories(folder / "ana");
+    EXPECT_EQ(sceneOf(), "the folder has no scene: expected a file whose name ends with '.glib'");
+}
+
+TEST_F(SubmissionsTest, LinksAreNotFollowed) {
+    write("ana/a.glib");
+    fs::create_symlink(folder / "ana/a.glib", folder / "bob.glib");
+    fs::create_directory_symlink(folder / "ana", folder / "cem");
+    fs::create_directories(folder / "dora");
+    fs::create_symlink("/etc/passwd", folder / "dora/d.glib");
+    const std::vector<Submission> all = found();
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_FALSE(all[0].scene.empty());
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        EXPECT_TRUE(all[i].scene.empty()) << all[i].name;
+        EXPECT_NE(all[i].problem.find("is a link"), std::string::npos) << all[i].problem;
+    }
+}
+
+TEST_F(SubmissionsTest, TheReferenceAndWhatIsNamedAreNoSubmissions) {
+    write("solution/solution.glib");
+    write("ana/a.glib");
+    write("site/index.glib");
+    const std::vector<Submission> all = found({.scene = {},
+                                               .reference = folder / "solution/solution.glib",
+                                               .others = {folder / "site", folder / "solution"}});
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0].name, "ana");
+}
+
+TEST_F(SubmissionsTest, AFolderAndAFileOfOneNameKeepDifferentNames) {
+    write("ana/a.glib");
+    write("ana.glib");
+    const std::vector<Submission> all = found();
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].name, "ana");
+    EXPECT_EQ(all[1].name, "ana.glib");
+}
+
+TEST_F(SubmissionsTest, AFolderWithoutSubmissionsIsAMistake) {
+    const Result<Submissions> none = findSubmissions(folder, {});
+    EXPECT_FALSE(none);
+    EXPECT_FALSE(findSubmissions(folder / "missing", {}));
+}
+
+}  // namespace
+}  // namespace glibra::classroom

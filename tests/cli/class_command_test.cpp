@@ -1,0 +1,452 @@
+// `glibra class`, run as a teacher runs it: two hundred submissions, some of which are hostile.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "base/sandbox.h"
+#include "program.h"
+
+namespace glibra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = GLIBRA_SOURCE_DIR;
+constexpr const char* kSecret = "vec3 theTeachersSecret";
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::size_t countOf(const std::string& text, std::string_view part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+    if (const std::size_t at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
+    return text;
+}
+
+/// The fields of each line of a table.
+std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows(1, {""});
+    bool quoted = false;
+    for (std::size_t i = 0; i < csv.size(); ++i) {
+        const char each = csv[i];
+        if (each == '"' && quoted && i + 1 < csv.size() && csv[i + 1] == '"')
+            rows.back().back() += csv[++i];
+        else if (each == '"')
+            quoted = !quoted;
+        else if (each == ',' && !quoted)
+            rows.back().emplace_back();
+        else if (each == '\n' && !quoted)
+            rows.push_back({""});
+        else if (each != '\r' || quoted)
+            rows.back().back() += each;
+    }
+    rows.pop_back();
+    return rows;
+}
+
+class ClassCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write("solution.vert", kVertex);
+        folder.write("solution.frag", fragment("uTone"));
+        folder.write("solution.glib", scene("solution"));
+        folder.write("secret.glsl", std::string(kSecret) + " = vec3(1.);\n");
+    }
+
+    static std::string scene(const std::string& shader) {
+        return "LookAt 0 0 4 0 0 0 0 1 0\nVertex " + shader + ".vert\nFragment " + shader +
+               ".frag\nProgram P uTone <0. .5 1.>\nSphere 1 40 40\n";
+    }
+    static std::string fragment(const std::string& value) {
+        return "#version 330 core\nin vec3 vN;\nuniform float uTone;\nout vec4 f;\nvoid main() {\n"
+               "    float shade = .1 + .8 * " +
+               value + " * abs(normalize(vN).z);\n    f = vec4(shade);\n}\n";
+    }
+    /// A folder of a student with such a fragment shader.
+    void hand(const std::string& student, const std::string& fragmentShader) const {
+        folder.write("all/" + student + "/a.vert", kVertex);
+        folder.write("all/" + student + "/a.frag", fragmentShader);
+        folder.write("all/" + student + "/a.glib", scene("a"));
+    }
+    [[nodiscard]] Finished run(const std::string& more) const {
+        return glibra(folder.path(), "class all --reference solution.glib -o site --size 64x64 " + more);
+    }
+    [[nodiscard]] std::string page() const { return readFile(folder / "site/index.html"); }
+    [[nodiscard]] std::vector<std::vector<std::string>> grades() const {
+        return rowsOf(readFile(folder / "site/grades.csv"));
+    }
+    /// The field of a submission, by the name of the column.
+    [[nodiscard]] std::string grade(const std::string& student, const std::string& column) const {
+        const std::vector<std::vector<std::string>> rows = grades();
+        const auto at = std::find(rows[0].begin(), rows[0].end(), column) - rows[0].begin();
+        for (const std::vector<std::string>& each : rows)
+            if (each[0] == student) return each[static_cast<std::size_t>(at)];
+        return "no such submission";
+    }
+    /// No file of the site has the text.
+    void expectNowhere(std::string_view text) const {
+        for (const fs::directory_entry& each : fs::recursive_directory_iterator(folder / "site")) {
+            ASSERT_FALSE(each.is_symlink()) << each.path();
+            if (!each.is_regular_file()) continue;
+            EXPECT_FALSE(contains(readFile(each.path()), text)) << each.path();
+        }
+    }
+
+    static constexpr const char* kVertex =
+        "#version 330 core\nout vec3 vN;\nvoid main() { vN = uNormalMatrix * aNormal; gl_Position = "
+        "uModelViewProjectionMatrix * aVertex; }\n";
+    Folder folder;
+};
+
+TEST_F(ClassCommand, DrawsEveryoneBesideTheReferenceAndScoresThem) {
+    hand("ana", fragment("uTone"));
+    hand("bob", fragment("(1. - uTone) * .3"));
+    hand("cem", fragment("uNowhere"));
+    folder.write("all/dora.glib", "Sphere 1 20 20\n");
+    folder.write("all/readme.txt", "hello");
+    const Finished done = run("");
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(contains(done.err, "4 submissions: 3 drawn, 1 failed")) << done.err;
+    EXPECT_EQ(grade("ana", "state"), "drawn");
+    EXPECT_EQ(grade("ana", "flip"), "0.00000");
+    EXPECT_EQ(grade("ana", "structure"), "0.00000");
+    EXPECT_GT(std::stod(grade("bob", "flip")), 0.01);
+    EXPECT_EQ(grade("bob", "uniforms"), "uTone");
+    EXPECT_EQ(grade("bob", "stages"), "vertex fragment");
+    EXPECT_EQ(grade("cem", "state"), "failed");
+    EXPECT_TRUE(contains(grade("cem", "reason"), "uNowhere")) << grade("cem", "reason");
+    EXPECT_EQ(grade("cem", "flip"), "");
+    EXPECT_EQ(grade("dora", "state"), "drawn");
+    const std::string html = page();
+    EXPECT_TRUE(contains(html, "a.frag:6"));
+    EXPECT_TRUE(contains(html, "readme.txt"));
+    // The pictures are as large as the reference's.
+    EXPECT_EQ(countOf(html, "width=\"64\" height=\"64\""), 1 + 3 * 2 + 1);
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/0001-1.png"));
+}
+
+TEST_F(ClassCommand, SweepsAndTimesMakeAPictureEach) {
+    hand("ana", fragment("uTone"));
+    hand("bob", fragment(".5"));
+    const Finished done = run("--sweep 'uTone = [0, 0.5, 1]' --time 0 --time 1");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("bob", "pictures"), "6");
+    EXPECT_EQ(grade("bob", "drawn"), "6");
+    EXPECT_EQ(grade("bob", "flip uTone=0.5, time=0"), "0.00000");
+    EXPECT_GT(std::stod(grade("bob", "flip uTone=0, time=1")), 0.01);
+    EXPECT_EQ(grade("ana", "worst flip"), "0.00000");
+}
+
+TEST_F(ClassCommand, AReferenceMayBeASuite) {
+    hand("ana", fragment("uTone"));
+    folder.write("class.toml",
+                 "[[shot]]\nscript = \"solution.glib\"\nsize = [32, 32]\nsweep = { uTone = [0, 1] }\n");
+    const Finished done = glibra(folder.path(), "class all --reference class.toml -o site");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "flip solution@uTone=1"), "0.00000");
+    EXPECT_TRUE(contains(page(), "width=\"32\" height=\"32\""));
+    EXPECT_EQ(glibra(folder.path(), "class all --reference class.toml --time 3 -o site").status, 2);
+}
+
+TEST_F(ClassCommand, SimilarCodeIsShownSideBySideButNotWhatWasGiven) {
+    const std::string given =
+        "float hill(float x) { float s = smoothstep(0., .3, x) * smoothstep(0., .3, 1. - x); return s * s * "
+        "x; }\n";
+    const std::string copied =
+        "vec3 tint(vec3 at, float by) {\n    vec3 sum = vec3(0.);\n    for (int i = 0; i < 4; ++i) {\n"
+        "        sum += mix(at, at.zxy, by) * float(i) / 6.;\n        at = reflect(at, normalize(sum + "
+        ".1));\n    }\n"
+        "    return clamp(sum, 0., 1.);\n}\n";
+    std::string renamed = copied;
+    for (std::size_t at = renamed.find("sum"); at != std::string::npos; at = renamed.find("sum"))
+        renamed.replace(at, 3, "all");
+    folder.write("handout/start.glsl", given);
+    const auto with = [&](const std::string& own) {
+        return replaced(fragment("uTone"), "void main", given + own + "void main");
+    };
+    hand("ana", with(copied));
+    hand("bob", with(renamed));
+    hand("cem", with(""));
+    hand("dora", with(""));
+    const Finished done = run("--template handout");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "most similar"), "bob");
+    EXPECT_EQ(grade("bob", "most similar"), "ana");
+    EXPECT_EQ(grade("cem", "most similar"), "");
+    EXPECT_GT(std::stod(grade("ana", "similarity")), 0.8);
+    const std::string html = page();
+    EXPECT_TRUE(contains(html, "sum += mix(at, at.zxy, by)"));
+    EXPECT_TRUE(contains(html, "all += mix(at, at.zxy, by)"));
+    const Finished without = run("");
+    ASSERT_EQ(without.status, 0) << without.err;
+    EXPECT_NE(grade("cem", "most similar"), "");
+}
+
+TEST_F(ClassCommand, NothingFromOutsideOfASubmissionIsReadOrShown) {
+    hand("ana", fragment("uTone"));
+    const auto steals = [&](const std::string& student, const std::string& sceneText,
+                            const std::string& shader) {
+        hand(student, shader);
+        folder.write("all/" + student + "/a.glib", sceneText);
+    };
+    steals("absolute",
+           replaced(scene("a"), "Fragment a.frag", "Fragment \"" + (folder / "secret.glsl").string() + "\""),
+           "");
+    steals("above", replaced(scene("a"), "Fragment a.frag", "Fragment ../../secret.glsl"), "");
+    steals("friend", replaced(scene("a"), "Fragment a.frag", "Fragment ../ana/a.frag"), "");
+    steals("passwd", replaced(scene("a"), "Fragment a.frag", "Fragment \"/etc/passwd\""), "");
+    steals("include", scene("a"), "#version 330 core\n#include \"../../secret.glsl\"\nvoid main() {}\n");
+    steals("script", "Include ../../solution.glib\n" + scene("a"), fragment("uTone"));
+    steals("linked", scene("a"), fragment("uTone"));
+    fs::remove(folder / "all/linked/a.frag");
+    fs::create_symlink(folder / "secret.glsl", folder / "all/linked/a.frag");
+    fs::create_symlink(folder / "secret.glsl", folder / "all/link.glib");
+    fs::create_directory_symlink(folder / "all/ana", folder / "all/linkfolder");
+    const Finished done = run("");
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "state"), "drawn");
+    for (const char* each : {"absolute", "above", "friend", "passwd", "linked", "script"}) {
+        EXPECT_EQ(grade(each, "state"), "failed") << each;
+        EXPECT_TRUE(contains(grade(each, "reason"), "file-E12")) << grade(each, "reason");
+    }
+    EXPECT_EQ(grade("include", "state"), "failed");
+    EXPECT_EQ(grade("link", "state"), "no-scene");
+    EXPECT_EQ(grade("linkfolder", "state"), "no-scene");
+    expectNowhere(kSecret);
+    expectNowhere("root:x:");
+    EXPECT_FALSE(contains(done.out + done.err, kSecret));
+}
+
+TEST_F(ClassCommand, NamesPathsAndMessagesStayText) {
+    const std::string name = "<b onmouseover='alert(1)'>&amp;\"";
+    hand(name, "#version 330 core\n#error <script>alert(2)</script>\nvoid main() {}\n");
+    hand("=1+1", fragment("uTone"));
+    hand("line\nbreak", fragment("uTone"));
+    hand("\x1b]0;title\x07\xff", fragment("uTone"));
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    const std::string html = page();
+    EXPECT_FALSE(contains(html, "<b onmouseover"));
+    EXPECT_FALSE(contains(html, "<script"));
+    EXPECT_FALSE(contains(html + done.err, "\x1b"));
+    EXPECT_TRUE(contains(html, "&lt;b onmouseover=&#39;alert(1)&#39;&gt;&amp;amp;&quot;"));
+    EXPECT_EQ(grade(name, "state"), "failed");
+    EXPECT_EQ(grade("'=1+1", "state"), "drawn");
+    EXPECT_EQ(grade("line break", "state"), "drawn");
+    EXPECT_EQ(grades().size(), 5U);
+}
+
+TEST_F(ClassCommand, AWrongReferenceIsAnErrorAndTheSiteStaysAsItWas) {
+    hand("ana", fragment("uTone"));
+    ASSERT_EQ(run("").status, 0);
+    const std::string before = page();
+    folder.write("solution.frag", fragment("uNowhere"));
+    const Finished wrong = run("");
+    EXPECT_EQ(wrong.status, 3);
+    EXPECT_TRUE(contains(wrong.err, "the reference cannot be drawn")) << wrong.err;
+    EXPECT_EQ(page(), before);
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/0000-1.png"));
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/0001-1.png"));
+    EXPECT_EQ(run("--sweep 'uTone = 3'").status, 2);
+    EXPECT_EQ(run("--template nowhere").status, 2);
+    EXPECT_EQ(glibra(folder.path(), "class nowhere --reference solution.glib").status, 2);
+}
+
+TEST_F(ClassCommand, PicturesOfAnEarlierRunDoNotStay) {
+    hand("ana", fragment("uTone"));
+    hand("bob", fragment("uTone"));
+    ASSERT_EQ(run("").status, 0);
+    folder.write("site/pictures/mine.png", "mine");
+    fs::remove_all(folder / "all/bob");
+    fs::create_symlink(folder / "secret.glsl", folder / "site/pictures/0009-1.png");
+    ASSERT_EQ(run("").status, 0);
+    EXPECT_TRUE(fs::exists(folder / "site/pictures/mine.png"));
+    EXPECT_FALSE(fs::exists(fs::symlink_status(folder / "site/pictures/0009-1.png")));
+    EXPECT_FALSE(fs::exists(folder / "site/pictures/0002-1.png"));
+    EXPECT_TRUE(contains(readFile(folder / "secret.glsl"), kSecret));
+}
+
+TEST_F(ClassCommand, ConfinedWorkersGiveTheSamePage) {
+    if (const std::string missing = base::missingForSandbox(); !missing.empty()) GTEST_SKIP() << missing;
+    hand("ana", fragment("uTone"));
+    hand("bob", fragment(".2"));
+    hand("cem", "#version 330 core\n#include \"../../secret.glsl\"\nvoid main() {}\n");
+    folder.write("handout/start.glsl", "void main() { discard; }\n");
+    ASSERT_EQ(run("--template handout").status, 0);
+    const std::vector<std::vector<std::string>> free = grades();
+    const Finished confined = run("--template handout --untrusted");
+    ASSERT_EQ(confined.status, 0) << confined.err;
+    EXPECT_EQ(grades(), free);
+    expectNowhere(kSecret);
+}
+
+/// Two hundred submissions: copies of the shipped scenes with changes, and hostile ones.
+class WholeClass : public ClassCommand {
+  protected:
+    static constexpr std::size_t kStudents = 200;
+
+    void SetUp() override {
+        ClassCommand::SetUp();
+        makeHostile();
+        makeCopies();
+    }
+
+    /// Copies a shipped scene with the shaders that it names.
+    void copy(const fs::path& from, const std::string& student, std::size_t change) {
+        const std::string text = readFile(from);
+        folder.write("all/" + student + "/" + from.filename().string(), text);
+        const fs::path shaders = kRoot / "shaders" / from.parent_path().filename();
+        for (const fs::directory_entry& each : fs::directory_iterator(shaders)) {
+            const std::string name = each.path().filename().string();
+            if (!contains(text, name)) continue;
+            std::string source = replaced(readFile(each.path()), "../common/", "common/");
+            if (each.path().extension() == ".frag" && change > 0)
+                source =
+                    replaced(std::move(source), "void main",
+                             fmt::format("float own{0}(float x) {{ return x * {0}.; }}\nvoid main", change));
+            if (change == 5 && each.path().extension() == ".frag") {
+                source = replaced(std::move(source), "void main", "vecc3 wrong;\nvoid main");
+                mistaken_.insert(student);
+            }
+            folder.write("all/" + student + "/" + name, source);
+        }
+        for (const fs::directory_entry& each : fs::directory_iterator(kRoot / "shaders/common"))
+            folder.write("all/" + student + "/common/" + each.path().filename().string(),
+                         readFile(each.path()));
+        expected_.insert(student);
+    }
+
+    void makeCopies() {
+        std::vector<fs::path> scenes;
+        for (const char* topic : {"start", "noise", "patterns", "shading", "bump", "geometry", "projection"})
+            for (const fs::directory_entry& each : fs::directory_iterator(kRoot / "glib" / topic))
+                if (each.path().extension() == ".glib") scenes.push_back(each.path());
+        std::sort(scenes.begin(), scenes.end());
+        for (std::size_t i = 0; expected_.size() < kStudents; ++i)
+            copy(scenes[i % scenes.size()], fmt::format("student{:03}", i), i / scenes.size());
+    }
+
+    void hostile(const std::string& student, const std::string& fragmentShader,
+                 const std::string& text = scene("a")) {
+        hand(student, fragmentShader);
+        folder.write("all/" + student + "/a.glib", text);
+        expected_.insert(student);
+    }
+
+    void makeHostile() {
+        // Some drivers end a loop after many rounds, so each round takes long.
+        const std::string endless =
+            "#version 330 core\nuniform float uTone;\nout vec4 f;\n"
+            "float more(float x) { return sin(sin(sin(sin(sin(sin(sin(sin(x)))))))); }\n"
+            "void main() {\n    float s = 0.;\n"
+            "    while (s < 1e30) s += 1e-20 * uTone * more(more(more(more(s))));\n"
+            "    f = vec4(s);\n}\n";
+        hostile("endless", endless);
+        hostile("endless again", endless);
+        hostile("missing file", fragment("uTone"), replaced(scene("a"), "a.frag", "nowhere.frag"));
+        hostile("passwd", "#version 330 core\n#include \"../../etc/passwd\"\nvoid main() {}\n");
+        hostile("passwd2", "", replaced(scene("a"), "a.frag", "../../../../../../../../etc/passwd"));
+        hostile("secret", "#version 330 core\n#include \"../../secret.glsl\"\nvoid main() {}\n");
+        hostile("<script>alert('x')<", fragment("uTone"));
+        hostile("\" onerror=\"alert(1)", fragment("uTone"));
+        hostile("=cmd|' -C calc'!A0", fragment("uTone"));
+        hostile("two\nlines", fragment("uTone"));
+        hostile("\xE2\x80\xAEright to left", fragment("uTone"));
+        hostile("..hidden not", fragment("uTone"));
+        // The expected name begins with "." and is left out, like every hidden one.
+        expected_.erase("..hidden not");
+        hostile("huge texture", fragment("uTone"), "Texture 5 huge.png\n" + scene("a"));
+        // A PNG file that promises 60,000 x 60,000 pixels.
+        std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x06\0\0\0\0\0\0\0", 33);
+        folder.write("all/huge texture/huge.png", png);
+        hostile("huge targets", fragment("uTone"),
+                "Texture 5 16384 16384\nTexture 6 16384 16384\n" + scene("a"));
+        hostile("huge sphere", fragment("uTone"), replaced(scene("a"), "40 40", "100000 100000"));
+        std::string macros = "#version 330 core\n#define M0 1.\n";
+        for (int i = 1; i < 40; ++i) macros += fmt::format("#define M{} M{}+M{}\n", i, i - 1, i - 1);
+        hostile("macros", macros + "out vec4 o;\nvoid main() { o = vec4(M39); }\n");
+        hostile("garbage", std::string("\0\1\2\xff\xfe garbage", 13),
+                std::string("\0\xff\x80\n\n\x1b[2J", 9));
+        hostile("empty", "", "");
+        std::string sum =
+            "#version 330 core\nuniform float uTone;\nout vec4 o;\nvoid main() { o = vec4(uTone";
+        for (int i = 0; i < 100'000; ++i) sum += "+uTone";
+        hostile("long sum", sum + "); }\n");
+        fs::create_directories(folder / "all/no scene");
+        expected_.insert("no scene");
+        fs::create_directory_symlink("/etc", folder / "all/etc");
+        expected_.insert("etc");
+        folder.write("all/two scenes/a.glib", scene("a"));
+        folder.write("all/two scenes/b.glib", scene("a"));
+        expected_.insert("two scenes");
+        fs::create_directories(folder / "all/pipe");
+        ASSERT_EQ(::mkfifo((folder / "all/pipe/a.frag").c_str(), 0600), 0);
+        folder.write("all/pipe/a.vert", kVertex);
+        folder.write("all/pipe/a.glib", scene("a"));
+        expected_.insert("pipe");
+    }
+
+    std::set<std::string> expected_, mistaken_;
+};
+
+TEST_F(WholeClass, OfTwoHundredNobodyIsLostAndTheHostileCostOnlyThemselves) {
+    const Finished done = glibra(
+        folder.path(), "class all --reference solution.glib -o site --size 160x120 --timeout 4 --memory 1G",
+        "GLIBRA_PATH=" + kRoot.string());
+    ASSERT_EQ(done.status, 0) << done.err;
+    const std::vector<std::vector<std::string>> rows = grades();
+    ASSERT_EQ(rows.size(), kStudents + 1) << done.err;
+    const std::string html = page();
+    EXPECT_EQ(countOf(html, "<article class=\"card\""), kStudents);
+    std::set<std::string> pictures;
+    for (const fs::directory_entry& each : fs::directory_iterator(folder / "site/pictures"))
+        pictures.insert(each.path().filename().string());
+    std::size_t drawn = 0, good = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        ASSERT_EQ(rows[i].size(), rows[0].size()) << i;
+        const bool isDrawn = rows[i][1] == "drawn";
+        drawn += isDrawn ? 1 : 0;
+        // Whoever has no picture has a reason, and whoever has one has a score.
+        EXPECT_NE(rows[i][2].empty(), !isDrawn) << rows[i][0];
+        EXPECT_EQ(rows[i][6].empty(), !isDrawn) << rows[i][0];
+        EXPECT_EQ(pictures.contains(fmt::format("{:04}-1.png", i)), isDrawn) << rows[i][0];
+        if (!rows[i][0].starts_with("student")) continue;
+        ++good;
+        // Every copy is drawn, except those with a mistake.
+        EXPECT_EQ(isDrawn, !mistaken_.contains(rows[i][0])) << rows[i][0] << ": " << rows[i][2];
+    }
+    EXPECT_GT(good, 170U);
+    EXPECT_GT(drawn, 140U);
+    EXPECT_EQ(grade("endless", "state"), "timed-out");
+    EXPECT_EQ(grade("endless again", "state"), "timed-out");
+    EXPECT_EQ(grade("two scenes", "state"), "no-scene");
+    EXPECT_EQ(grade("pipe", "state"), "failed");
+    for (const char* each :
+         {"<script>alert('x')<", "\" onerror=\"alert(1)", "two lines", "'=cmd|' -C calc'!A0"})
+        EXPECT_EQ(grade(each, "state"), "drawn") << each;
+    EXPECT_FALSE(contains(html, "<script"));
+    EXPECT_FALSE(contains(html, "\" onerror=\"alert"));
+    expectNowhere(kSecret);
+    expectNowhere("root:x:");
+    // The copies of one scene are similar to each other.
+    EXPECT_TRUE(contains(grade("student000", "most similar"), "student"));
+}
+
+}  // namespace
+}  // namespace glibra::test

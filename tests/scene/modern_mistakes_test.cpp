@@ -1,0 +1,176 @@
+// Mistakes that no single argument shows: cycles, targets that do not fit together, limits, and errors that
+// repeat.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "glib/script.h"
+#include "support.h"
+
+namespace glibra::scene {
+namespace {
+
+using tests::idsOf;
+using tests::run;
+using tests::TemporaryFolder;
+using tests::textsOf;
+
+/// The errors of a text, also those of its parser.
+std::string errorsOf(std::string_view text) {
+    const glib::Script script = glib::parse(text, "scene.glib");
+    Diagnostics all = script.diagnostics;
+    append(all, interpret(script).diagnostics);
+    std::erase_if(all, [](const Diagnostic& each) { return each.severity != Severity::error; });
+    return textsOf(all);
+}
+
+TEST(Mistakes, GroupsThatDrawEachOther) {
+    EXPECT_EQ(
+        errorsOf("Group a\nBox\nEndGroup\nGroup b\nDraw a\nEndGroup\nGroup a\nDraw b\nEndGroup\nDraw a\n"),
+        "5:1 glib-E28 group 'a' draws itself");
+    EXPECT_EQ(errorsOf("Group a\nDraw a\nDraw a\nEndGroup\nDraw a\nDraw a\n"),
+              "2:1 glib-E28 group 'a' draws itself\n3:1 glib-E28 group 'a' draws itself");
+}
+
+TEST(Mistakes, FilesThatIncludeEachOther) {
+    const TemporaryFolder folder;
+    folder.write("a.glib", "Box\nInclude b.glib\n");
+    folder.write("b.glib", "Sphere\nInclude c.glib\n");
+    folder.write("c.glib", "Cone\nInclude a.glib\n");
+    const Scene scene = run("Include a.glib\n", folder.write("scene.glib", ""));
+    ASSERT_EQ(idsOf(scene.diagnostics), "glib-E28") << textsOf(scene.diagnostics);
+    EXPECT_EQ(std::filesystem::path(scene.diagnostics[0].place.file).filename(), "c.glib");
+    EXPECT_EQ(scene.diagnostics[0].place.line, 2);
+    EXPECT_EQ(scene.diagnostics[0].text, "'a.glib' includes itself");
+    EXPECT_EQ(tests::drawsOf(scene).size(), 3U);
+}
+
+TEST(Mistakes, TooManyNestedFiles) {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 80; ++i)
+        folder.write("f" + std::to_string(i) + ".glib", "Include f" + std::to_string(i + 1) + ".glib\n");
+    folder.write("f80.glib", "Box\n");
+    const Scene scene = run("Include f0.glib\n", folder.write("scene.glib", ""));
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E28");
+    EXPECT_NE(textsOf(scene.diagnostics).find("more than 64 nested groups and files"), std::string::npos);
+}
+
+constexpr const char* kTargets = R"(Texture2D a 8 8 rgba8
+Texture2D wide 16 8 rgba8 levels 2
+Texture2D many 8 8 rgba8 samples 4
+Texture2DArray layers 8 8 4 rgba8
+Texture2D depth 8 8 depth32f
+Texture2D depth2 8 8 depth24
+Texture1D line 8 rgba8
+Texture2D past 8 8 rgba8 history
+Texture2D picture a.png
+Sampler crisp nearest
+Buffer numbers float 4
+)";
+
+TEST(Mistakes, TargetsThatDoNotFitTogether) {
+    const auto errorOf = [](const std::string& targets) {
+        return errorsOf(kTargets + ("Pass " + targets + "\nBox\nEndPass\n"));
+    };
+    EXPECT_EQ(errorOf("a depth"), "");
+    EXPECT_EQ(errorOf("a wide.level(1)"),
+              "12:8 glib-E11 Pass: 'a' is 8 x 8, 'wide.level(1)' is 8 x 4; all must have the same size");
+    EXPECT_EQ(errorOf("a wide"),
+              "12:8 glib-E11 Pass: 'a' is 8 x 8, 'wide' is 16 x 8; all must have the same size");
+    EXPECT_EQ(errorOf("a many"), "12:8 glib-E11 Pass: 'a' has 1 sample, 'many' has 4; all must have as many");
+    EXPECT_EQ(errorOf("a layers"),
+              "12:8 glib-E11 Pass: 'a' has 1 layer, 'layers' has 4; all must have as many");
+    EXPECT_EQ(errorOf("a layers.layer(2) depth"), "");
+    EXPECT_EQ(errorOf("a depth depth2"),
+              "12:14 glib-E11 Pass: 'depth2' is the second depth texture; a pass has one");
+    EXPECT_EQ(errorOf("a a"), "12:8 glib-E11 Pass: 'a' is named twice");
+    EXPECT_EQ(errorOf("window a"), "12:6 glib-E11 Pass: the window is the only target of its pass");
+    EXPECT_EQ(errorOf("line"),
+              "12:6 glib-E11 Pass: 'line' is a 1D texture; a target has a width and a height");
+    EXPECT_EQ(errorOf("past.prev"), "12:6 glib-E11 Pass: 'past.prev' is only read; draw into 'past'");
+    EXPECT_EQ(errorOf("a.crisp"), "12:6 glib-E11 Pass: 'a.crisp': a target is not sampled");
+    EXPECT_EQ(errorOf("numbers"), "12:6 glib-E27 'numbers' is not a texture");
+    EXPECT_NE(errorOf("picture").find(
+                  "12:6 glib-E11 Pass: 'picture' is a picture; a target has a size and a format"),
+              std::string::npos);
+    EXPECT_EQ(errorOf("layers.layer(4)"), "12:6 glib-E26 layers.layer: 4 is not between 0 and 3");
+    EXPECT_EQ(errorOf("wide.level(2)"), "12:16 glib-E26 wide.level: 2 is not between 0 and 1");
+    EXPECT_EQ(errorOf("a.face(1)"), "12:6 glib-E27 'a' has no part 'face'; it has level, crisp");
+}
+
+TEST(Mistakes, FormatsThatAreNone) {
+    EXPECT_EQ(errorsOf("Texture2D a 8 8 rgb8\n"),
+              "1:17 glib-E16 Texture2D: the format 'rgb8' has three components; write 'rgba8'");
+    EXPECT_EQ(errorsOf("Texture2D a 8 8 rgba16ff\n"),
+              "1:17 glib-E16 Texture2D: unknown format 'rgba16ff'; did you mean 'rgba16f'?");
+    EXPECT_EQ(errorsOf("Texture3D a 8 8 8 depth24\n"),
+              "1:19 glib-E26 Texture3D: 'depth24' is for 2D textures, arrays and cube maps");
+    EXPECT_EQ(errorsOf("Texture2D a 8 8 r32ui linear\n"),
+              "1:23 glib-E26 Texture2D: 'r32ui' holds integers, which are read with 'nearest'");
+}
+
+TEST(Mistakes, DispatchesWithoutGroups) {
+    const std::string program = "Compute inline\nEndCompute\nProgram P\n";
+    const char* limits = "is not between 1 and 2,147,483,647";
+    for (const char* groups : {"0 1 1", "1 0 1", "2147483648 1 1", "1 1 -3", "(1 - 1) 1 1"}) {
+        const std::string errors = errorsOf(program + "Dispatch P " + groups + "\n");
+        EXPECT_NE(errors.find(limits), std::string::npos) << groups << ": " << errors;
+        EXPECT_EQ(errors.find('\n'), std::string::npos) << errors;
+    }
+    EXPECT_NE(errorsOf(program + "Dispatch P over 0\n").find(limits), std::string::npos);
+    EXPECT_EQ(errorsOf(program + "Dispatch P 2147483647 1 1\n"), "") << "the driver has its own limit";
+}
+
+TEST(Mistakes, ExpressionsOfTenThousandLevels) {
+    for (const auto& [open, close] : {std::pair("(", ")"), std::pair("-", ""), std::pair("sin(", ")")}) {
+        std::string text = "Translate (";
+        for (int i = 0; i < 10'000; ++i) text += open;
+        text += "pi";
+        for (int i = 0; i < 10'000; ++i) text += close;
+        const std::string errors = errorsOf(text + ") 0 0\nBox\n");
+        EXPECT_TRUE(errors.starts_with("1:")) << errors.substr(0, 200);
+        EXPECT_EQ(errors.find('\n'), std::string::npos) << errors.substr(0, 400);
+    }
+}
+
+TEST(Mistakes, OfARepetitionAreReportedOnce) {
+    EXPECT_EQ(errorsOf("Repeat 1000 as k\nInstances (-k - 1)\nBox\nEndRepeat\n"),
+              "2:11 glib-E26 Instances: -1 is not between 0 and 100,000,000");
+    EXPECT_EQ(
+        errorsOf("Group a\nMaterial glod\nBox\nEndGroup\nDraw a\nDraw a\nRepeat 5\nDraw a\nEndRepeat\n"),
+        "2:10 glib-E27 no material 'glod'; did you mean 'gold'?");
+    EXPECT_EQ(errorsOf("Let a 1\nSet uMap nothing\nBox\nBox\nSphere\n"),
+              "2:10 glib-E27 'nothing' is no variable, texture or buffer");
+}
+
+TEST(Mistakes, OfADeclarationAreNotThoseOfItsUses) {
+    EXPECT_EQ(errorsOf("Texture2D shadow 8 8 depth32f linar\nPass shadow\nBox (shadow.size.x)\nEndPass\n"
+                       "Set uMap shadow\nBox\nExpect finite shadow\n"),
+              "1:31 glib-E16 Texture2D: unknown word 'linar'; did you mean 'linear'?");
+    EXPECT_EQ(errorsOf("Let a (b)\nLet c (a + 1)\nLet d[3] (c)\nBox (d[1])\n"),
+              "1:8 expr-E02 unknown name 'b'");
+    EXPECT_EQ(errorsOf("Compute\nProgram P\nDispatch P 1 1 1\n"),
+              "1:1 glib-E17 Compute: expected 'inline' or a file (file), found the end of the statement");
+    EXPECT_EQ(errorsOf("Group a 5\nBox\nEndGroup\nDraw a\n"), "1:9 glib-E18 Group: surplus argument '5'");
+    const TemporaryFolder folder;
+    folder.write("part.glib", "Camera low LookAt 0 0 5\nBuffer b float 0\n");
+    const Scene scene = run("Include part.glib\nPass window from low\nBox (b.count)\nEndPass\n",
+                            folder.write("scene.glib", ""));
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E17 glib-E26") << textsOf(scene.diagnostics);
+    // A name that nothing declares is reported all the same.
+    EXPECT_EQ(errorsOf("Let a (1 / 0)\nBox (a)\nBox (e)\n"),
+              "1:8 expr-E06 '1 / 0': division by zero\n3:6 expr-E02 unknown name 'e'");
+}
+
+TEST(Mistakes, AVariableWithoutAValueForAMomentHasOneLater) {
+    Interpretation script(glib::parse("Let a (1 / time)\nTranslate (a) 0 0\nBox\n", "scene.glib"), {});
+    const Scene first = script.at({.time = 0});
+    EXPECT_EQ(idsOf(first.diagnostics), "expr-E06") << textsOf(first.diagnostics);
+    const Scene second = script.at({.time = .5});
+    EXPECT_EQ(textsOf(second.diagnostics), "");
+    EXPECT_EQ(tests::drawsOf(second).at(0).modelView[3].x, 2);
+}
+
+}  // namespace
+}  // namespace glibra::scene

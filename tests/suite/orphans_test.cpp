@@ -1,0 +1,81 @@
+#include "suite/golden/orphans.h"
+
+#include <gtest/gtest.h>
+
+#include "folder.h"
+#include "pictures.h"
+#include "suite/golden/hash_list.h"
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Orphans : public testing::Test {
+  protected:
+    Orphans() {
+        suite.name = "s";
+        suite.goldens = folder / "golden";
+        for (const char* each : {"a", "deep/b", "c@t=0.5"}) suite.shots.push_back(shotNamed(each));
+        for (const char* each : {"a.png", "a.llvmpipe.png", "deep/b.exr", "c@t=0.5.png", "s.hashes"})
+            put(each);
+    }
+    void put(const std::string& name) const { writeText(folder / "golden" / name, ""); }
+    std::string found() const {
+        std::string names;
+        for (const fs::path& each : orphanGoldens(suite))
+            names += each.lexically_relative(folder / "golden").string() + " ";
+        return names;
+    }
+
+    Folder folder;
+    Suite suite;
+};
+
+TEST_F(Orphans, GoldensOfShotsAndTheirVariantsAreNone) {
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(Orphans, PicturesOfNoShotAreListedSorted) {
+    for (const char* each : {"z.png", "deep/a.png", "c@t=1.png", "b.exr", ".hidden.png", "README.md"})
+        put(each);
+    EXPECT_EQ(found(), "b.exr c@t=1.png deep/a.png z.png ");
+}
+
+TEST_F(Orphans, AFolderOfTwoSuitesIsLeftAlone) {
+    put("z.png");
+    put("other.hashes");
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(Orphans, AmongOtherFilesOnlyListedPicturesCount) {
+    put("texture.png");
+    put("z.png");
+    put("scene.glib");
+    EXPECT_EQ(found(), "") << "they may be textures";
+    HashList list;
+    list.accept(std::vector<AcceptedHash>{{"z", "", {}, {}, "driver"}});
+    writeText(folder / "golden/s.hashes", list.toText());
+    EXPECT_EQ(found(), "z.png ");
+}
+
+TEST_F(Orphans, LinksAreNotFollowed) {
+    fs::create_directories(folder / "elsewhere");
+    writeText(folder / "elsewhere/mine.png", "mine");
+    fs::create_directory_symlink(folder / "elsewhere", folder / "golden/link");
+    fs::create_symlink(folder / "elsewhere/mine.png", folder / "golden/z.png");
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(Orphans, RemovingThemLeavesTheOthers) {
+    put("z.png");
+    put("gone/x.png");
+    EXPECT_TRUE(removeOrphans(orphanGoldens(suite)).empty());
+    EXPECT_EQ(found(), "");
+    EXPECT_FALSE(fs::exists(folder / "golden/gone"));
+    EXPECT_TRUE(fs::exists(folder / "golden/a.llvmpipe.png"));
+    EXPECT_TRUE(fs::exists(folder / "golden/deep/b.exr"));
+}
+
+}  // namespace
+}  // namespace glibra::suite
