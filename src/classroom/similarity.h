@@ -13,7 +13,8 @@
 
 namespace glibra::classroom {
 
-/// Tokens that are hashed together (k in the paper), and hashes of which the least is kept (w).
+/// A fingerprint is the hash of kGram tokens in a row (k in the paper). Among kWindow hashes in a row the
+/// least is kept (w).
 inline constexpr std::size_t kGram = 16, kWindow = 10;
 inline constexpr std::size_t kLongestUnseen = kGram + kWindow - 2;
 

@@ -11,7 +11,7 @@
 namespace glibra::test {
 namespace {
 
-/// A texture with two levels, and depth, none of which the window shows.
+/// A colour texture with two levels, and a depth texture. The window shows neither.
 constexpr const char* kScene = R"(WindowSize 16 16
 Texture2D halves 8 8 rgba8 levels 2
 Texture2D deep 8 4 depth32f

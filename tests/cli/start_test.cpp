@@ -38,7 +38,7 @@ TEST(Start, GlibraAloneShowsWhatItCanDoInTenLines) {
     EXPECT_EQ(examples, 8);
 }
 
-/// True if the program behind the subcommand is part of this build.
+/// True if this build has the program that the subcommand starts.
 bool isBuilt(const std::string& subcommand) {
     const std::filesystem::path program = GLIBRA_PROGRAM;
     return std::filesystem::exists(program.parent_path() / ("glibra-" + subcommand));
